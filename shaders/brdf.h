@@ -9,7 +9,7 @@
 #define SHADERS_BRDF_H
 #include "abi_math.h"
 
-/* The prefiltered environment, an array of equirectangular images: the first layers are specular,
+/* Prefiltered environment map, an array of equirectangular images. The first layers are specular,
  * for roughness 1/7 to 1; the last one is diffuse irradiance. */
 #define LIT_WIDTH         128
 #define LIT_HEIGHT        64
@@ -17,26 +17,25 @@
 #define LIT_DIFFUSE_LAYER 7
 #define LIT_LAYERS        8
 
-/* Directional albedo table of the split-sum approximation: factors of f0 and f90. Rows have equal
- * roughness, 0 to 1; columns are square roots of cosines, 0 to 1. */
+/* Side of the split-sum table (factors of f0 and f90): roughness 0 to 1 along the columns, the
+ * square root of the cosine along the rows. */
 #define LIT_SPLIT_SIDE 16
 
-#define LIT_LIGHT_SPREAD 0.001f /* lobe width for punctual lights: mirrors stay finite */
-#define LIT_SUN_SPREAD   0.065f /* specular lobe width for the built-in sky's sun */
+#define LIT_LIGHT_SPREAD 0.001f /* minimum lobe width for punctual lights */
+#define LIT_SUN_SPREAD   0.065f /* procedural sun's specular lobe width */
 
-/* Texture of the punctual lights in scene files, one row per light, four floats per texel; written
- * by src/scene/punctual_light.c. */
-#define LIT_LIGHT_POSITION  0 /* world, metres; w: 1, or 0 for directional lights */
-#define LIT_LIGHT_DIRECTION 1 /* unit; w: range in metres, 0 if unlimited */
-#define LIT_LIGHT_COLOR     2 /* illuminance in lux or intensity in candela */
-#define LIT_LIGHT_CONE      3 /* cosines of the inner and outer cone angles */
+/* Columns of the RGBA32F light texture, one row per light (src/scene/punctual_light.c). */
+#define LIT_LIGHT_POSITION  0 /* position, metres; w: 0 if directional */
+#define LIT_LIGHT_DIRECTION 1 /* unit direction; w: range, metres, 0 without a limit */
+#define LIT_LIGHT_COLOR     2 /* illuminance, lux, or intensity, candela */
+#define LIT_LIGHT_CONE      3 /* cosines of a spot light's inner and outer cone angles */
 #define LIT_LIGHT_WIDTH     4
 
 struct lit_surface {
     vec3s diffuse;   /* albedo of the diffuse base */
     vec3s f0;        /* reflectance at normal incidence */
     float f90;       /* reflectance at grazing incidence */
-    float roughness; /* perceptual roughness; its square is GGX's alpha */
+    float roughness; /* perceptual; its square is GGX's alpha */
 };
 
 /* Returns the BRDF of KHR_materials_specular: a dielectric with `dielectric_f0`, or a metal. */
@@ -53,8 +52,8 @@ ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic
     return s;
 }
 
-/* Returns texel coordinates in the table of LIT_SPLIT_SIDE by LIT_SPLIT_SIDE entries, relative to
- * the first texel's centre. `n_dot_v` is the cosine between normal and view direction. */
+/* Returns texel coordinates in the split-sum table, relative to the first texel's centre. `n_dot_v`
+ * is the cosine between normal and view direction. */
 ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
 {
     float last = LIT_SPLIT_SIDE - 1.0f;
@@ -62,51 +61,52 @@ ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
                     glm_clamp(roughness, 0.0f, 1.0f) * last);
 }
 
-/* Factors of a surface on environment light: `glossy` on the prefiltered specular radiance, `matt`
- * on the radiance of a white diffuse surface. */
+/* Factors on environment light: `specular` for the prefiltered specular radiance, `diffuse` for the
+ * radiance of a white diffuse surface. */
 struct lit_environment_factors {
-    vec3s glossy, matt;
+    vec3s specular, diffuse;
 };
 
-/* Returns the environment factors of a surface; `split` is its entry in the table. */
+/* Returns the environment factors of a surface; `split` is its entry in the split-sum table. */
 ABI_FUNCTION ABI_STRUCT(lit_environment_factors)
     lit_environment_factors_of(ABI_STRUCT(lit_surface) s, vec2s split)
 {
     vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
     vec3s f90 = glms_vec3_scale(one, s.f90);
-    float missing = 1.0f - split.x - split.y;
-    vec3s once = glms_vec3_add(glms_vec3_scale(s.f0, split.x), glms_vec3_scale(f90, split.y));
+    float energy_loss = 1.0f - split.x - split.y;
+    vec3s single = glms_vec3_add(glms_vec3_scale(s.f0, split.x), glms_vec3_scale(f90, split.y));
     vec3s mean = glms_vec3_lerp(s.f0, f90, 1.0f / 21.0f);
-    vec3s again = glms_vec3_scale(mean, missing);
-    vec3s more = glms_vec3_div(glms_vec3_mul(once, again), glms_vec3_sub(one, again));
-    float kept = 1.0f - glms_vec3_max(glms_vec3_add(once, more));
-    ABI_STRUCT(lit_environment_factors) shares;
-    shares.glossy = once;
-    shares.matt = glms_vec3_add(more, glms_vec3_scale(s.diffuse, kept));
-    return shares;
+    vec3s mean_loss = glms_vec3_scale(mean, energy_loss);
+    vec3s multi = glms_vec3_div(glms_vec3_mul(single, mean_loss), glms_vec3_sub(one, mean_loss));
+    float diffuse_fraction = 1.0f - glms_vec3_max(glms_vec3_add(single, multi));
+    ABI_STRUCT(lit_environment_factors) factors;
+    factors.specular = single;
+    factors.diffuse = glms_vec3_add(multi, glms_vec3_scale(s.diffuse, diffuse_fraction));
+    return factors;
 }
 
-/* Returns a surface's radiance in an environment. `split` is its table entry, `glossy` and `matt`
- * the prefiltered specular and diffuse light. */
-ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s glossy,
-                                      vec3s matt)
+/* Returns a surface's radiance in an environment. `split` is its split-sum table entry, `specular`
+ * and `diffuse` are the prefiltered specular and diffuse light. */
+ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s specular,
+                                      vec3s diffuse)
 {
-    ABI_STRUCT(lit_environment_factors) shares = lit_environment_factors_of(s, split);
-    return glms_vec3_add(glms_vec3_mul(shares.glossy, glossy), glms_vec3_mul(shares.matt, matt));
+    ABI_STRUCT(lit_environment_factors) factors = lit_environment_factors_of(s, split);
+    return glms_vec3_add(glms_vec3_mul(factors.specular, specular),
+                         glms_vec3_mul(factors.diffuse, diffuse));
 }
 
-/* Returns the ratio of a surface's Fresnel reflectance in a medium to that in air. `f0`:
- * reflectance at normal incidence in air; `ior`: of the medium, relative to air. */
+/* Returns the ratio of a surface's Fresnel reflectance in a medium to that in air. `f0` is the
+ * reflectance at normal incidence in air, `ior` the medium's refractive index. */
 ABI_FUNCTION float lit_reflectance_in_medium(float f0, float ior)
 {
     float root = sqrtf(glm_clamp(f0, 1e-6f, 0.99f));
-    float own = (1.0f + root) / (1.0f - root);
-    float in_medium = (own - ior) / (own + ior);
+    float surface_ior = (1.0f + root) / (1.0f - root);
+    float in_medium = (surface_ior - ior) / (surface_ior + ior);
     return fminf(in_medium * in_medium / (root * root), 1.0f);
 }
 
-/* Returns a surface's radiance by light from direction `l`, whose strength is the radiance of a
- * white diffuse surface that faces it. `n`, `v` (towards the viewer) and `l` are unit; `base` is
+/* Returns the radiance that a surface reflects from a light in direction `l`, relative to that of a
+ * white diffuse surface facing the light. `n`, `v` (towards the viewer) and `l` are unit. `base` is
  * the normal of the diffuse base, which differs from `n` below a water layer
  * (MATERIAL_IS_WATER_LAYER). GGX's alpha is at least `spread`, half the light's angular radius. */
 ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s base, vec3s v, vec3s l,
@@ -127,12 +127,12 @@ ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s bas
                                n_dot_v * sqrtf(n_dot_l * n_dot_l * (1.0f - square) + square));
     vec3s f90 = ABI_VEC3(s.f90, s.f90, s.f90);
     vec3s fresnel = glms_vec3_lerp(s.f0, f90, grazing);
-    vec3s matt = glms_vec3_scale(s.diffuse, 1.0f - glms_vec3_max(fresnel));
-    vec3s glossy = glms_vec3_scale(fresnel, distribution * visibility * n_dot_l);
-    return glms_vec3_add(glms_vec3_scale(matt, fmaxf(glms_vec3_dot(base, l), 0.0f)), glossy);
+    vec3s diffuse = glms_vec3_scale(s.diffuse, 1.0f - glms_vec3_max(fresnel));
+    vec3s specular = glms_vec3_scale(fresnel, distribution * visibility * n_dot_l);
+    return glms_vec3_add(glms_vec3_scale(diffuse, fmaxf(glms_vec3_dot(base, l), 0.0f)), specular);
 }
 
-/* Returns a surface's radiance by light from `l`, without a water layer. */
+/* Returns the same as lit_by_light_on() for a surface without a water layer. */
 ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
 {
     return lit_by_light_on(s, n, n, v, l, spread);

@@ -6,9 +6,9 @@
 #define MATERIAL_ROW_FACTORS  0 /* metallic, roughness, specular, alpha */
 #define MATERIAL_ROW_F0       1 /* rgb: dielectric reflectance at normal incidence; a: alpha mode */
 #define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
-#define MATERIAL_ROW_SCALES   3 /* normal scale, occlusion; 1: textured ice; 1: water layer */
-/* two texels per material_texture_use: row of u, layer + 1; row of v, 9 * uv_set + 3 * wrap_v +
- * wrap_u */
+/* normal scale, occlusion strength; flags: textured ice, water layer */
+#define MATERIAL_ROW_SCALES 3
+/* Two texels per texture use: u row, layer + 1; v row, 9 * uv_set + 3 * wrap_v + wrap_u. */
 #define MATERIAL_ROW_TEXTURES 4
 #define MATERIAL_ROW_WIDTH    22
 
@@ -31,6 +31,6 @@
 #define MATERIAL_WRAPS_COUNT            3
 #define MATERIAL_OTHER_SET              9
 
-#define MATERIAL_ROUGH 0.6f /* roughness from which a surface shows no screen-space reflections */
+#define MATERIAL_ROUGH 0.6f /* minimum roughness without screen-space reflections */
 
 #endif

@@ -9,12 +9,12 @@
 #define MESH_MATERIAL 4
 
 /* bits of mesh_vertex.material */
-#define MESH_TEXTURE_MASK  0xffffu  /* texture layer + 1; 0 if there is none */
-#define MESH_TILES         0xffffu  /* texture value of a pool's tiles; reference only */
-#define MESH_UNLIT         0x10000u /* the colour is emitted radiance, not lit */
+#define MESH_TEXTURE_MASK  0xffffu  /* texture layer + 1, or 0 */
+#define MESH_TILES         0xffffu  /* marks a pool's tiles; CPU reference only */
+#define MESH_UNLIT         0x10000u /* colour is emitted radiance */
 #define MESH_CUTOUT        0x20000u /* alpha below one half is discarded */
 #define MESH_ORBITS        0x40000u /* transformed by globals.world_from_movers */
-#define MESH_SURFACE_SHIFT 19u      /* from this bit on: material index + 1; 0 if there is none */
+#define MESH_SURFACE_SHIFT 19u      /* shift of the material index + 1; 0 without a material */
 #define MESH_SURFACE_MAX   8191u
 
 /* Layout of the texture of struct mesh_extra: texels of a vertex are consecutive, row by row. */

@@ -11,17 +11,17 @@
 struct object_material {
     vec3s tint;      /* colour factor on transmitted light */
     float roughness; /* perceptual roughness, 0 to 1 */
-    float opacity;   /* opacity: fraction of unreflected light that reaches the diffuse base */
+    float opacity;   /* fraction of unreflected light that reaches the diffuse base */
 };
 
 /* Multiplies a material's parameters by its texels: base colour, roughness and transmission. */
 ABI_FUNCTION ABI_STRUCT(object_material)
-    object_material_of(ABI_STRUCT(object_material) own, vec3s base, float rough, float through)
+    object_material_of(ABI_STRUCT(object_material) material, vec3s base, float rough, float through)
 {
-    own.tint = glms_vec3_mul(own.tint, base);
-    own.roughness *= rough;
-    own.opacity = 1.0f - (1.0f - own.opacity) * through;
-    return own;
+    material.tint = glms_vec3_mul(material.tint, base);
+    material.roughness *= rough;
+    material.opacity = 1.0f - (1.0f - material.opacity) * through;
+    return material;
 }
 
 #endif

@@ -3,7 +3,7 @@
  *
  * Drivers remove code that these constants make unreachable. lavapipe, which runs shaders on a
  * CPU's SIMD units, executes both sides of other branches, including texture fetches, and
- * recompiles a large shader that branches on a uniform in each frame (Mesa 22.3).
+ * recompiles large shaders that branch on a uniform in every frame (Mesa 22.3).
  */
 #ifndef SHADERS_SPECIALIZATION_CONSTANTS_H
 #define SHADERS_SPECIALIZATION_CONSTANTS_H
@@ -13,22 +13,22 @@
 #define CONSTANT_TEXTURED_HOLES 0x40000000u /* some material is alpha-tested or blended */
 
 #define CONSTANT_BACKGROUND      0  /* background mode: GLOBALS_SKY ... */
-#define CONSTANT_TEXTURED        1  /* bits as above; 0 if nothing is textured */
+#define CONSTANT_TEXTURED        1  /* CONSTANT_TEXTURED_ bits; 0 without textures */
 #define CONSTANT_LIT             2  /* 1 if some surroundings are lit */
 #define CONSTANT_LIGHTS          3  /* number of valid elements of globals.lights */
-#define CONSTANT_BUMP_UV         4  /* bump map coordinates: 1: the mesh's uv; 0: triplanar */
-#define CONSTANT_REFRACT_COLORS  5  /* 3: one path per colour channel (dispersion); otherwise 1 */
+#define CONSTANT_BUMP_UV         4  /* bump map: 1: uv; 0: triplanar */
+#define CONSTANT_REFRACT_COLORS  5  /* 3 with dispersion, otherwise 1 */
 #define CONSTANT_REFRACT_FRESNEL 6  /* Fresnel mode: REFRACT_FRESNEL_PAPER ... */
 #define CONSTANT_REFRACT_LOOKUP  7  /* environment lookup mode: REFRACT_LOOKUP_INFINITE ... */
 #define CONSTANT_REFRACT_STEPS   8  /* ray marching steps of REFRACT_LOOKUP_DISTANCE */
 #define CONSTANT_TONEMAP_CURVE   9  /* tone mapping curve: TONEMAP_NEUTRAL ... */
 #define CONSTANT_TILED           10 /* 1 to apply globals.lod_bias */
-#define CONSTANT_ICE_SHADOW      11 /* 1 if the ice casts a shadow (ice_caustics.c) */
+#define CONSTANT_ICE_SHADOW      11 /* 1 if the ice casts shadows */
 #define CONSTANT_COMPOSITE       12 /* compositing features: COMPOSITE_HAS_AIR ... */
-#define CONSTANT_OBJECTS         13 /* 1 if earlier passes may have drawn other objects */
+#define CONSTANT_OBJECTS         13 /* 1: earlier passes may draw objects */
 #define CONSTANT_ENVIRONMENT     14 /* environment.turn, a float */
-#define CONSTANT_HIDDEN          15 /* 1: only cube maps and rays show the environment */
-#define CONSTANT_SCENE_LIGHTS    16 /* number of punctual lights in the scene's files */
+#define CONSTANT_HIDDEN          15 /* 1: the image omits the environment */
+#define CONSTANT_SCENE_LIGHTS    16 /* number of punctual lights */
 #define CONSTANT_REFRACT_EXITS   17 /* maximum number of exits: refract_bounce.exits */
 #define CONSTANT_ORTHOGRAPHIC    18 /* 1 if the projection is orthographic */
 #define CONSTANT_TRACE           19 /* TRACE_ flags of refract_trace.h */

@@ -7,9 +7,9 @@
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D back;
 
-layout(location = 0) out vec4 layers; /* metres: depth of front and back, thickness */
+layout(location = 0) out vec4 layers; /* front depth, back depth, thickness, metres */
 
-/* Returns the ratio of distance along this pixel's ray to view-space depth. */
+/* Returns the ratio of distance along this pixel's primary ray to view-space depth. */
 float slant()
 {
     return primary_ray_slant(

@@ -1,12 +1,11 @@
-/* ice_front.frag: G-buffer of the ice's front faces; bump-mapped shading normals with REFRACT_BUMP.
- */
+/* ice_front.frag: G-buffer of the ice's front faces; REFRACT_BUMP adds bump mapping. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "refract/refract_front_face.glsl"
 
-layout(location = 0) out vec4 front; /* xyz: outward unit normal, world; w: 1 */
+layout(location = 0) out vec4 front; /* outward unit normal, world; w: 1 */
 layout(location = 1) out float depth;
-layout(location = 2) out vec4 shading; /* xyz: shading normal, world; w: Fresnel reflectance */
+layout(location = 2) out vec4 shading; /* shading normal, world; w: Fresnel reflectance */
 
 void main()
 {

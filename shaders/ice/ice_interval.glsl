@@ -22,7 +22,7 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* Returns the pixel's face i, from the nearer or the farther half of the layers. */
+/* Returns depth-peeled layer `i` of this pixel; `near` holds the first half of the layers. */
 float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -35,29 +35,29 @@ float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 bool ice_interval_contains(sampler2DArray near, sampler2DArray far, float depth)
 {
     int count = 2 * textureSize(near, 0).z;
-    int within = 0;
+    int nesting = 0;
     for (int i = 0; i < count; i++) {
         float layer = ice_interval_face(near, far, i);
         int step = ice_interval_step(layer);
         if (layer == ICE_INTERVAL_END || layer > depth || (layer == depth && step < 0))
             break;
-        within += step;
+        nesting += step;
     }
-    return within > 0;
+    return nesting > 0;
 }
 
 int ice_interval_count(sampler2DArray near, sampler2DArray far)
 {
     int count = 2 * textureSize(near, 0).z;
-    int within = 0;
+    int nesting = 0;
     int intervals = 0;
     for (int i = 0; i < count; i++) {
         float layer = ice_interval_face(near, far, i);
         if (layer == ICE_INTERVAL_END)
             break;
         int step = ice_interval_step(layer);
-        intervals += step > 0 && within == 0 ? 1 : 0;
-        within += step;
+        intervals += step > 0 && nesting == 0 ? 1 : 0;
+        nesting += step;
     }
     return intervals;
 }

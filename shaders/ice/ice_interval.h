@@ -2,9 +2,9 @@
 #ifndef SHADERS_ICE_ICE_INTERVAL_H
 #define SHADERS_ICE_ICE_INTERVAL_H
 
-#define ICE_INTERVAL_BEFORE 1 /* binding of the previous layer */
-#define ICE_INTERVAL_NEAR   1 /* binding of the nearer half of the layers */
-#define ICE_INTERVAL_FAR    2 /* binding of the farther half of the layers */
+#define ICE_INTERVAL_BEFORE 1 /* previous layer */
+#define ICE_INTERVAL_NEAR   1 /* nearer half of the layers */
+#define ICE_INTERVAL_FAR    2 /* farther half of the layers */
 #define ICE_INTERVAL_MAX    8 /* maximum number of intervals per pixel */
 
 #endif

@@ -2,13 +2,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "ice/ice_interval.glsl"
 
-layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray before;
+layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray previous;
 
-/* Discards faces not behind the previous layer; the depth test keeps the nearest of the others. */
+/* Depth peeling: discards faces up to the previous layer; the depth test keeps the nearest. */
 void main()
 {
     float layer = ice_interval_layer(gl_FragCoord.z, gl_FrontFacing);
-    if (layer <= texelFetch(before, ivec3(gl_FragCoord.xy, 0), 0).r)
+    if (layer <= texelFetch(previous, ivec3(gl_FragCoord.xy, 0), 0).r)
         discard;
     gl_FragDepth = layer;
 }

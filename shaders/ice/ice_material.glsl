@@ -1,5 +1,4 @@
-/* ice_material.glsl: surface parameters of textured ice in the G-buffer pass; uses the first uv
- * set. */
+/* ice_material.glsl: surface parameters of textured ice in the G-buffer pass, from uv set 0. */
 #ifndef ICE_MATERIAL_GLSL
 #define ICE_MATERIAL_GLSL
 #include "ice/ice_material.h"
@@ -18,17 +17,17 @@ layout(location = ICE_MATERIAL_FRESNEL) in float fresnel_paper; /* eq. 4, per ve
 layout(location = ICE_MATERIAL_COLOR) in vec3 color;
 layout(location = ICE_MATERIAL_UV) in vec2 uv;
 
-/* Returns the textured surface parameters; `bent` becomes the normal-mapped outward normal. */
-object_material ice_material_at(out vec3 bent)
+/* Returns the textured surface parameters; `mapped_n` becomes the normal-mapped outward normal. */
+object_material ice_material_at(out vec3 mapped_n)
 {
     vec3 base = lit_texel(textures, push.row, MATERIAL_USE_BASE_COLOR, uv, 1.0).rgb;
-    float rough = lit_texel(numbers, push.row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0).g;
-    float through = lit_texel(numbers, push.row, MATERIAL_USE_TRANSMISSION, uv, 1.0).r;
-    vec4 texel = lit_texel(numbers, push.row, MATERIAL_USE_NORMAL, uv, 1.0);
+    float rough = lit_texel(data_textures, push.row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0).g;
+    float through = lit_texel(data_textures, push.row, MATERIAL_USE_TRANSMISSION, uv, 1.0).r;
+    vec4 texel = lit_texel(data_textures, push.row, MATERIAL_USE_NORMAL, uv, 1.0);
     vec4 scales = material_texel(push.row, MATERIAL_ROW_SCALES);
-    bent = normalize(normal);
+    mapped_n = normalize(normal);
     if (texel != vec4(1.0))
-        bent = normal_map_by_derivatives(bent, texel.rgb, scales.xy, eye_to_point, uv);
+        mapped_n = normal_map_by_derivatives(mapped_n, texel.rgb, scales.xy, eye_to_point, uv);
     return object_material_of(push.own, base, rough, through);
 }
 

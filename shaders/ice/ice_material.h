@@ -1,5 +1,4 @@
-/* ice_material.h: varyings and push constants of the pass that draws textured ice (ice_normal.c).
- */
+/* ice_material.h: varyings and push constants of the pass that draws textured ice. */
 #ifndef SHADERS_ICE_ICE_MATERIAL_H
 #define SHADERS_ICE_ICE_MATERIAL_H
 #include "object_material.h"
@@ -15,7 +14,7 @@
 struct ice_material_push {
     ABI_STRUCT(object_material) own;
     uint32_t row;   /* row in the material texture */
-    uint32_t layer; /* texture layer of the base colour + 1, as in the vertices */
+    uint32_t layer; /* base colour's texture layer + 1 */
 };
 
 #endif

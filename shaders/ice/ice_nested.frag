@@ -3,7 +3,7 @@
 #include "ice/ice_nested.h"
 
 #ifdef ICE_NESTED_INNER
-layout(set = 0, binding = ICE_NESTED_BEFORE) uniform sampler2DArray before;
+layout(set = 0, binding = ICE_NESTED_BEFORE) uniform sampler2DArray outer;
 #endif
 
 layout(push_constant, scalar) uniform Push
@@ -13,23 +13,23 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 normal;
 
-/* xyz: normal that points out of the level; w: 1 + medium inside the level at this face */
+/* xyz: unit normal out of this nesting level; w: 1 + index of the medium inside the level */
 layout(location = 0) out vec4 face;
 layout(location = 1) out float depth;
 
-/* The depth test keeps the nearest or farthest face; inner levels are limited to faces between
- * those of the surrounding level. */
+/* Peels one nesting level: the depth test keeps its nearest or farthest face, and inner levels
+ * discard faces outside the surrounding level. */
 void main()
 {
     depth = gl_FragCoord.z;
 #ifdef ICE_NESTED_INNER
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float near = texelFetch(before, ivec3(pixel, 0), 0).r;
-    float far = texelFetch(before, ivec3(pixel, 1), 0).r;
+    float near = texelFetch(outer, ivec3(pixel, 0), 0).r;
+    float far = texelFetch(outer, ivec3(pixel, 1), 0).r;
     if (depth >= near || depth <= far)
         discard;
 #endif
     bool is_entered = gl_FrontFacing != (push.is_far == 1u); /* enters the object */
     face.xyz = is_entered ? normalize(normal) : -normalize(normal);
-    face.w = 1.0 + float(is_entered ? push.own : push.around);
+    face.w = 1.0 + float(is_entered ? push.medium : push.cavity_medium);
 }

@@ -4,10 +4,10 @@
 #include "abi.h"
 #include "inclusions/medium.h"
 
-#define ICE_NESTED_LEVELS    3  /* levels of nesting; the outermost one is level 0 */
-#define ICE_NESTED_MEDIA_MAX 16 /* maximum number of media, including the outside, medium 0 */
+#define ICE_NESTED_LEVELS    3  /* nesting levels; level 0 is the outermost */
+#define ICE_NESTED_MEDIA_MAX 16 /* maximum number of media; medium 0 is the outside */
 
-#define ICE_NESTED_BEFORE 1 /* binding of the surrounding level's depths: near, far */
+#define ICE_NESTED_BEFORE 1 /* surrounding level's near, far depths */
 
 /* Bindings of shaders that read the layers. */
 #define ICE_NESTED_DEPTHS  2
@@ -22,9 +22,9 @@ struct ice_nested_media {
 };
 
 struct ice_nested_push {
-    uint32_t own;    /* medium of the object that is drawn */
-    uint32_t around; /* medium in the object's cavities */
-    uint32_t is_far; /* 1 to keep the farthest faces, 0 the nearest */
+    uint32_t medium;        /* medium inside the drawn object */
+    uint32_t cavity_medium; /* medium in the object's cavities */
+    uint32_t is_far;        /* 1: keep farthest faces; 0: nearest */
 };
 
 #endif

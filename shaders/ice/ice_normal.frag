@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 layout(location = 0) in vec3 normal;
-layout(location = 0) out vec4 back; /* xyz: outward unit normal, world; w: 1 */
+layout(location = 0) out vec4 back; /* outward unit normal, world; w: 1 */
 
 void main()
 {

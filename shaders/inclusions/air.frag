@@ -19,7 +19,7 @@ layout(location = 0) in vec3 uv;
 layout(location = 1) in vec3 eye_to_point;
 layout(location = 2) in vec3 normal;
 
-layout(location = 0) out vec4 cover; /* combined opacity of the planes in r; a for blending */
+layout(location = 0) out vec4 cover; /* r: combined opacity; a: for blending */
 
 void main()
 {

@@ -3,9 +3,9 @@
 #define SHADERS_INCLUSIONS_AIR_H
 #include "abi.h"
 
-#define AIR_LAYERS 3 /* texture array of opacities: r bubbles, g haze */
+#define AIR_LAYERS 3 /* texture array of opacities; r: bubbles, g: haze */
 
-/* Cosine between a plane's normal and the view ray below which the plane fades out, edge on. */
+/* Cosine between view ray and an air plane's normal below which the plane fades out. */
 #define AIR_EDGE 0.3f
 
 struct air_push {

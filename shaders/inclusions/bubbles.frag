@@ -9,7 +9,7 @@
 
 #include "inclusions/bubbles_light.glsl"
 
-layout(location = 0) in vec3 eye_to_square; /* from the camera to a point of the billboard */
+layout(location = 0) in vec3 eye_to_square; /* camera to billboard point, world */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
 
@@ -19,7 +19,7 @@ void main()
 {
     vec3 e = primary_ray_dir(eye_to_square);
     float along = dot(eye_to_center, e);
-    vec3 aside = along * e - eye_to_center; /* from the centre to the ray, perpendicular to it */
+    vec3 aside = along * e - eye_to_center; /* perpendicular, from the centre to the ray */
     if (constant_orthographic != 0u)
         aside = eye_to_square - eye_to_center;
     float b = length(aside) / radius;
@@ -38,7 +38,7 @@ void main()
     vec3 reflected = bubble_rotate(e, outward, bubble_reflected(b));
     vec3 transmitted = bubble_rotate(e, outward, bubble_transmitted(b, eta));
     float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_opacity(b, eta) : 0.0;
-    bubble = bubble_through(
+    bubble = bubble_attenuate(
         e, hit,
         vec4(bubble_light(hit, reflected, reflectance, transmitted, cover), reflectance + cover));
 }

@@ -1,9 +1,7 @@
-/*
- * bubbles_light.glsl: light that bubbles reflect and transmit. With BUBBLES_TRACED, the ray from
+/* bubbles_light.glsl: light that bubbles reflect and transmit. With BUBBLES_TRACED, the ray from
  * the bubble is traced through the ice in the refraction model's depth and normal maps until it
- * leaves; otherwise the environment cube is looked up directly. BUBBLES_REFRACTED adds the outputs
- * from which composite.frag shows bubbles along refracted rays.
- */
+ * leaves; otherwise the environment cube is looked up directly. BUBBLES_REFRACTED adds a depth
+ * output, in which composite.frag searches the hits of refracted rays. */
 #ifndef BUBBLES_LIGHT_GLSL
 #define BUBBLES_LIGHT_GLSL
 #include "lib/ice_clip.glsl"
@@ -13,17 +11,17 @@
 
 layout(set = 0, binding = BUBBLES_CRACKS) uniform sampler2D cracks_hits;
 
-layout(location = 1) out float seen_depth; /* depth for the search in inclusion_march.glsl */
+layout(location = 1) out float out_depth; /* depth for the search in inclusion_march.glsl */
 
 /* Returns true if a totally reflecting crack hides a point; also writes the point's depth. */
 bool bubble_is_hidden(vec3 e, vec3 eye_to_point)
 {
     vec4 crack = texelFetch(cracks_hits, ivec2(gl_FragCoord.xy), 0);
-    seen_depth =
+    out_depth =
         inclusion_depth(frame.eye + eye_to_point - frame.center, frame.forward, frame.radius);
     float n = frame.outside_in_air / frame.eta;
     float c = dot(crack.yzw, e) / max(length(crack.yzw), 1e-9);
-    return crack.r > 0.0 && crack.r < seen_depth && n * n * (1.0 - c * c) > 1.0;
+    return crack.r > 0.0 && crack.r < out_depth && n * n * (1.0 - c * c) > 1.0;
 }
 #else
 bool bubble_is_hidden(vec3 e, vec3 eye_to_point)
@@ -37,7 +35,7 @@ bool bubble_is_hidden(vec3 e, vec3 eye_to_point)
 #define REFRACT_PHOTONS
 #define REFRACT_MARCH params.march
 #define MARCH_GROUND
-#define MARCH_PICTURE vec2(textureSize(ice_clip_front, 0))
+#define MARCH_IMAGE_SIZE vec2(textureSize(ice_clip_front, 0))
 #include "refract/refract_bounce.h"
 
 layout(push_constant, scalar) uniform Push
@@ -53,7 +51,7 @@ bool march_is_in_ground(vec3 point)
     return refract_is_below_ground(point);
 }
 
-/* Limits on the ray march from a bubble, which is too small and distorting to show its errors. */
+/* Limits of the ray march from a bubble: errors hardly show in its small, distorted image. */
 const uint bubble_bounces = 2u;
 const uint bubble_halvings = 4u;
 
@@ -97,15 +95,15 @@ vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transm
 
 /* Attenuates the premultiplied colour of a bubble by the scattering medium between it and the
  * camera, and adds the in-scattered light. */
-vec4 bubble_through(vec3 e, vec3 eye_to_bubble, vec4 bubble)
+vec4 bubble_attenuate(vec3 e, vec3 eye_to_bubble, vec4 bubble)
 {
 #ifdef REFRACT_MEDIUM
     vec3 point = frame.eye + eye_to_bubble;
-    float straight = 1.0;
+    float transmittance = 1.0;
     bool near_front;
     float t = march_length(bubble_space(), point, -e, near_front);
-    vec3 scattered = refract_in_scatter(frame.cloud, point - t * e, e, t, straight);
-    bubble.rgb = straight * bubble.rgb + bubble.a * scattered;
+    vec3 scattered = refract_in_scatter(frame.cloud, point - t * e, e, t, transmittance);
+    bubble.rgb = transmittance * bubble.rgb + bubble.a * scattered;
 #endif
     return bubble;
 }
@@ -119,7 +117,7 @@ vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transm
            cover * textureLod(env_cube, transmitted, 0.0).rgb;
 }
 
-vec4 bubble_through(vec3 e, vec3 eye_to_bubble, vec4 bubble)
+vec4 bubble_attenuate(vec3 e, vec3 eye_to_bubble, vec4 bubble)
 {
     return bubble;
 }

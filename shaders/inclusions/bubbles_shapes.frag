@@ -10,7 +10,7 @@
 
 #include "inclusions/bubbles_light.glsl"
 
-layout(location = 0) in vec3 eye_to_rectangle; /* from the camera to a point of the billboard */
+layout(location = 0) in vec3 eye_to_rectangle; /* camera to billboard point, world */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
 layout(location = 3) flat in vec4 axis; /* xyz: unit; w: stretch */
@@ -18,7 +18,7 @@ layout(location = 4) flat in float is_capsule;
 
 layout(location = 0) out vec4 bubble; /* premultiplied alpha */
 
-vec2 cross_at(vec3 from, vec3 dir)
+vec2 intersect_bubble(vec3 from, vec3 dir)
 {
     return bubble_intersect(from, dir, axis.xyz, axis.w, radius, is_capsule > 0.5);
 }
@@ -32,8 +32,8 @@ vec3 normal_at(vec3 from)
 void main()
 {
     vec3 e = primary_ray_dir(eye_to_rectangle);
-    vec3 from = eye_to_rectangle - eye_to_center; /* a point of the ray, relative to the centre */
-    vec2 at = cross_at(from, e);
+    vec3 from = eye_to_rectangle - eye_to_center; /* ray point relative to the centre */
+    vec2 at = intersect_bubble(from, e);
     if (at.x > at.y)
         discard;
     vec3 hit = from + at.x * e;
@@ -46,11 +46,11 @@ void main()
     n = dot(n, e) < 0.0 ? n : -e;
     float reflectance = optics_fresnel(e, n, eta);
     vec3 inside = refract(e, n, eta); /* 0 for total internal reflection */
-    vec3 last = hit + max(cross_at(hit, inside).y, 0.0) * inside;
+    vec3 last = hit + max(intersect_bubble(hit, inside).y, 0.0) * inside;
     vec3 transmitted = reflectance < 1.0 ? refract(inside, -normal_at(last), 1.0 / eta) : e;
     float b2 = 1.0 - dot(n, e) * dot(n, e);
     float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_opacity(sqrt(b2), eta) : 0.0;
     vec3 light =
         bubble_light(eye_to_center + hit, optics_reflect(e, n), reflectance, transmitted, cover);
-    bubble = bubble_through(e, eye_to_center + hit, vec4(light, reflectance + cover));
+    bubble = bubble_attenuate(e, eye_to_center + hit, vec4(light, reflectance + cover));
 }

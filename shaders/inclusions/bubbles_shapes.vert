@@ -16,7 +16,7 @@ layout(location = 3) flat out vec4 out_axis; /* xyz: unit; w: stretch */
 layout(location = 4) flat out float out_is_capsule;
 
 /* Draws a camera-facing rectangle through the bubble's centre that contains its outline, along its
- * axis. It is degenerate if the camera is inside the bubble's bounding sphere. */
+ * axis; degenerate if the camera is inside the bubble's bounding sphere. */
 void main()
 {
     const vec2 corners[] = { vec2(-1, -1), vec2(1, -1), vec2(-1, 1),

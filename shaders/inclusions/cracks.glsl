@@ -14,7 +14,7 @@ layout(location = CRACKS_OPEN) in float open;
 layout(location = CRACKS_LIGHTS) flat in vec4 lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_SHADING) flat in cracks_shading shading;
 
-const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour if look.surface is set */
+const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour with cracks_shading.surface */
 
 /* View ray and normal at a point of a crack, object space. */
 struct crack_point {
@@ -46,14 +46,14 @@ vec3 crack_reflectance(crack_point c)
     return cracks_reflectance(-dot(c.n, c.e), frame.outside_in_air / frame.eta, crack_width());
 }
 
-/* Returns the Blinn-Phong highlights of lights on the camera's side. */
+/* Returns the Blinn-Phong highlights of the lights on the camera's side of a crack. */
 float crack_highlight(crack_point c)
 {
     float sum = 0.0;
     for (uint i = 0u; i < constant_lights; i++) {
         vec3 l = normalize(lights[i].xyz - eye_to_point);
-        float shine = pow(max(dot(c.n, normalize(l - c.e)), 0.0), shading.shininess);
-        sum += dot(c.n, l) > 0.0 ? lights[i].w * shine : 0.0;
+        float lobe = pow(max(dot(c.n, normalize(l - c.e)), 0.0), shading.shininess);
+        sum += dot(c.n, l) > 0.0 ? lights[i].w * lobe : 0.0;
     }
     return shading.strength * sum;
 }

@@ -11,15 +11,14 @@
 #define CRACKS_ENV_CUBE 5 /* used with cracks.refract=gap */
 
 /* Outputs of the vertex shader, in object space. */
-#define CRACKS_POSITION     0 /* divided by the radius of the object's bounding sphere */
+#define CRACKS_POSITION     0 /* in radii of the bounding sphere */
 #define CRACKS_NORMAL       1
 #define CRACKS_EYE_TO_POINT 2
-#define CRACKS_OPEN         3 /* CRACKS_SQUARED_GAP the vertex */
-/* array; xyz: from the camera to a light; w: strength of its highlight */
-#define CRACKS_LIGHTS  4
-#define CRACKS_SHADING 8 /* struct cracks_shading */
+#define CRACKS_OPEN         3 /* CRACKS_SQUARED_GAP of the vertex */
+#define CRACKS_LIGHTS       4 /* array; xyz: camera to light; w: highlight */
+#define CRACKS_SHADING      8 /* struct cracks_shading */
 
-/* Reflectance along the straight ray above which a gap hides weaker gaps in cracks.hits. */
+/* Reflectance along the unrefracted ray above which a gap hides weaker ones in cracks.hits. */
 #define CRACKS_HIT_REFLECTANCE 0.2f
 
 #define CRACKS_MAX 64 /* maximum of cracks.count */
@@ -31,9 +30,9 @@
 struct cracks_shading {
     float strength;   /* factor on the highlights */
     float shininess;  /* Blinn-Phong exponent */
-    float bump;       /* slope of the bump noise; 0 for smooth */
-    float gap;        /* width of the gap in the middle of a crack, micrometres */
-    uint32_t surface; /* 1 to draw cracks in flat opaque red */
+    float bump;       /* slope of bump noise; 0: smooth */
+    float gap;        /* maximum gap width, micrometres */
+    uint32_t surface; /* 1: draw flat opaque red */
 };
 
 #endif

@@ -1,10 +1,6 @@
-/*
- * cracks.vert: main() of the cracks' vertex shader. With CRACKS_UNCLIPPED, cracks may reach beyond
- * the near and far planes that are fitted to the object.
- *
- * Per-draw constants are passed as flat varyings, because lavapipe's fragment shaders fetch each
- * float of a uniform separately for each pixel (Mesa 22.3).
- */
+/* cracks.vert: vertex shader of cracks; CRACKS_UNCLIPPED lifts the depth range fitted to the
+ * object. Push constants are passed on as flat varyings, because lavapipe's fragment shaders fetch
+ * each float of a uniform separately for each pixel (Mesa 22.3). */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.h"
@@ -24,7 +20,7 @@ layout(location = CRACKS_NORMAL) out vec3 out_normal;
 layout(location = CRACKS_EYE_TO_POINT) out vec3 out_eye_to_point;
 layout(location = CRACKS_OPEN) out float out_open;
 layout(location = CRACKS_LIGHTS) flat out vec4 out_lights[GLOBALS_LIGHT_COUNT];
-layout(location = CRACKS_SHADING) flat out cracks_shading out_look;
+layout(location = CRACKS_SHADING) flat out cracks_shading out_shading;
 
 void main()
 {
@@ -41,5 +37,5 @@ void main()
     out_open = CRACKS_SQUARED_GAP(color);
     for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
         out_lights[i] = vec4(pose_to_object(frame.lights[i].xyz) - eye, frame.lights[i].w);
-    out_look = shading;
+    out_shading = shading;
 }

@@ -1,10 +1,7 @@
-/*
- * cracks_clip.glsl: crack_is_inside(), which confines cracks to the ice, by one of three methods.
- *
- * CRACKS_CONVEX: between the nearest front face and the farthest back face. The depth test rejects
- * fragments behind the latter, or this code does with CRACKS_BEFORE_BACK. CRACKS_INTERVAL: in the
- * intervals in which a pixel's ray is inside the ice. CRACKS_UNCLIPPED: everywhere.
- */
+/* cracks_clip.glsl: crack_is_inside(), which confines cracks to the ice. CRACKS_CONVEX: between the
+ * nearest front face and the farthest back face; fragments behind the latter fail the depth test
+ * or, with CRACKS_BEFORE_BACK, are rejected here. CRACKS_INTERVAL: in the intervals in which a
+ * pixel's ray is inside the ice. CRACKS_UNCLIPPED: everywhere. */
 #include "inclusions/cracks.h"
 #if defined CRACKS_CONVEX
 

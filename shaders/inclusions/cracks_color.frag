@@ -1,4 +1,4 @@
-/* cracks_color.frag: main() of highlights on cracks; clipping defines crack_is_inside(). */
+/* cracks_color.frag: draws the highlights on cracks, clipped by cracks_clip.glsl. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
@@ -14,6 +14,6 @@ void main()
         color = crack_red;
         return;
     }
-    float shine = crack_highlight(crack_here());
-    color = vec4(vec3(shine), min(shine, 1.0));
+    float highlight = crack_highlight(crack_here());
+    color = vec4(vec3(highlight), min(highlight, 1.0));
 }

@@ -1,4 +1,4 @@
-/* cracks_gap.frag: main() of air-filled cracks, which reflect the environment cube map. */
+/* cracks_gap.frag: draws air-filled cracks, which reflect the environment cube map. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
@@ -18,11 +18,11 @@ void main()
         return;
     }
     crack_point c = crack_here();
-    float shine = crack_highlight(c);
-    float alpha = min(shine, 1.0);
+    float highlight = crack_highlight(c);
+    float alpha = min(highlight, 1.0);
     vec3 reflectance = constant_cracks_traced != 0u ? vec3(0.0) : crack_reflectance(c);
     vec3 reflected =
         reflectance * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
     float mean = dot(reflectance, vec3(1.0 / 3.0));
-    color = vec4(vec3(shine) + (1.0 - alpha) * reflected, alpha + (1.0 - alpha) * mean);
+    color = vec4(vec3(highlight) + (1.0 - alpha) * reflected, alpha + (1.0 - alpha) * mean);
 }

@@ -1,16 +1,13 @@
-/*
- * cracks_hit.frag: main() of the crack hits for refraction models that continue the ray at a gap
- * (refract_cracks.glsl); the clipping method defines crack_is_inside(). A gap that is highly
- * reflective along the straight ray hides weaker ones, however near they are.
- */
+/* cracks_hit.frag: writes the cracks with which refraction models intersect refracted rays
+ * (refract_cracks.glsl). A gap that is highly reflective along the unrefracted ray hides weaker
+ * ones, even nearer ones. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 #include "refract/inclusion_march.glsl"
 
-layout(location = 0)
-    out vec4 met; /* r: depth (inclusion_march.glsl); gba: normal of length 1 + width, um */
+layout(location = 0) out vec4 hit; /* r: depth; gba: normal times 1 + width in micrometres */
 
 void main()
 {
@@ -18,8 +15,8 @@ void main()
         discard;
     crack_point c = crack_here();
     vec3 from_center = pose_object(frame.radius * position) - frame.center;
-    met = vec4(inclusion_depth(from_center, frame.forward, frame.radius),
+    hit = vec4(inclusion_depth(from_center, frame.forward, frame.radius),
                (1.0 + crack_width()) * pose_object_normal(c.n));
-    bool mirrors = dot(crack_reflectance(c), vec3(1.0)) > 3.0 * CRACKS_HIT_REFLECTANCE;
-    gl_FragDepth = 0.5 * (gl_FragCoord.z + (mirrors ? 0.0 : 1.0));
+    bool is_reflective = dot(crack_reflectance(c), vec3(1.0)) > 3.0 * CRACKS_HIT_REFLECTANCE;
+    gl_FragDepth = 0.5 * (gl_FragCoord.z + (is_reflective ? 0.0 : 1.0));
 }

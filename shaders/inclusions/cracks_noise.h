@@ -1,6 +1,4 @@
-/*
- * cracks_noise.h: roughness of cracks, for shaders and C: gradient of three octaves of noise.
- */
+/* cracks_noise.h: roughness of cracks, for shaders and C: gradient of three octaves of noise. */
 #ifndef SHADERS_INCLUSIONS_CRACKS_NOISE_H
 #define SHADERS_INCLUSIONS_CRACKS_NOISE_H
 #include "abi_math.h"
@@ -23,13 +21,13 @@ ABI_FUNCTION float crack_fade(float t)
 }
 
 /* Returns the derivative of crack_fade(). */
-ABI_FUNCTION float crack_rise(float t)
+ABI_FUNCTION float crack_fade_derivative(float t)
 {
     return 30.0f * t * t * (t * (t - 2.0f) + 1.0f);
 }
 
 /* Returns the gradient of value noise, whose values at integer coordinates are from -1 to 1. */
-ABI_FUNCTION vec3s crack_rms_slope(vec3s p)
+ABI_FUNCTION vec3s crack_noise_gradient(vec3s p)
 {
     vec3s below = ABI_VEC3(floorf(p.x), floorf(p.y), floorf(p.z));
     uint32_t x = ABI_UINT(ABI_INT(below.x));
@@ -37,7 +35,7 @@ ABI_FUNCTION vec3s crack_rms_slope(vec3s p)
     uint32_t z = ABI_UINT(ABI_INT(below.z));
     vec3s t = glms_vec3_sub(p, below);
     vec3s s = ABI_VEC3(crack_fade(t.x), crack_fade(t.y), crack_fade(t.z));
-    float across[4]; /* along x, at the four corners in y and z */
+    float across[4]; /* differences along x at the four corners in y and z */
     float along[4];
     for (uint32_t i = 0u; i < 4u; i++) {
         uint32_t row = y + (i & 1u);
@@ -50,13 +48,13 @@ ABI_FUNCTION vec3s crack_rms_slope(vec3s p)
         glm_lerp(glm_lerp(across[0], across[1], s.y), glm_lerp(across[2], across[3], s.y), s.z);
     float slope_y = glm_lerp(along[1] - along[0], along[3] - along[2], s.z);
     float slope_z = glm_lerp(along[2], along[3], s.y) - glm_lerp(along[0], along[1], s.y);
-    return ABI_VEC3(crack_rise(t.x) * slope_x, crack_rise(t.y) * slope_y,
-                    crack_rise(t.z) * slope_z);
+    return ABI_VEC3(crack_fade_derivative(t.x) * slope_x, crack_fade_derivative(t.y) * slope_y,
+                    crack_fade_derivative(t.z) * slope_z);
 }
 
 ABI_FUNCTION vec3s crack_octave(vec3s p, float frequency, float shift)
 {
-    return crack_rms_slope(
+    return crack_noise_gradient(
         ABI_VEC3(p.x * frequency + shift, p.y * frequency + shift, p.z * frequency + shift));
 }
 

@@ -1,11 +1,10 @@
-/* cracks_normal.frag: main() of cracks' normals; clipping defines crack_is_inside(). */
+/* cracks_normal.frag: draws the cracks' normals, clipped by cracks_clip.glsl. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 
-layout(location = 0) out vec4
-    out_normal; /* points away from the camera, like normals of the ice's back faces */
+layout(location = 0) out vec4 out_normal; /* points away from the camera */
 
 void main()
 {

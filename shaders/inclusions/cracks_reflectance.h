@@ -12,7 +12,7 @@
 #define SHADERS_INCLUSIONS_CRACKS_REFLECTANCE_H
 #include "abi_math.h"
 
-#define CRACKS_FADE_GAP 1.5f /* gap width at which colours have faded to 1 / e, micrometres */
+#define CRACKS_FADE_GAP 1.5f /* gap width in micrometres at which colours have faded to 1 / e */
 
 /* Returns a gap's reflectance at a wavelength in micrometres; see cracks_reflectance(). */
 ABI_FUNCTION float cracks_reflectance_at(vec3s gap, float phase, float wavelength)

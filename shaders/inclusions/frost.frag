@@ -20,7 +20,7 @@ layout(location = REFRACT_NORMAL) in vec3 normal;
 
 layout(location = 0) out vec4 color; /* premultiplied alpha */
 
-/* Returns the irradiance of the frost. A panorama or uniform colour is sampled along the normal. */
+/* Returns the irradiance of the frost: the procedural sky's, or the blurred cube map along `n`. */
 vec3 light_on(vec3 n)
 {
     if (constant_background == GLOBALS_SKY)

@@ -3,15 +3,15 @@
 #define SHADERS_INCLUSIONS_FROST_H
 #include "abi.h"
 
-#define FROST_ENV_CUBE 1 /* frost_cube.frag: cube map of the radiance around the object */
-#define FROST_CUBE     1 /* frost.frag: blurred cube map of the radiance around the object */
-#define FROST_EXIT     2 /* frost.frag: direction in which the refracted ray leaves the ice */
+#define FROST_ENV_CUBE 1 /* frost_cube.frag: environment cube map */
+#define FROST_CUBE     1 /* frost.frag: blurred environment cube map */
+#define FROST_EXIT     2 /* frost.frag: exit direction of the refracted ray */
 
 #define FROST_CUBE_SIZE 64 /* side of a cube face, texels */
 
 /* Push constants of one face of the blurred cube map. */
 struct frost_cube_push {
-    vec3s right;  /* from the face's centre to its right edge, at distance 1 */
+    vec3s right;  /* vector from the face's centre to its right edge, at distance 1 */
     float spread; /* GGX alpha of the crystals' slopes */
     vec3s up;
     vec3s forward;

@@ -14,7 +14,7 @@ layout(location = 0) out vec4 color;
 
 const uint count = 128u;
 const float golden = 2.39996323; /* golden angle, radians */
-const float brightest = 16.0;    /* clamp on the sun, which would show up as one spot per sample */
+const float brightest = 16.0;    /* clamps the sun, which would appear as one spot per sample */
 
 /* Computes the mean radiance that the frost crystals scatter into a direction. Slopes are
  * GGX-distributed; a slope of angle d deflects refracted light by (n - 1) d. */
@@ -29,8 +29,8 @@ void main()
         float s = (float(i) + 0.5) / float(count);
         float bend = (1.0 / frame.eta - 1.0) * atan(push.spread * sqrt(s / (1.0 - s)));
         float azimuth = golden * float(i);
-        vec3 around = cos(azimuth) * u + sin(azimuth) * v;
-        vec3 radiance = texture(env_cube, cos(bend) * dir + sin(bend) * around).rgb;
+        vec3 side = cos(azimuth) * u + sin(azimuth) * v;
+        vec3 radiance = texture(env_cube, cos(bend) * dir + sin(bend) * side).rgb;
         sum += min(radiance, vec3(brightest));
     }
     color = vec4(sum / float(count), 1.0);

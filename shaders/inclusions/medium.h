@@ -3,8 +3,7 @@
  *
  * Ice freezes from its surface inwards and pushes dissolved air ahead: the rim is clear, and what
  * freezes last is white. The density depends on the depth below the surface relative to the maximum
- * depth in the object; it is stored in 3D grids of MEDIUM_SIZE texels a side
- * (src/scene/scattering_media.h).
+ * depth in the object. src/scene/scattering_media.h stores it in 3D grids.
  */
 #ifndef SHADERS_INCLUSIONS_MEDIUM_H
 #define SHADERS_INCLUSIONS_MEDIUM_H
@@ -31,7 +30,7 @@ struct medium_field {
     float extinction;       /* extinction coefficient at the maximum density, 1 / metre */
     vec3s texels_per_metre; /* texels per metre along each axis */
     float first_layer;
-    vec3s from, to; /* box of the non-zero densities, inside the grid's box */
+    vec3s from, to; /* bounding box of the non-zero densities, inside the grid's box */
 };
 
 /* Returns the density relative to its maximum at a relative depth from 0 to 1. */

@@ -17,35 +17,34 @@
 #include "inclusions/medium.h"
 #include "lib/environment_diffuse.glsl"
 
-layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray scattering_media;
+layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray densities;
 
-const int medium_sun_steps =
-    3; /* steps of the shadow ray, each twice as long as the previous one */
-const float medium_blur = 4.55 - 1.0; /* blur level of brdf.h for the forward lobe */
+const int medium_sun_steps = 3;       /* shadow ray steps, each twice as long as the last */
+const float medium_blur = 4.55 - 1.0; /* prefiltered layer for the forward lobe */
 
 /* Returns the relative density, 0 to 1, of a field at an object-space point. */
-float medium_density(medium_field cloud, vec3 point)
+float medium_density(medium_field field, vec3 point)
 {
-    vec3 at = (point - cloud.min_corner) * cloud.texels_per_metre;
+    vec3 at = (point - field.min_corner) * field.texels_per_metre;
     if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(MEDIUM_SIZE))))
         return 0.0;
     float z = clamp(at.z - 0.5, 0.0, float(MEDIUM_SIZE) - 1.0);
     float layer = min(floor(z), float(MEDIUM_SIZE) - 2.0);
-    vec3 texel = vec3(at.xy / float(MEDIUM_SIZE), cloud.first_layer + layer);
-    vec2 both = textureLod(scattering_media, texel, 0.0).rg;
+    vec3 texel = vec3(at.xy / float(MEDIUM_SIZE), field.first_layer + layer);
+    vec2 both = textureLod(densities, texel, 0.0).rg;
     return mix(both.x, both.y, z - layer);
 }
 
 /* Returns the optical depth from a point towards the sun. */
-float medium_sun_depth(medium_field cloud, vec3 point, vec3 to_sun)
+float medium_sun_depth(medium_field field, vec3 point, vec3 to_sun)
 {
-    float sum = 0.0, from = 0.0, length = 0.06 * float(MEDIUM_SIZE) / cloud.texels_per_metre.x;
+    float sum = 0.0, from = 0.0, length = 0.06 * float(MEDIUM_SIZE) / field.texels_per_metre.x;
     for (int i = 0; i < medium_sun_steps; i++) {
-        sum += length * medium_density(cloud, point + (from + 0.5 * length) * to_sun);
+        sum += length * medium_density(field, point + (from + 0.5 * length) * to_sun);
         from += length;
         length *= 2.0;
     }
-    return sum * cloud.extinction;
+    return sum * field.extinction;
 }
 
 /* Returns the Henyey-Greenstein phase function times 4 pi. */
@@ -57,14 +56,14 @@ float medium_phase(float cosine, float g)
 
 /* Returns a quadratic fit (x, y, z) of the optical depth towards the sun along a segment: x + y u +
  * z u^2 for u from 0 to 1. It varies smoothly, so three shadow rays suffice for all steps. */
-vec3 medium_sun_depth_fit(medium_field cloud, vec3 from, vec3 segment, vec3 to_sun)
+vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_sun)
 {
-    float before = medium_sun_depth(cloud, from + segment / 6.0, to_sun);
-    float middle = medium_sun_depth(cloud, from + 0.5 * segment, to_sun);
-    float behind = medium_sun_depth(cloud, from + segment / 1.2, to_sun);
-    float slope = 1.5 * (behind - before);
-    float bend = 4.5 * (before - 2.0 * middle + behind);
-    return vec3(middle - 0.5 * slope + 0.25 * bend, slope - bend, bend);
+    float near = medium_sun_depth(field, from + segment / 6.0, to_sun);
+    float center = medium_sun_depth(field, from + 0.5 * segment, to_sun);
+    float far = medium_sun_depth(field, from + segment / 1.2, to_sun);
+    float slope = 1.5 * (far - near);
+    float curvature = 4.5 * (near - 2.0 * center + far);
+    return vec3(center - 0.5 * slope + 0.25 * curvature, slope - curvature, curvature);
 }
 
 /* Returns the sunlight scattered into a direction after an optical depth on its path, which widens
@@ -76,20 +75,20 @@ float medium_sun_scattering(float cosine, float depth)
     return 0.25 * medium_phase(cosine, widened) * exp(-(1.0 - g) * depth);
 }
 
-/* Returns the environment light scattered into a ray: `ahead` weights the light from about its
- * direction, `anywhere` the mean of all directions. */
+/* Returns the environment light scattered into a ray: `ahead` is the weight of light from about the
+ * ray's direction, `anywhere` that of the mean over all directions. */
 vec3 medium_environment_scattering(vec3 dir, float ahead, float anywhere)
 {
-    vec3 before = lit_diffuse(dir);
-    vec3 even = 0.5 * (before + lit_diffuse(-dir));
+    vec3 forward = lit_diffuse(dir);
+    vec3 mean = 0.5 * (forward + lit_diffuse(-dir));
     if (constant_background == GLOBALS_ENVIRONMENT) {
         vec2 at = surroundings_equirect_uv(dir, constant_environment_turn);
         float layer = floor(medium_blur);
         vec3 sharper = textureLod(environment_light, vec3(at, layer), 0.0).rgb;
         vec3 blurred = textureLod(environment_light, vec3(at, layer + 1.0), 0.0).rgb;
-        before = mix(sharper, blurred, medium_blur - layer);
+        forward = mix(sharper, blurred, medium_blur - layer);
     }
-    return ahead * before + anywhere * even;
+    return ahead * forward + anywhere * mean;
 }
 
 /* Scattering along one segment of a path. */
@@ -99,31 +98,31 @@ struct medium_segment {
 };
 
 /* Returns the ray parameters at which a ray enters and leaves the box of non-zero densities. */
-vec2 medium_bounds(medium_field cloud, vec3 from, vec3 along)
+vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
 {
     vec3 safe = mix(along, vec3(1e-6), lessThan(abs(along), vec3(1e-6)));
-    vec3 t_low = (cloud.from - from) / safe, t_high = (cloud.to - from) / safe;
+    vec3 t_low = (field.from - from) / safe, t_high = (field.to - from) / safe;
     vec3 enter = min(t_low, t_high), leave = max(t_low, t_high);
     return vec2(max(enter.x, max(enter.y, enter.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
-/* Marches along a segment of length t from an object-space point; returns its optical depth and
- * in-scattered sunlight. `steps` steps are in the box; `remaining` is `steps`, or 0 to skip it. */
-medium_segment medium_march(medium_field cloud, vec3 from, vec3 along, vec3 to_sun, float cosine,
+/* Ray-marches a segment of length `t` from an object-space point. Returns its optical depth and
+ * in-scattered sunlight. Takes `steps` samples in the density's box; none if `remaining` is 0. */
+medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)
 {
     medium_segment result = medium_segment(0.0, 0.0);
-    vec2 between = clamp(medium_bounds(cloud, from, along), 0.0, t);
+    vec2 between = clamp(medium_bounds(field, from, along), 0.0, t);
     vec3 first = from + between.x * along, segment = (between.y - between.x) * along;
     float step_length = (between.y - between.x) / float(steps);
     bool is_lit = frame.sun_light != vec3(0.0) && remaining > 0 && step_length > 0.0;
-    vec3 sun_depths = is_lit ? medium_sun_depth_fit(cloud, first, segment, to_sun) : vec3(0.0);
+    vec3 sun_depths = is_lit ? medium_sun_depth_fit(field, first, segment, to_sun) : vec3(0.0);
     remaining = step_length > 0.0 ? remaining : 0;
     while (remaining > 0) {
         remaining--;
         float u = (float(remaining) + 0.5) / float(steps);
         float depth_here =
-            medium_density(cloud, first + u * segment) * cloud.extinction * step_length;
+            medium_density(field, first + u * segment) * field.extinction * step_length;
         float sun_depth = max(sun_depths.x + u * (sun_depths.y + u * sun_depths.z), 0.0);
         float transmittance = exp(-depth_here), reduced = exp(-(1.0 - frame.medium_g) * depth_here);
         result.sun *= reduced;

@@ -5,7 +5,7 @@
 #include "lib/specialization_constants.glsl"
 #include "material_layout.h"
 
-/* Returns true if a blended surface is skipped in this sample; a fraction alpha of a pixel's
+/* Returns true if a blended surface is skipped in this sample; a fraction `alpha` of a pixel's
  * samples keep it (Enderton et al. 2010, "Stochastic transparency"). */
 bool is_alpha_skipped(float alpha, uint row)
 {

@@ -1,5 +1,4 @@
-/* brdf_shading.glsl: shading of surface materials: normal map, environment, punctual lights (BRDF:
- * brdf.h). */
+/* brdf_shading.glsl: shading by brdf.h: normal maps, environment light and punctual lights. */
 #ifndef BRDF_SHADING_GLSL
 #define BRDF_SHADING_GLSL
 #include "lib/environment_radiance.glsl"
@@ -10,12 +9,11 @@
 #include "lib/material_textures.glsl"
 
 layout(set = 0, binding = SURROUNDINGS_ENVIRONMENT) uniform sampler2D environment;
-layout(set = 0, binding = SURROUNDINGS_DATA_TEXTURES) uniform sampler2DArray numbers;
+layout(set = 0, binding = SURROUNDINGS_DATA_TEXTURES) uniform sampler2DArray data_textures;
 layout(set = 0, binding = SURROUNDINGS_BRDF_TABLE) uniform sampler2D splits;
 layout(set = 0, binding = SURROUNDINGS_LIGHTS) uniform sampler2D lights;
 
-/* Returns `n` perturbed by a normal map with tangent `u_dir`; `minus_v_dir` is the direction of -v.
- */
+/* Returns `n` perturbed by a normal map; `u_dir` and `minus_v_dir`: directions of u and -v. */
 vec3 normal_map_by_axes(vec3 n, vec3 texel, vec2 scales, vec3 u_dir, vec3 minus_v_dir)
 {
     vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
@@ -49,10 +47,10 @@ vec3 normal_map_by_tangent(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scal
                            vec2 uv)
 {
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
-    vec2 own = v.w >= float(MATERIAL_OTHER_SET) ? lit_second_uv : uv;
+    vec2 normal_uv = v.w >= float(MATERIAL_OTHER_SET) ? lit_second_uv : uv;
     vec3 tangent = lit_tangent.xyz - n * dot(n, lit_tangent.xyz);
     if (lit_tangent.w == 0.0 || dot(tangent, tangent) == 0.0)
-        return normal_map_by_derivatives(n, texel, scales, point, own);
+        return normal_map_by_derivatives(n, texel, scales, point, normal_uv);
     vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
     float side = sign(lit_tangent.w) * (dot(n, outward) < 0.0 ? -1.0 : 1.0);
     tangent = normalize(tangent);
@@ -67,8 +65,8 @@ vec3 normal_map_by_tangent(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scal
 
 /* ---- light ---- */
 
-/* Returns the prefiltered specular environment light from a direction; `lod` is the mip level of
- * the environment map for roughness 0. */
+/* Returns the prefiltered specular environment light from a direction; `lod` is the environment
+ * map's mip level for roughness 0. */
 vec3 lit_specular(vec3 dir, float roughness, float lod)
 {
     if (constant_background == GLOBALS_COLOR)
@@ -85,8 +83,7 @@ vec3 lit_specular(vec3 dir, float roughness, float lod)
     return mix(sharper, blurred, layer - first);
 }
 
-/* Returns a surface's radiance by the punctual lights of scene files, without shadows; `base` as in
- * lit_by_light_on(). */
+/* Returns a surface's radiance by unshadowed punctual lights; `base`: see lit_by_light_on(). */
 vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
 {
     vec3 sum = vec3(0.0);
@@ -94,9 +91,9 @@ vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
         vec4 position = texelFetch(lights, ivec2(LIT_LIGHT_POSITION, i), 0);
         vec4 direction = texelFetch(lights, ivec2(LIT_LIGHT_DIRECTION, i), 0);
         vec4 cone = texelFetch(lights, ivec2(LIT_LIGHT_CONE, i), 0);
-        vec3 way = position.w > 0.0 ? position.xyz - point : -direction.xyz;
-        float far = length(way);
-        vec3 l = way / max(far, 1e-6);
+        vec3 to_light = position.w > 0.0 ? position.xyz - point : -direction.xyz;
+        float far = length(to_light);
+        vec3 l = to_light / max(far, 1e-6);
         float arriving = lit_attenuation(far, direction.w, dot(-l, direction.xyz), cone.xy);
         vec3 light = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0).rgb * arriving;
         sum += light / 3.14159265 * lit_by_light_on(s, n, base, to_eye, l, LIT_LIGHT_SPREAD);
@@ -104,7 +101,7 @@ vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
     return sum;
 }
 
-/* Returns a surface's radiance by punctual lights, without a water layer. */
+/* Returns a surface's radiance by punctual lights, for surfaces without a water layer. */
 vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
 {
     return lit_by_lights_on(s, point, n, n, to_eye);
@@ -118,12 +115,12 @@ vec2 lit_split(float roughness, float n_dot_v)
 }
 
 #if !defined LIT_NO_DERIVATIVES && !defined LIT_PER_VERTEX
-/* Returns the environment map's mip level for a pixel's reflected cone, at least `least`. */
-float lit_mirror_lod(vec3 dir, float least)
+/* Returns the environment map's mip level for a pixel's reflected cone, at least `min_lod`. */
+float lit_mirror_lod(vec3 dir, float min_lod)
 {
     float width = float(textureSize(environment, 0).x);
-    float apart = max(length(dFdx(dir)), length(dFdy(dir))) * width / 6.2831853;
-    return max(least, log2(max(apart, 1e-6)));
+    float footprint = max(length(dFdx(dir)), length(dFdy(dir))) * width / 6.2831853;
+    return max(min_lod, log2(max(footprint, 1e-6)));
 }
 #endif
 

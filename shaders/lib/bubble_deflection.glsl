@@ -11,9 +11,10 @@
 #ifndef BUBBLE_DEFLECTION_GLSL
 #define BUBBLE_DEFLECTION_GLSL
 
-vec2 bubble_double(vec2 turn)
+vec2 bubble_double(vec2 deflection)
 {
-    return vec2(turn.x * turn.x - turn.y * turn.y, 2.0 * turn.x * turn.y);
+    return vec2(deflection.x * deflection.x - deflection.y * deflection.y,
+                2.0 * deflection.x * deflection.y);
 }
 
 /* Returns the deflection of transmitted light, 2 (theta_t - theta_i). eta b must be at most 1;
@@ -33,9 +34,9 @@ vec2 bubble_reflected(float b)
 }
 
 /* Rotates direction e towards `outward`, which is unit and perpendicular to e. */
-vec3 bubble_rotate(vec3 e, vec3 outward, vec2 turn)
+vec3 bubble_rotate(vec3 e, vec3 outward, vec2 deflection)
 {
-    return turn.x * e + turn.y * outward;
+    return deflection.x * e + deflection.y * outward;
 }
 
 /* Returns the opacity with which transmitted light is composited: 0 for undeflected light, 1 at the

@@ -1,6 +1,5 @@
-/* bubble_intersect.glsl: ray intersection with elongated bubbles: ellipsoids of revolution and
- * capsules (C version: src/scene/bubble.c). Points are relative to the bubble's centre; axes are
- * unit. */
+/* bubble_intersect.glsl: ray intersection with bubbles: ellipsoids of revolution and capsules (in
+ * C: src/scene/bubble.c). Points are relative to the bubble's centre; axes are unit. */
 #ifndef BUBBLE_INTERSECT_GLSL
 #define BUBBLE_INTERSECT_GLSL
 
@@ -24,10 +23,10 @@ vec2 bubble_intersect_ball(vec3 from, vec3 dir, float radius)
 /* Returns entry and exit distances for a capsule: two spheres connected by a cylinder. */
 vec2 bubble_intersect_capsule(vec3 from, vec3 dir, vec3 axis, float half_length, float radius)
 {
-    float at = dot(from, axis), pace = dot(dir, axis);
-    pace = abs(pace) < 1e-10 ? 1e-10 : pace;
-    vec2 sides = (vec2(-half_length, half_length) - at) / pace;
-    vec2 cut = bubble_intersect_ball(from - at * axis, dir - pace * axis, radius);
+    float at = dot(from, axis), slope = dot(dir, axis);
+    slope = abs(slope) < 1e-10 ? 1e-10 : slope;
+    vec2 sides = (vec2(-half_length, half_length) - at) / slope;
+    vec2 cut = bubble_intersect_ball(from - at * axis, dir - slope * axis, radius);
     cut = vec2(max(cut.x, min(sides.x, sides.y)), min(cut.y, max(sides.x, sides.y)));
     cut = cut.x <= cut.y ? cut : vec2(1e30, -1e30);
     vec2 low = bubble_intersect_ball(from + half_length * axis, dir, radius);

@@ -15,9 +15,9 @@ const float caustics_map_margin = 0.15; /* fraction of the pool's depth */
 vec4 caustics_map_region(pool_params pool, vec3 inside)
 {
     vec2 shift = -inside.xy / inside.z * pool.depth;
-    vec2 room = vec2(0.5 * pool.size + caustics_map_margin * pool.depth);
-    vec2 lower = min(shift, vec2(0.0)) - room;
-    vec2 upper = max(shift, vec2(0.0)) + room;
+    vec2 margin = vec2(0.5 * pool.size + caustics_map_margin * pool.depth);
+    vec2 lower = min(shift, vec2(0.0)) - margin;
+    vec2 upper = max(shift, vec2(0.0)) + margin;
     return vec4(lower, upper - lower);
 }
 

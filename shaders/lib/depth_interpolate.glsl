@@ -7,15 +7,15 @@
 #ifndef DEPTH_INTERPOLATE_GLSL
 #define DEPTH_INTERPOLATE_GLSL
 
-/* Returns the depth interpolated between four texels in textureGather() order, at `share` right of
- * and below the first: bilinear if all have a face, otherwise nearest. */
-float depth_interpolate(vec4 d, vec2 share)
+/* Returns the depth interpolated between four texels in textureGather() order, at `fraction` right
+ * of and below the first: bilinear if all have a face, otherwise nearest. */
+float depth_interpolate(vec4 d, vec2 fraction)
 {
-    float low = fma(share.x, d.z - d.w, d.w);
-    float high = fma(share.x, d.y - d.x, d.x);
-    float linear = fma(share.y, high - low, low);
-    vec2 near = share.x < 0.5 ? d.wx : d.zy;
-    float nearest = share.y < 0.5 ? near.x : near.y;
+    float low = fma(fraction.x, d.z - d.w, d.w);
+    float high = fma(fraction.x, d.y - d.x, d.x);
+    float linear = fma(fraction.y, high - low, low);
+    vec2 near = fraction.x < 0.5 ? d.wx : d.zy;
+    float nearest = fraction.y < 0.5 ? near.x : near.y;
     return all(greaterThan(d, vec4(0.0))) ? linear : nearest;
 }
 

@@ -1,5 +1,4 @@
-/* environment_diffuse.glsl: diffuse environment light (brdf.h), from the texture at binding
- * LIT_ENVIRONMENT_BINDING. */
+/* environment_diffuse.glsl: diffuse environment light; needs LIT_ENVIRONMENT_BINDING (brdf.h). */
 #ifndef ENVIRONMENT_DIFFUSE_GLSL
 #define ENVIRONMENT_DIFFUSE_GLSL
 #include "brdf.h"

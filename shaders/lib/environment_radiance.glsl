@@ -1,5 +1,4 @@
-/* environment_radiance.glsl: radiance of the environment: one colour, environment map or procedural
- * sky. */
+/* environment_radiance.glsl: radiance of a uniform, mapped or procedural environment. */
 #ifndef ENVIRONMENT_RADIANCE_GLSL
 #define ENVIRONMENT_RADIANCE_GLSL
 #include "lib/procedural_sky.glsl"

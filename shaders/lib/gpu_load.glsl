@@ -1,5 +1,4 @@
-/* gpu_load.glsl: dependent arithmetic of adjustable length that compilers cannot remove, to load a
- * GPU. */
+/* gpu_load.glsl: loads a GPU with dependent arithmetic that compilers cannot remove. */
 
 float busy(float x, uint rounds)
 {

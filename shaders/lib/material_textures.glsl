@@ -22,8 +22,7 @@ vec2 lit_second_uv;
 vec4 lit_tangent;
 #endif
 
-/* Returns a texture coordinate wrapped in the shader, for modes that the sampler does not provide.
- */
+/* Wraps a texture coordinate in the shader, for modes that the sampler does not provide. */
 float lit_wrap(float x, float wrap, float size)
 {
     if (wrap == float(MATERIAL_WRAPS_REPEAT))
@@ -42,8 +41,8 @@ vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
                 lit_wrap(at.y, wrap_v, size.y));
 }
 
-/* Rays have no screen-space derivatives and read mip level 0 (LIT_NO_DERIVATIVES). Vertices read a
- * level of about 64 texels, the density of vertices (LIT_PER_VERTEX). */
+/* Samples a texture: along rays at mip level 0 (LIT_NO_DERIVATIVES), at vertices at a level of
+ * about 64 texels, their typical density (LIT_PER_VERTEX), otherwise with derivatives. */
 vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 {
 #ifdef LIT_NO_DERIVATIVES
@@ -55,8 +54,7 @@ vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 #endif
 }
 
-/* Returns a texel of a material's texture; white if it has none. `blur` scales the pixel footprint.
- */
+/* Returns a texel of a material's texture, white if there is none. `blur` scales the footprint. */
 vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
@@ -75,19 +73,17 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
-/* Returns the base colour of a material row or, without a material's texture, of texture layer
- * `layer` - 1. */
+/* Returns a material's base colour; without a texture of its own, that of layer `layer` - 1. */
 vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
-    bool is_of_row = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
-    if (constant_textured == 0u || is_of_row || layer == 0u)
+    bool has_texture = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
+    if (constant_textured == 0u || has_texture || layer == 0u)
         return lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, uv, blur);
     return lit_fetch(textures, vec3(uv, float(layer - 1u)), uv, blur);
 }
 
 #ifndef LIT_PER_VERTEX
-/* Returns the base colour and alpha of a surface for layers, without vertex colour; also works in
- * scenes without a material texture. */
+/* Returns a surface's base colour and alpha for AOVs, without vertex colour. */
 vec4 material_base_color(uint material, vec2 uv)
 {
     uint layer = material & MESH_TEXTURE_MASK;
@@ -102,8 +98,7 @@ vec4 material_base_color(uint material, vec2 uv)
 }
 #endif
 
-/* Returns true if layers ignore a point: alpha-tested holes, and blended surfaces below half alpha.
- */
+/* Returns true if AOVs skip a surface point: an alpha-tested hole, or blended below half alpha. */
 bool material_is_hole(uint material, float alpha)
 {
     uint row = material >> MESH_SURFACE_SHIFT;

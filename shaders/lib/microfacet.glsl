@@ -1,5 +1,4 @@
-/* microfacet.glsl: GGX visible-normal (VNDF) sampling and scrambled Sobol points, with the same
- * numbers as src/reference/microfacet.c. */
+/* microfacet.glsl: GGX VNDF sampling and scrambled Sobol points, as src/reference/microfacet.c. */
 #ifndef LIB_MICROFACET_GLSL
 #define LIB_MICROFACET_GLSL
 

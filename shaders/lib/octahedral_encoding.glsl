@@ -1,5 +1,4 @@
-/* octahedral_encoding.glsl: octahedral encoding of unit vectors (Meyer et al. 2010, "On
- * floating-point normal vectors"). */
+/* octahedral_encoding.glsl: octahedral encoding of unit vectors (Meyer et al. 2010). */
 #ifndef OCTAHEDRAL_ENCODING_GLSL
 #define OCTAHEDRAL_ENCODING_GLSL
 

@@ -10,8 +10,7 @@
 #ifndef LIB_OPTICS_GLSL
 #define LIB_OPTICS_GLSL
 
-/* Blends front and back normals, SN eq. 1. Not normalised, as printed: the length is 1 - 2a at the
- * silhouette. */
+/* Blends front and back normals, SN eq. 1; not normalised: length 1 - 2a at the silhouette. */
 vec3 optics_blend_normals(vec3 n_f, vec3 n_b, float a)
 {
     return n_f * (1.0 - a) - n_b * a;
@@ -65,11 +64,9 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
     return 0.5 * (rs * rs + rp * rp);
 }
 
-/*
- * Returns the reflectance of a thin gap with parallel sides, including multiple reflections in the
+/* Returns the reflectance of a thin gap with parallel sides, including multiple reflections in the
  * gap: it transmits (1 - R) / (1 + R). `eta` is that of the first side. Transmitted light keeps its
- * direction. No interference: the gap is wider than a wavelength.
- */
+ * direction. No interference: the gap is wider than a wavelength. */
 float optics_gap(vec3 e, vec3 n, float eta)
 {
     float r = optics_fresnel(e, n, eta);

@@ -1,8 +1,5 @@
-/*
- * pool_walls.glsl: geometry of the pool, a box of water, and sunlight in it.
- *
- * Pool coordinates have z up and calm water at 0; x is the world's x, y is the world's -z.
- */
+/* pool_walls.glsl: geometry of the pool, a box of water, and sunlight in it. Pool coordinates have
+ * z up and calm water at 0; x is the world's x, y is the world's -z. */
 #ifndef POOL_WALLS_GLSL
 #define POOL_WALLS_GLSL
 #include "lib/globals.glsl"
@@ -39,7 +36,7 @@ float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
     return max(min(t.x, min(t.y, t.z)), 0.0);
 }
 
-/* Returns true if a point is on the water's surface. */
+/* Returns true if a point's xy is within the pool's walls. */
 bool pool_is_open(vec2 p, float size)
 {
     return max(abs(p.x), abs(p.y)) <= 0.5 * size;
@@ -53,7 +50,7 @@ bool pool_is_lit(vec3 at, vec3 sun, float size)
 }
 
 /* Returns the fraction of calm water that is not in the rim's shadow. */
-float pool_lit_share(vec3 sun, float size)
+float pool_lit_fraction(vec3 sun, float size)
 {
     vec2 lit = clamp(1.0 - abs(sun.xy) * POOL_RIM / (sun.z * size), 0.0, 1.0);
     return lit.x * lit.y;

@@ -1,5 +1,4 @@
-/* pose.glsl: animation transforms of the scene's meshes; rotations, so they also apply to normals.
- */
+/* pose.glsl: animation transforms of meshes; all are rotations and also apply to normals. */
 #ifndef LIB_POSE_GLSL
 #define LIB_POSE_GLSL
 #include "lib/globals.glsl"

@@ -17,7 +17,7 @@ vec3 primary_ray_dir(vec3 eye_to_point)
 vec3 primary_ray(vec2 ndc)
 {
     mat4 m = frame.clip_from_world;
-    /* Rows of a projection matrix are the image axes divided by its half sizes. */
+    /* The first rows of a projection matrix are the image axes divided by half the image's size. */
     vec3 x = vec3(m[0][0], m[1][0], m[2][0]);
     vec3 y = vec3(m[0][1], m[1][1], m[2][1]);
     vec3 w = vec3(m[0][3], m[1][3], m[2][3]);
@@ -42,7 +42,7 @@ float primary_ray_slant(vec3 ray)
     return constant_orthographic != 0u ? 1.0 : length(ray);
 }
 
-/* Converts depth by `clip_from_world` to view-space depth in metres. */
+/* Converts a depth-buffer value of `clip_from_world` to view-space depth in metres. */
 float view_depth(mat4 clip_from_world, float depth)
 {
     if (constant_orthographic != 0u) {

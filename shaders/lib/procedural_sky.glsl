@@ -9,13 +9,13 @@ vec3 sky_radiance(vec3 dir)
     return frame.sky_strength * sky_radiance_with_sun(dir, frame.sun_dir, frame.sun_strength);
 }
 
-/* Returns the sky's light on a white diffuse surface. */
+/* Returns the radiance of a white diffuse surface under the sky. */
 vec3 sky_ambient(vec3 normal)
 {
     return frame.sky_strength * sky_diffuse(normal);
 }
 
-/* Returns the sun's light on a white diffuse surface that faces it. */
+/* Returns the radiance of a white diffuse surface that faces the sun, by sunlight alone. */
 vec3 sky_sun()
 {
     return frame.sun_light;

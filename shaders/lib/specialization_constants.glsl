@@ -1,5 +1,4 @@
-/* specialization_constants.glsl: declarations of the specialisation constants, with defaults for
- * most frames. */
+/* specialization_constants.glsl: declarations of the specialisation constants, with defaults. */
 #ifndef SPECIALIZATION_CONSTANTS_GLSL
 #define SPECIALIZATION_CONSTANTS_GLSL
 #include "specialization_constants.h"

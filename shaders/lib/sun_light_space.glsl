@@ -27,18 +27,18 @@ vec3 ice_light_biased(vec3 point, vec3 n)
     return point + (dot(n, frame.sun_dir) < 0.0 ? -light.lift : light.lift) * n;
 }
 
-/* Converts a position of the caustic map to the shadow map of all surroundings. */
+/* Converts a clip-space position in the caustic map to that in the shadow map. */
 vec4 ice_light_shadow_map_clip(vec4 clip)
 {
     return vec4(clip.xy * (light.reach / ICE_CAUSTICS_SHADOW_MAP_REACH), clip.zw);
 }
 
 /* Samples a light-space image of the ice at a position of the caustic map; 0 outside the image. */
-vec4 ice_light_sample(sampler2D picture, vec2 uv)
+vec4 ice_light_sample(sampler2D image, vec2 uv)
 {
     vec2 at = (uv - 0.5) * light.reach + 0.5;
-    bool beside = any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)));
-    return beside ? vec4(0.0) : textureLod(picture, at, 0.0);
+    bool is_outside = any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)));
+    return is_outside ? vec4(0.0) : textureLod(image, at, 0.0);
 }
 
 /* Returns true if a light-space position is in front of the ice's front faces. */
@@ -52,21 +52,21 @@ bool ice_light_is_before(sampler2D front, vec4 clip)
  * ground's light-space depth, plus a tolerance. */
 bool ice_light_is_hidden(sampler2D ground, vec4 clip)
 {
-    const float slack = 0.02 / ICE_CAUSTICS_DISTANCE;
+    const float tolerance = 0.02 / ICE_CAUSTICS_DISTANCE;
     vec4 d = textureGather(ground, ice_light_uv(clip));
     float farthest = min(min(d.x, d.y), min(d.z, d.w));
-    return clip.z / clip.w < farthest * (1.0 - slack);
+    return clip.z / clip.w < farthest * (1.0 - tolerance);
 }
 
 /* Returns the lit fraction by percentage-closer filtering of four texels, bilinearly weighted. */
-float ice_light_pcf(sampler2D shade, vec2 uv, float depth)
+float ice_light_pcf(sampler2D shadow_map, vec2 uv, float depth)
 {
     vec2 at = uv * float(ICE_CAUSTICS_SHADOW_MAP_SIZE) - 0.5;
-    vec2 part = at - floor(at);
+    vec2 fraction = at - floor(at);
     uv = (floor(at) + 1.0) / float(ICE_CAUSTICS_SHADOW_MAP_SIZE);
-    vec4 open = vec4(lessThanEqual(textureGather(shade, uv), vec4(depth)));
-    vec2 across = mix(open.wx, open.zy, part.x); /* interpolated in u, at lower and higher v */
-    return mix(across.x, across.y, part.y);
+    vec4 lit = vec4(lessThanEqual(textureGather(shadow_map, uv), vec4(depth)));
+    vec2 across = mix(lit.wx, lit.zy, fraction.x); /* interpolated along u, both rows */
+    return mix(across.x, across.y, fraction.y);
 }
 
 #endif

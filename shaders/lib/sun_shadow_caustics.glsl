@@ -1,5 +1,4 @@
-/* sun_shadow_caustics.glsl: sunlight on surroundings of the ice: shadow map and caustic map of
- * ice_caustics.c. */
+/* sun_shadow_caustics.glsl: sunlight on surroundings, by the ice's shadow and caustic maps. */
 #ifndef SUN_SHADOW_CAUSTICS_GLSL
 #define SUN_SHADOW_CAUSTICS_GLSL
 #include "lib/specialization_constants.glsl"
@@ -12,9 +11,9 @@ layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D sun_front_depth;
 layout(set = 0, binding = ICE_CAUSTICS_SHADOW_MAP) uniform sampler2D sun_shadow_map;
 
 struct sun_shadow {
-    vec3 through; /* light through the ice, relative to direct sunlight */
-    float own;    /* fraction of direct sunlight that the ice does not block */
-    float open;   /* fraction of sunlight that surroundings do not block */
+    vec3 refracted;   /* sunlight refracted by the ice, relative to direct sunlight */
+    float direct;     /* fraction of direct sunlight that the ice does not block */
+    float visibility; /* fraction of sunlight that surroundings do not block */
 };
 
 /* Returns the shadow map's visibility of a biased point; shadows fade towards the map's edge. */
@@ -32,15 +31,15 @@ float sun_shadow_open(vec4 clip)
  * `lifted` is the biased point for sun_shadow_open(). */
 sun_shadow sun_shadow_lookup(vec4 clip, vec4 lifted)
 {
-    float open = sun_shadow_open(lifted);
+    float visibility = sun_shadow_open(lifted);
     vec2 uv = ice_light_uv(clip);
     if (clip.w <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))))
-        return sun_shadow(vec3(0.0), 1.0, open);
+        return sun_shadow(vec3(0.0), 1.0, visibility);
     vec4 found = textureLod(sun_caustics_map, uv, 0.0);
     if (ice_light_is_hidden(sun_ground_depth, clip))
         found.rgb = vec3(0.0);
     bool covered = constant_ice_shadow != 0u && !ice_light_is_before(sun_front_depth, clip);
-    return sun_shadow(found.rgb, covered ? 1.0 - found.a : 1.0, open);
+    return sun_shadow(found.rgb, covered ? 1.0 - found.a : 1.0, visibility);
 }
 
 /* Returns the sunlight at a surface point with vertex normal `n`. */

@@ -1,5 +1,4 @@
-/* vertex_extra.glsl: optional vertex attributes of surroundings, tangent and second uv
- * (mesh_extra). */
+/* vertex_extra.glsl: tangent and second uv of surroundings (struct mesh_extra). */
 #ifndef VERTEX_EXTRA_GLSL
 #define VERTEX_EXTRA_GLSL
 #include "mesh_layout.h"
@@ -7,7 +6,7 @@
 
 layout(set = 0, binding = SURROUNDINGS_EXTRAS) uniform sampler2D extras;
 
-/* Returns texel `index` of the current vertex. */
+/* Returns extra texel `index` of the current vertex. */
 vec4 vertex_extra_texel(int index)
 {
     int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;

@@ -1,27 +1,25 @@
-/* ao.h: uniform data and bindings of the ambient occlusion, shared by ao.c,
- * ao_map.frag and lib/ao.glsl. */
+/* ao.h: uniforms and bindings of ambient occlusion (ao.c, ao_map.frag, lib/ao.glsl). */
 #ifndef SHADERS_LIGHTING_AO_H
 #define SHADERS_LIGHTING_AO_H
 #include "abi.h"
 
 /* Bindings; the others belong to surroundings.h. */
 #define AO_BINDING    13 /* struct ao_occluders */
-#define AO_MAP        14 /* map of the light change on the plane at the objects' base */
-#define AO_HEIGHTS    15 /* height field of the surroundings above that plane, 0 to 1 */
+#define AO_MAP        14 /* occlusion map: change of light on the plane of the objects' base */
+#define AO_HEIGHTS    15 /* height field of the surroundings above the objects' base, 0 to 1 */
 #define AO_UNDERSIDES 16 /* height of the surroundings' lowest undersides; 1 if none */
 
-#define AO_OCCLUDERS_MAX 4    /* maximum number of occluders */
-#define AO_MAP_SIZE      128  /* side of the occlusion map, texels */
-#define AO_HEIGHTS_SIZE  256  /* side of the height fields, texels */
-#define AO_HEIGHTS_RANGE 3.0f /* range of the height fields, in units of ao_occluders.height */
-/* height above the plane at which they begin, relative to that range */
-#define AO_HEIGHTS_GAP 0.01f
+#define AO_OCCLUDERS_MAX 4     /* maximum number of occluders */
+#define AO_MAP_SIZE      128   /* side of the occlusion map, texels */
+#define AO_HEIGHTS_SIZE  256   /* side of the height fields, texels */
+#define AO_HEIGHTS_RANGE 3.0f  /* range of the height fields, in units of ao_occluders.height */
+#define AO_HEIGHTS_GAP   0.01f /* minimum height, relative to AO_HEIGHTS_RANGE */
 
-/* Box occluder: fractions of the transmitted light that come from sky and ground. */
+/* Box occluder; `sky` and `ground` are the fractions of transmitted light from sky and ground. */
 struct ao_occluder {
-    vec3s min, max; /* corners of the box, object space, metres */
+    vec3s min, max; /* box corners, object space, metres */
     vec3s sky, ground;
-    float straight; /* fraction of the transmitted sky light that keeps nearly its direction */
+    float straight; /* fraction of the transmitted sky light whose direction hardly changes */
 };
 
 struct ao_occluders {
@@ -29,8 +27,8 @@ struct ao_occluders {
     uint32_t count;
     float strength;  /* 0: no effect; 1: full occlusion */
     vec3s middle;    /* centre of the map, on the plane of the objects' base; world, metres */
-    float half_side; /* half the side of the map, metres */
-    float height;    /* distance from the plane beyond which the effect ends, metres */
+    float half_side; /* half the map's side, metres */
+    float height;    /* height above the objects' base at which occlusion ends, metres */
 };
 
 #endif

@@ -3,7 +3,7 @@
 #include "lib/pose.glsl"
 #include "lighting/ao.h"
 
-layout(set = 0, binding = AO_BINDING, scalar) uniform Contact
+layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 {
     ao_occluders ao;
 };

@@ -8,7 +8,7 @@
 #include "lib/environment_diffuse.glsl"
 #include "lib/pose.glsl"
 
-layout(set = 0, binding = AO_BINDING, scalar) uniform Contact
+layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 {
     ao_occluders ao;
 };
@@ -16,18 +16,18 @@ layout(set = 0, binding = AO_BINDING, scalar) uniform Contact
 layout(set = 0, binding = AO_HEIGHTS) uniform sampler2D heights;
 layout(set = 0, binding = AO_UNDERSIDES) uniform sampler2D undersides;
 
-/* rgb: change of the irradiance of a level white diffuse surface; a: reflected light of the ground
- * that is added, relative to the ground's own */
+/* rgb: change in irradiance of a level white diffuse surface; a: ground light that the objects
+ * reflect back, relative to the ground's radiance */
 layout(location = 0) out vec4 map;
 
-const float wide_sine = 0.6;    /* sine of the half-angle; wider bodies do not bend light aside */
-const float blur_width = 0.65;  /* lobe width whose blur matches a disc of sine 1 */
+const float wide_sine = 0.6;    /* minimum sine of undeflected light */
+const float blur_width = 0.65;  /* prefilter lobe width for a hemisphere */
 const float inner_limit = 0.15; /* relative depth inside a box at which it stops occluding */
 const float reflected = 0.3;    /* reflectance of occluding surroundings */
 const int directions = 12;      /* azimuths of the horizon search */
-const int directed_steps = 10;  /* samples per azimuth; distances grow by 1.6 */
+const int azimuth_steps = 10;   /* samples per azimuth, in geometric progression */
 const float first_step = 1.5 / float(AO_HEIGHTS_SIZE); /* in sides of the map */
-const float full_radius = 0.6; /* radius, relative to the map's, from which on the effect fades */
+const float full_radius = 0.6;                         /* relative radius where the fade begins */
 
 /* Returns the contribution of an edge between unit directions to the polygon form factor: half the
  * angle between them divided by pi, along the normal of their plane. */
@@ -75,10 +75,10 @@ vec3 blocked_by(uint i, vec3 point, vec3 n)
 
 /* Returns the environment light behind an occluder, prefiltered over its solid angle; `sine` is
  * that of the half-angle it subtends. */
-vec3 light_behind(vec3 dir, vec3 around, float sine)
+vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
 {
     if (constant_background != GLOBALS_ENVIRONMENT)
-        return around;
+        return unoccluded;
     vec2 at = surroundings_equirect_uv(dir, constant_environment_turn);
     float layer = sqrt(min(blur_width * sine, 1.0)) * float(LIT_ROUGH_LAYERS);
     float first = clamp(floor(layer), 1.0, float(LIT_ROUGH_LAYERS - 1));
@@ -98,16 +98,16 @@ float height_at(vec2 uv)
 /* Returns the fraction of a uniform sky that surroundings occlude at their top (Max 1988). */
 float occluded_by_surroundings(vec2 uv)
 {
-    float own = height_at(uv);
+    float height = height_at(uv);
     float sum = 0.0;
     for (int i = 0; i < directions; i++) {
         float azimuth = 6.2831853 * (float(i) + 0.5) / float(directions);
         vec2 along = vec2(cos(azimuth), sin(azimuth));
         float steepest = 0.0;
-        for (int k = 0; k < directed_steps; k++) {
-            float form_factor = first_step * pow(1.6, float(k));
-            float rise = height_at(uv + form_factor * along) - own;
-            steepest = max(steepest, rise / (2.0 * ao.half_side * form_factor));
+        for (int k = 0; k < azimuth_steps; k++) {
+            float offset = first_step * pow(1.6, float(k));
+            float rise = height_at(uv + offset * along) - height;
+            steepest = max(steepest, rise / (2.0 * ao.half_side * offset));
         }
         sum += steepest * steepest / (1.0 + steepest * steepest);
     }
@@ -121,25 +121,26 @@ void main()
     const vec3 up = vec3(0.0, 1.0, 0.0);
     vec2 at = 2.0 * gl_FragCoord.xy / float(AO_MAP_SIZE) - 1.0;
     vec3 point = ao.middle + ao.half_side * vec3(at.x, 0.0, at.y);
-    vec3 own = pose_to_object(point), own_up = transpose(mat3(frame.world_from_object)) * up;
-    vec3 around = lit_diffuse(up), light = around;
+    vec3 object_point = pose_to_object(point),
+         object_up = transpose(mat3(frame.world_from_object)) * up;
+    vec3 unoccluded = lit_diffuse(up), light = unoccluded;
     float of_ground = 0.0;
     for (uint i = 0u; i < ao.count; i++) {
-        vec3 cover = mat3(frame.world_from_object) * blocked_by(i, own, own_up);
+        vec3 cover = mat3(frame.world_from_object) * blocked_by(i, object_point, object_up);
         float form_factor = clamp(length(cover), 1e-6, 1.0);
         float sine = sqrt(form_factor); /* sine of the half-angle, if the occluder is a disc */
         /* Form factor of a sphere clipped at the horizon (Hill and Heitz 2017). */
         float blocked =
             form_factor *
             max((form_factor * form_factor + cover.y / form_factor) / (form_factor + 1.0), 0.0);
-        vec3 behind = light_behind(cover / form_factor, around, sine);
-        vec3 refracted = min(behind, mix(around, behind, min(sine / wide_sine, 1.0)));
-        vec3 sky = ao.all[i].sky * mix(around, refracted, ao.all[i].straight);
+        vec3 behind = light_behind(cover / form_factor, unoccluded, sine);
+        vec3 refracted = min(behind, mix(unoccluded, behind, min(sine / wide_sine, 1.0)));
+        vec3 sky = ao.all[i].sky * mix(unoccluded, refracted, ao.all[i].straight);
         light = max(light - blocked * behind, 0.0) + blocked * sky;
         of_ground += blocked * dot(ao.all[i].ground, vec3(1.0 / 3.0));
     }
     float occluded = ao.count > 0u ? occluded_by_surroundings(0.5 + 0.5 * at) : 0.0;
     light *= 1.0 - (1.0 - reflected) * occluded;
     float fade = ao.strength * (1.0 - smoothstep(full_radius, 1.0, length(at)));
-    map = fade * vec4(light - around, of_ground);
+    map = fade * vec4(light - unoccluded, of_ground);
 }

@@ -1,9 +1,5 @@
-/*
- * bump_map.glsl: samples the ice's bump map at a surface point.
- *
- * The map is projected along the three axes of object space and blended (triplanar mapping), or
- * sampled at the mesh's uv.
- */
+/* bump_map.glsl: samples the ice's bump map, projected along the three axes of object space and
+ * blended (triplanar mapping), or at the mesh's uv. */
 #ifndef BUMP_MAP_GLSL
 #define BUMP_MAP_GLSL
 #include "lib/globals.glsl"
@@ -14,8 +10,7 @@
 
 /* Passed as varyings: lavapipe's fragment shaders fetch each float of a uniform separately. */
 layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* texture coordinates: object space, or uv */
-layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat in mat3
-    bump_world_from_object; /* world from object space */
+layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat in mat3 bump_world_from_object;
 
 layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
 
@@ -26,7 +21,7 @@ vec4 bump_read(vec2 at)
 
 struct bump_planes {
     vec4 texels[3]; /* samples on the planes perpendicular to x, y and z: yz, zx, xy */
-    vec3 weights;   /* blend weights of the planes; their sum is 1 */
+    vec3 weights;   /* blend weights, whose sum is 1 */
 };
 
 /* Samples the map on the three planes; `normal` is in world space. */

@@ -33,11 +33,11 @@ ABI_FUNCTION vec3s bump_perturbed(vec3s normal, vec3s gradient)
 
 /* Returns a perturbed normal that still faces the camera; one that would face away is tilted back
  * until it is nearly perpendicular to the view direction e. */
-ABI_FUNCTION vec3s bump_facing(vec3s bent, vec3s normal, vec3s e)
+ABI_FUNCTION vec3s bump_facing(vec3s perturbed, vec3s normal, vec3s e)
 {
-    float beyond = glms_vec3_dot(bent, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);
-    if (beyond > 0.0f)
-        return glms_vec3_normalize(glms_vec3_sub(bent, glms_vec3_scale(e, beyond)));
-    return bent;
+    float excess = glms_vec3_dot(perturbed, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);
+    if (excess > 0.0f)
+        return glms_vec3_normalize(glms_vec3_sub(perturbed, glms_vec3_scale(e, excess)));
+    return perturbed;
 }
 #endif

@@ -1,5 +1,4 @@
-/* diffuse_sampling.h: importance sampling of diffuse lighting, for trace_diffuse_light.glsl and the
- * reference. */
+/* diffuse_sampling.h: importance sampling of diffuse light, for shaders and the CPU reference. */
 #ifndef SHADERS_LIGHTING_DIFFUSE_SAMPLING_H
 #define SHADERS_LIGHTING_DIFFUSE_SAMPLING_H
 #include "abi_math.h"
@@ -54,16 +53,15 @@ ABI_FUNCTION vec3s diffuse_sampling_dir(vec3s n, vec4s guide, uint32_t ray_index
     return diffuse_sampling_around(axis, z, at.y);
 }
 
-/* Returns the sample weight of a direction from diffuse_sampling_dir() (balance heuristic, Veach
- * 1995). */
+/* Returns a sample's weight by the balance heuristic (Veach 1995), for diffuse_sampling_dir(). */
 ABI_FUNCTION float diffuse_sampling_weight(vec3s n, vec4s guide, vec3s dir)
 {
-    float matt = fmaxf(glms_vec3_dot(n, dir), 0.0f) / 3.14159265f;
+    float diffuse_pdf = fmaxf(glms_vec3_dot(n, dir), 0.0f) / 3.14159265f;
     float along = dir.x * guide.x + dir.y * guide.y + dir.z * guide.z;
-    float guided = along >= guide.w ? 1.0f / (6.28318531f * fmaxf(1.0f - guide.w, 1e-6f)) : 0.0f;
+    float guide_pdf = along >= guide.w ? 1.0f / (6.28318531f * fmaxf(1.0f - guide.w, 1e-6f)) : 0.0f;
     if (guide.w >= 1.0f)
         return 1.0f;
-    return matt / fmaxf(0.5f * matt + 0.5f * guided, 1e-9f);
+    return diffuse_pdf / fmaxf(0.5f * diffuse_pdf + 0.5f * guide_pdf, 1e-9f);
 }
 
 /* Returns a uniformly distributed direction to a disc of an angular radius in radians. */

@@ -1,9 +1,6 @@
-/*
- * highlight.glsl: Blinn-Phong highlights of the light sources on the ice's front faces.
- *
- * HIGHLIGHT_VERTEX selects the vertex shader's part, which passes per-draw constants as flat
- * varyings, because lavapipe's fragment shaders fetch each float of a uniform separately.
- */
+/* highlight.glsl: Blinn-Phong highlights of the light sources on the ice's front faces.
+ * HIGHLIGHT_VERTEX selects the vertex shader's functions, which pass constants as flat varyings,
+ * because lavapipe's fragment shaders fetch each float of a uniform separately. */
 #ifndef HIGHLIGHT_GLSL
 #define HIGHLIGHT_GLSL
 #include "lib/globals.glsl"
@@ -16,7 +13,7 @@
 #define HIGHLIGHT_IO in
 #endif
 
-/* xyz: from the camera to a light, world, metres; w: radiance of its highlight */
+/* xyz: vector from the camera to a light, world, metres; w: radiance of its highlight */
 layout(location = REFRACT_LIGHTS) flat HIGHLIGHT_IO vec4 highlight_lights[GLOBALS_LIGHT_COUNT];
 layout(location = REFRACT_SHININESS) flat HIGHLIGHT_IO float highlight_shininess;
 

@@ -1,5 +1,4 @@
-/* highlight.h: parameters of the light sources' highlights, shared by highlight.c and
- * highlight.glsl. */
+/* highlight.h: parameters of the light sources' highlights (highlight.c, highlight.glsl). */
 #ifndef SHADERS_LIGHTING_HIGHLIGHT_H
 #define SHADERS_LIGHTING_HIGHLIGHT_H
 #include "abi.h"

@@ -10,10 +10,10 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 eye_to_point;
 layout(location = 1) in vec3 normal;
-layout(location = 0) out float seen;
+layout(location = 0) out float sunlight;
 
 void main()
 {
-    sun_shadow shine = sun_shadow_at(push.eye + eye_to_point, normalize(normal));
-    seen = shine.own * shine.open + shine.through.g;
+    sun_shadow shadow = sun_shadow_at(push.eye + eye_to_point, normalize(normal));
+    sunlight = shadow.direct * shadow.visibility + shadow.refracted.g;
 }

@@ -5,8 +5,7 @@
 layout(set = 0, binding = ICE_CAUSTICS_COUNTS) uniform usampler2D counts;
 layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
 
-layout(
-    location = 0) out vec4 map; /* rgb: light relative to direct sunlight; a: coverage by the ice */
+layout(location = 0) out vec4 map; /* rgb: caustics; a: ice coverage */
 
 /* Returns the accumulated photon weights in rgb and the coverage in a. */
 vec4 counted(ivec2 texel)
@@ -33,6 +32,6 @@ void main()
     }
     float photon = float(ICE_CAUSTICS_SIZE) / (float(ICE_CAUSTICS_PHOTONS) * light.reach);
     map.rgb = sum.rgb * (photon * photon / ICE_CAUSTICS_WEIGHT);
-    map.rgb = min(map.rgb, vec3(65504.0)); /* focused light may exceed the range of a half float */
+    map.rgb = min(map.rgb, vec3(65504.0)); /* focused light may exceed half floats */
     map.a = sum.a;
 }

@@ -1,9 +1,6 @@
-/*
- * ice_caustics_photons.frag: main() of the photon pass, one photon for each texel of the ice's
- * front faces in the sun's view; writes its landing point in the caustic map and its energy. The
- * faces are read from their depth and normal maps; with REFRACT_BUMP they are rasterised again,
- * with bumps.
- */
+/* ice_caustics_photons.frag: photon pass, one photon per texel of the ice's front faces in light
+ * space; writes its landing point in the caustic map and its energy. The faces are read from depth
+ * and normal maps or, with REFRACT_BUMP, rasterised again with bump mapping. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #ifndef REFRACT_BUMP
@@ -24,7 +21,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
 #ifdef REFRACT_PHOTONS
-layout(location = 0) in vec3 ray; /* from the camera, of length 1 along the view axis */
+layout(location = 0) in vec3 ray; /* view ray at view-space depth 1 */
 #endif
 
 /* xy: position in the map; z: fraction of the photon's energy that arrives */
@@ -34,8 +31,8 @@ layout(location = 2) out vec4 landing_blue;
 
 const int ground_steps = 24;
 const int ground_halvings = 12;
-const float ground_first = 0.02; /* length of the first step, radii of the ice's sphere */
-const float ground_last = 64.0;  /* maximum length of a ray, radii of the ice's sphere */
+const float ground_first = 0.02; /* first step, in bounding radii */
+const float ground_last = 64.0;  /* maximum ray length, in bounding radii */
 
 /* Returns two random numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
 vec2 random(uvec2 v)

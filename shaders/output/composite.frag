@@ -15,12 +15,12 @@ layout(location = 0) flat in vec3 light; /* in-scattered light of the air */
 
 layout(location = 0) out vec4 color; /* premultiplied alpha */
 
-void cover(vec4 upper)
+void blend_over(vec4 upper)
 {
     color = upper + (1.0 - upper.a) * color;
 }
 
-vec4 here(sampler2D layer)
+vec4 layer_texel(sampler2D layer)
 {
     if ((constant_composite & COMPOSITE_IS_LOW_RES) != 0u)
         return textureLod(layer, gl_FragCoord.xy / vec2(textureSize(highlights, 0)), 0.0);
@@ -34,15 +34,15 @@ void main()
         discard;
     color = vec4(0.0);
     if ((constant_composite & COMPOSITE_HAS_AIR) != 0u)
-        color = vec4(light, 1.0) * here(air).r;
+        color = vec4(light, 1.0) * layer_texel(air).r;
     if ((constant_composite & COMPOSITE_HAS_BUBBLES) != 0u)
 #ifdef BUBBLES_REFRACTED
-        cover(bend_bubbles(bubbles));
+        blend_over(refracted_bubbles(bubbles));
 #else
-        cover(here(bubbles));
+        blend_over(layer_texel(bubbles));
 #endif
     if ((constant_composite & COMPOSITE_HAS_CRACKS) != 0u)
-        cover(here(cracks));
+        blend_over(layer_texel(cracks));
     if ((constant_composite & COMPOSITE_HAS_HIGHLIGHT) != 0u)
         color.rgb += highlight; /* added, does not change the coverage */
 }

@@ -1,5 +1,4 @@
-/* composite.h: bindings of the compositing of inclusions, over*.{vert,frag} and
- * low_res_inclusions.c. */
+/* composite.h: bindings of the compositing of inclusions (composite*, low_res_inclusions.c). */
 #ifndef SHADERS_OUTPUT_COMPOSITE_H
 #define SHADERS_OUTPUT_COMPOSITE_H
 #include "abi.h"
@@ -15,13 +14,11 @@
 #define COMPOSITE_SHADING      7
 #define COMPOSITE_BUBBLE_DEPTH 8
 
-#define COMPOSITE_REFRACTED \
-    1 /* first of the locations 1 to 8 that composite.vert passes to composite_refracted.glsl */
+#define COMPOSITE_REFRACTED 1 /* varyings, locations 1 to 8 */
 
 #define COMPOSITE_LOW_RES 1 /* low-resolution image that composite_upsample.frag upsamples */
 
-/* CONSTANT_COMPOSITE: a bit for each image to composite. IS_SMALL: all but the highlights have a
- * lower resolution than the final image. */
+/* Bits of CONSTANT_COMPOSITE: images; IS_LOW_RES: all but the highlights have low resolution. */
 #define COMPOSITE_HAS_HIGHLIGHT (1u << COMPOSITE_HIGHLIGHT)
 #define COMPOSITE_HAS_AIR       (1u << COMPOSITE_AIR)
 #define COMPOSITE_HAS_BUBBLES   (1u << COMPOSITE_BUBBLES)

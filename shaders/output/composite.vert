@@ -18,6 +18,6 @@ void main()
     gl_Position = vec4(corner, 0.0, 1.0);
     out_light = (constant_composite & COMPOSITE_HAS_AIR) != 0u ? air_light(environment) : vec3(0.0);
 #ifdef BUBBLES_REFRACTED
-    bend_write_varyings(corner);
+    view_write_varyings(corner);
 #endif
 }

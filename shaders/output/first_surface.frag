@@ -3,9 +3,9 @@
 #include "lib/material_textures.glsl"
 #include "output/first_surface.h"
 
-layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Earlier
+layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Previous
 {
-    first_surface_previous earlier;
+    first_surface_previous previous;
 };
 
 layout(push_constant, scalar) uniform Push
@@ -16,8 +16,8 @@ layout(push_constant, scalar) uniform Push
 layout(location = 0) in vec3 color;
 layout(location = 1) in vec2 uv;
 layout(location = 2) flat in uint material;
-layout(location = 3) in vec4 now;
-layout(location = 4) in vec4 before;
+layout(location = 3) in vec4 clip;
+layout(location = 4) in vec4 previous_clip;
 layout(location = 5) flat in uint number;
 
 layout(location = 0) out vec4 out_albedo;
@@ -32,6 +32,6 @@ void main()
         discard;
     out_albedo = vec4(color * base.rgb, 1.0);
     out_object = float(number);
-    vec2 moved = (now.xy / now.w - before.xy / before.w) * earlier.half_size;
-    out_motion = before.w > 0.0 ? vec4(moved, 0.0, 0.0) : vec4(0.0);
+    vec2 moved = (clip.xy / clip.w - previous_clip.xy / previous_clip.w) * previous.half_size;
+    out_motion = previous_clip.w > 0.0 ? vec4(moved, 0.0, 0.0) : vec4(0.0);
 }

@@ -17,9 +17,9 @@ struct first_surface_previous {
 };
 
 struct first_surface_push {
-    uint32_t id;     /* number of the object, or of surroundings without one; 0 means no surface */
+    uint32_t id;     /* object number, or that of the surroundings; 0: no surface */
     uint32_t first;  /* the mesh's first vertex in FIRST_SURFACE_POSITIONS */
-    uint32_t object; /* 1 for refractive objects, 0 for surroundings */
+    uint32_t object; /* 1: refractive object; 0: surroundings */
     uint32_t count;  /* number of objects in FIRST_SURFACE_STARTS */
 };
 

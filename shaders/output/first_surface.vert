@@ -8,9 +8,9 @@ layout(location = MESH_COLOR) in vec3 color;
 layout(location = MESH_UV) in vec2 uv;
 layout(location = MESH_MATERIAL) in uint material;
 
-layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Earlier
+layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Previous
 {
-    first_surface_previous earlier;
+    first_surface_previous previous;
 };
 
 layout(set = 0, binding = FIRST_SURFACE_POSITIONS) uniform sampler2D positions;
@@ -26,10 +26,10 @@ layout(location = 0) out vec3 out_color;
 layout(location = 1) out vec2 out_uv;
 layout(location = 2) flat out uint out_material;
 layout(location = 3) out vec4 out_now;
-layout(location = 4) out vec4 out_earlier;
+layout(location = 4) out vec4 out_previous;
 layout(location = 5) flat out uint out_number;
 
-vec3 position_earlier()
+vec3 previous_position()
 {
     int at = int(push.first) + gl_VertexIndex;
     if (textureSize(positions, 0).x != FIRST_SURFACE_WIDTH)
@@ -38,18 +38,17 @@ vec3 position_earlier()
     return texelFetch(positions, texel, 0).xyz;
 }
 
-/* Returns the vertex's object by binary search, as model_surroundings_find_object() of
- * src/scene/import/model.h. */
+/* Returns the vertex's object number by binary search, like model_surroundings_find_object(). */
 uint find_number()
 {
     uint low = 0u, high = push.count;
     while (low < high) {
-        uint middle = (low + high) / 2u;
-        ivec2 texel = ivec2(middle % FIRST_SURFACE_WIDTH, middle / FIRST_SURFACE_WIDTH);
+        uint mid = (low + high) / 2u;
+        ivec2 texel = ivec2(mid % FIRST_SURFACE_WIDTH, mid / FIRST_SURFACE_WIDTH);
         if (packUnorm4x8(texelFetch(starts, texel, 0)) <= uint(gl_VertexIndex))
-            low = middle + 1u;
+            low = mid + 1u;
         else
-            high = middle;
+            high = mid;
     }
     return low;
 }
@@ -58,17 +57,17 @@ void main()
 {
     bool object = push.object != 0u;
     bool moves = (material & MESH_ORBITS) != 0u;
-    vec4 before = vec4(position_earlier(), 1.0);
+    vec4 old_point = vec4(previous_position(), 1.0);
     if (object)
-        before = earlier.world_from_object * before;
+        old_point = previous.world_from_object * old_point;
     else if (moves)
-        before = earlier.world_from_movers * before;
+        old_point = previous.world_from_movers * old_point;
     vec3 point = object ? pose_object(position) : pose_surroundings(position, material);
     out_color = color;
     out_uv = uv;
     out_material = material;
     out_number = push.id + find_number();
     out_now = frame.clip_from_world * vec4(point, 1.0);
-    out_earlier = earlier.clip_from_world * before;
+    out_previous = previous.clip_from_world * old_point;
     gl_Position = out_now;
 }

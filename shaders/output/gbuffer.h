@@ -7,7 +7,7 @@
 #define GBUFFER_NOTHING 1e10f
 
 struct gbuffer_push {
-    uint32_t object; /* 1: the refractive object; 0: its surroundings */
+    uint32_t object; /* 1: refractive object; 0: surroundings */
 };
 
 #endif

@@ -11,7 +11,7 @@
 #define OVERLAY_COLOR    2
 
 struct overlay_push {
-    vec2s clip_from_pixel; /* scale; the top left corner of the window is (-1, -1) */
+    vec2s clip_from_pixel; /* pixels to clip space: scale, then -1 */
 };
 
 #endif

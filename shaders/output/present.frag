@@ -5,7 +5,7 @@
 
 layout(constant_id = PRESENT_ENCODES) const uint encodes = 0u;
 
-layout(set = 0, binding = PRESENT_IMAGE) uniform sampler2D picture;
+layout(set = 0, binding = PRESENT_IMAGE) uniform sampler2D image;
 
 layout(push_constant, scalar) uniform Push
 {
@@ -19,9 +19,9 @@ layout(location = 0) out vec4 shown;
 void main()
 {
 #ifdef PRESENT_SCALED
-    vec3 c = texture(picture, uv).rgb;
+    vec3 c = texture(image, uv).rgb;
 #else
-    vec3 c = texelFetch(picture, ivec2(gl_FragCoord.xy) - ivec2(push.x, push.y), 0).rgb;
+    vec3 c = texelFetch(image, ivec2(gl_FragCoord.xy) - ivec2(push.x, push.y), 0).rgb;
 #endif
     shown = vec4(encodes != 0 ? srgb_decode(c) : c, 1.0);
 }

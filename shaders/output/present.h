@@ -1,5 +1,4 @@
-/* present.h: bindings and push constants for presenting the image in the window; shared by
- * present.c, its shaders, overlay.frag and viewport_save.c. */
+/* present.h: bindings and push constants for presenting the image in the window. */
 #ifndef SHADERS_OUTPUT_PRESENT_H
 #define SHADERS_OUTPUT_PRESENT_H
 #include "abi.h"

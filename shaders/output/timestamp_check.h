@@ -7,7 +7,7 @@
 #define TIMESTAMP_CHECK_NUMBERS 0  /* output of timestamp_check.comp, one float per invocation */
 
 struct timestamp_check_push {
-    uint32_t rounds; /* loop iterations of arithmetic in each invocation */
+    uint32_t rounds; /* loop iterations per invocation */
 };
 
 #endif

@@ -21,17 +21,17 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 {
     float start = 0.8f - 0.04f;
     float desaturation = 0.15f;
-    float room = 1.0f - start;
+    float range = 1.0f - start;
     float low = fminf(c.x, fminf(c.y, c.z));
     float offset = low < 0.08f ? low - 6.25f * low * low : 0.04f;
     c = ABI_VEC3(c.x - offset, c.y - offset, c.z - offset);
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    /* Rearranged so that no division depends on another: new_peak = above / below, and the colour
-     * keeps the fraction 1 / (desaturation * (peak - new_peak) + 1). */
-    float below = peak + (room - start);
-    float above = below - room * room;
+    /* Rearranged so that no division depends on another: new_peak = above / below, and the fraction
+     * of the colour that remains is 1 / (desaturation * (peak - new_peak) + 1). */
+    float below = peak + (range - start);
+    float above = below - range * range;
     float scale = above / (peak * (desaturation * (peak * below - above) + below));
     float white = above / below - scale * peak;
     return glms_vec3_add(glms_vec3_scale(c, scale), ABI_VEC3(white, white, white));
@@ -40,8 +40,8 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 /* AgX by Sobotka (2022), fitted by Wrensch (2023). Undoes the fit's encoding with gamma 2.2. */
 ABI_FUNCTION float tonemap_agx_channel(float c)
 {
-    float least = -12.47393f, most = 4.026069f;
-    float v = (glm_clamp(log2f(fmaxf(c, 1e-10f)), least, most) - least) / (most - least);
+    float min_ev = -12.47393f, max_ev = 4.026069f;
+    float v = (glm_clamp(log2f(fmaxf(c, 1e-10f)), min_ev, max_ev) - min_ev) / (max_ev - min_ev);
     float high = ((15.5f * v - 40.14f) * v + 31.96f) * v - 6.868f;
     return ((high * v + 0.4298f) * v + 0.1191f) * v - 0.00232f;
 }
@@ -95,12 +95,10 @@ ABI_FUNCTION vec3s tonemap_hable(vec3s c)
     return glms_vec3_scale(v, 1.0f / tonemap_hable_channel(11.2f));
 }
 
-/*
- * Encodes by the sRGB transfer function of IEC 61966-2-1; the argument is clamped to 0 to 1. The
+/* Encodes by the sRGB transfer function of IEC 61966-2-1; the argument is clamped to 0 to 1. The
  * power function is approximated by a polynomial in the fourth root (Remez algorithm), with an
  * error of at most 3.5e-5, a hundredth of an 8-bit step. On a CPU three calls of pow() would take
- * about as long as the rest of this pass.
- */
+ * about as long as the rest of this pass. */
 ABI_FUNCTION float tonemap_srgb(float linear)
 {
     float c = glm_clamp(linear, 0.0f, 1.0f);

@@ -4,14 +4,13 @@
 #include "abi.h"
 
 #define REFRACT_ENV_CUBE 1 /* cube map of the radiance around the object */
-/* G-buffers of the ice: outward normals; depth by globals.clip_from_world, 0 without face. */
+/* G-buffers of the ice: outward normals; depth by globals.clip_from_world, 0 where no face is. */
 #define REFRACT_NORMAL_BACK  2
 #define REFRACT_DEPTH_BACK   3
 #define REFRACT_NORMAL_FRONT 4
 #define REFRACT_DEPTH_FRONT  5
-/* shading normal of the visible front face (refract_fullscreen.glsl) */
-#define REFRACT_SHADING     7
-#define REFRACT_DEPTH_SCENE 8 /* depth of the surroundings (refract_fullscreen.glsl) */
+#define REFRACT_SHADING      7 /* shading normal of front faces */
+#define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_fullscreen.glsl) */
 /* Front depth as ray-marched by models with REFRACT_FULLSCREEN; may be wider than the image. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
@@ -27,18 +26,16 @@
 #define REFRACT_EYE_TO_POINT           0
 #define REFRACT_NORMAL                 1
 #define REFRACT_FRESNEL                2
-#define REFRACT_BUMP_AT                3 /* position for bump_map.glsl, from refract_bump.vert */
-#define REFRACT_BUMP_WORLD_FROM_OBJECT 4 /* matrix, locations 4 to 6, from refract_bump.vert */
-#define REFRACT_BUMP_SLOPE             7 /* bump strength, from refract_bump.vert */
-#define REFRACT_REFLECTED              3 /* reflected direction, from refract_per_vertex.vert */
-/* refracted directions, from refract_per_vertex.vert: 4 to 6 */
-#define REFRACT_REFRACTED 4
+#define REFRACT_BUMP_AT                3 /* texture coordinates (bump_map.glsl) */
+#define REFRACT_BUMP_WORLD_FROM_OBJECT 4 /* matrix, locations 4 to 6 */
+#define REFRACT_BUMP_SLOPE             7 /* bump strength */
+#define REFRACT_REFLECTED              3 /* reflected direction */
+#define REFRACT_REFRACTED              4 /* refracted directions, locations 4 to 6 */
 
 /* Varyings written by refract_fullscreen.vert. */
 #define REFRACT_VIEW_RAY         0
 #define REFRACT_FULLSCREEN_FRAME 1 /* locations 1 to 8 (refract_uniforms.glsl) */
-/* mean radiance, 1 / nearest distance (refract_fullscreen_mean.vert) */
-#define REFRACT_FULLSCREEN_MEAN 9
+#define REFRACT_FULLSCREEN_MEAN  9 /* mean radiance, 1 / nearest distance */
 
 /* Varyings of all these vertex shaders for highlight.glsl. */
 #define REFRACT_LIGHTS    11 /* locations 11 to 14 */
@@ -56,15 +53,15 @@
 #define REFRACT_OUT_PATH       4
 
 /* values of the specialisation constant CONSTANT_REFRACT_FRESNEL */
-#define REFRACT_FRESNEL_PAPER     0 /* the paper's approximation, eq. 4, per vertex */
+#define REFRACT_FRESNEL_PAPER     0 /* paper's approximation, eq. 4, per vertex */
 #define REFRACT_FRESNEL_EXACT     1 /* exact Fresnel equations per pixel */
 #define REFRACT_FRESNEL_CROSSFADE 2 /* one constant reflectance for all pixels */
-#define REFRACT_FRESNEL_AUTO      3 /* the refraction model's default; only as a setting */
+#define REFRACT_FRESNEL_AUTO      3 /* refraction model's default; setting only */
 
 /* values of the specialisation constant CONSTANT_REFRACT_LOOKUP */
 #define REFRACT_LOOKUP_INFINITE 0 /* environment infinitely far away */
-#define REFRACT_LOOKUP_DISTANCE 1 /* rays march the distances in the environment cube */
-#define REFRACT_LOOKUP_BOX      2 /* box projection: rays end on the box of env_box_settings */
-#define REFRACT_LOOKUP_AUTO     3 /* the refraction model's default; only as a setting */
+#define REFRACT_LOOKUP_DISTANCE 1 /* rays march through the cube's distances */
+#define REFRACT_LOOKUP_BOX      2 /* box projection (env_box_settings) */
+#define REFRACT_LOOKUP_AUTO     3 /* refraction model's default; setting only */
 
 #endif

@@ -1,4 +1,4 @@
-/* refract.vert: vertex shader of the ice's front faces, with Fresnel reflectance by eq. 4. */
+/* refract.vert: vertex shader of the ice's front faces, with Fresnel reflectance by SN eq. 4. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define HIGHLIGHT_VERTEX
@@ -19,7 +19,7 @@ layout(location = REFRACT_FRESNEL) out float out_fresnel;
 #ifdef REFRACT_BUMP
 layout(location = MESH_UV) in vec2 uv;
 layout(location = REFRACT_BUMP_AT) out vec3 out_bump_at;
-layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat out mat3 out_bump_object_from_world;
+layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat out mat3 out_bump_world_from_object;
 layout(location = REFRACT_BUMP_SLOPE) flat out float out_bump_slope;
 #endif
 #ifdef REFRACT_PER_VERTEX
@@ -29,7 +29,7 @@ layout(location = REFRACT_REFRACTED) out vec3 out_refracted[3];
 
 void main()
 {
-    /* `precise`: the layers' pass tests against the depth of the image's pass for equality */
+    /* `precise`: the AOV pass tests for equal depth with the image pass */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;
@@ -38,8 +38,8 @@ void main()
     out_fresnel = optics_fresnel_paper(primary_ray_dir(out_eye_to_point), out_normal);
     highlight_write_varyings();
 #ifdef REFRACT_BUMP
-    out_bump_object_from_world = mat3(frame.world_from_object);
-    out_bump_at = transpose(out_bump_object_from_world) * (point - frame.center) * frame.bump_scale;
+    out_bump_world_from_object = mat3(frame.world_from_object);
+    out_bump_at = transpose(out_bump_world_from_object) * (point - frame.center) * frame.bump_scale;
     if (constant_bump_uv != 0u)
         out_bump_at = vec3(uv * frame.bump_scale, 0.0);
     out_bump_slope = frame.bump_strength;

@@ -1,28 +1,26 @@
-/* refract_bracket.glsl: bracket around the exit point of a ray, for the root search of ray
- * marching. */
+/* refract_bracket.glsl: bracket around a ray's exit point, for the root search of ray marching. */
 #ifndef REFRACT_BRACKET_GLSL
 #define REFRACT_BRACKET_GLSL
 
-const float march_outside_silhouette =
-    -1e30; /* signed distance assigned to points outside the silhouette */
+const float march_outside_silhouette = -1e30; /* signed distance there */
 
 /* Bracket of a ray's exit: the last distance inside and the first one outside. */
 struct march_bracket {
     float within, beyond;
-    float distance_within; /* signed distance to the face at `within`; 0 if not known */
+    float distance_within; /* signed distance to the face at `within`; 0 if unknown */
     float distance_beyond;
-    bool near_front; /* the front face is the nearer one at `within` */
+    bool near_front; /* front face is nearer at `within` */
 };
 
-/* Returns the root of the linearly interpolated signed distance, moved back by a quarter of
- * `exact`; the middle of the bracket if the distances are not known. */
+/* Returns the root of the linearly interpolated signed distance minus a quarter of `exact`, or the
+ * middle of the bracket if the distances are unknown. */
 float march_root(march_bracket ends, float exact)
 {
     bool known = ends.distance_within > 0.0 && ends.distance_beyond < 0.0 &&
                  ends.distance_beyond > march_outside_silhouette;
-    float share =
+    float fraction =
         known ? ends.distance_within / (ends.distance_within - ends.distance_beyond) : 0.5;
-    return mix(ends.within, ends.beyond, share) - (known ? 0.25 * exact : 0.0);
+    return mix(ends.within, ends.beyond, fraction) - (known ? 0.25 * exact : 0.0);
 }
 
 #endif

@@ -14,13 +14,13 @@
 
 layout(set = 0, binding = REFRACT_CRACKS) uniform sampler2D cracks_hits;
 
-/* Cosine to the view axis below which a ray counts as crossing the view. Other rays are mostly
- * refracted once; treating cracks as level for them keeps animations stable. */
+/* Cosine to the view axis below which a ray counts as crossing the view. For other rays, cracks are
+ * taken as parallel to the image, which keeps animations stable. */
 const float cracks_across_cosine = 0.7;
 
 struct cracks_hit {
-    float t; /* distance along the ray; inclusion_none if nothing is hit */
-    vec3 n;  /* unit normal on the side of the incoming ray */
+    float t; /* distance along the ray, or inclusion_none */
+    vec3 n;  /* unit normal facing the incoming ray */
     float width;
 };
 
@@ -28,20 +28,20 @@ cracks_hit cracks_find(march_space space, vec3 point, vec3 dir)
 {
     inclusion_ray ray;
     ray.from = space.map_from_world * vec4(point, 1.0);
-    ray.way = space.map_from_world * vec4(dir, 0.0);
+    ray.dir = space.map_from_world * vec4(dir, 0.0);
     ray.depth = inclusion_depth(point - space.center, frame.forward, space.radius);
     float along = dot(dir, frame.forward);
     ray.is_across = abs(along) < cracks_across_cosine;
-    ray.pace = 0.5 * along / space.radius;
-    ray.pace = abs(ray.pace) < 1e-3 ? 1e-3 : ray.pace;
+    ray.depth_slope = 0.5 * along / space.radius;
+    ray.depth_slope = abs(ray.depth_slope) < 1e-3 ? 1e-3 : ray.depth_slope;
     float t = inclusion_find(cracks_hits, ray, march_exit_distance(space, point, dir));
-    vec4 met = texelFetch(cracks_hits, inclusion_texel(ray, min(t, 1e3)), 0);
-    float wide = length(met.yzw);
+    vec4 texel = texelFetch(cracks_hits, inclusion_texel(ray, min(t, 1e3)), 0);
+    float normal_length = length(texel.yzw);
     cracks_hit hit;
-    hit.t = met.r > 0.0 ? t : inclusion_none;
-    hit.n = met.yzw / max(wide, 1e-9);
+    hit.t = texel.r > 0.0 ? t : inclusion_none;
+    hit.n = texel.yzw / max(normal_length, 1e-9);
     hit.n = dot(hit.n, dir) > 0.0 ? -hit.n : hit.n;
-    hit.width = wide - 1.0;
+    hit.width = normal_length - 1.0;
     return hit;
 }
 

@@ -34,8 +34,8 @@ ivec2 refract_texel(vec4 clip)
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
-    vec2 share = at - corner;
-    return depth_interpolate(textureGather(depths, fma(corner, texel, texel)), share);
+    vec2 fraction = at - corner;
+    return depth_interpolate(textureGather(depths, fma(corner, texel, texel)), fraction);
 }
 
 float refract_depth_at_uv(sampler2D depths, vec2 uv)

@@ -15,33 +15,32 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 #ifdef REFRACT_ENV_CUBE_POINTS
-/* the cube map with nearest filtering, which lavapipe reads in half the time */
+/* the cube map with nearest filtering, which lavapipe samples in half the time */
 layout(set = 0, binding = REFRACT_ENV_CUBE_POINTS) uniform samplerCube env_cube_points;
 #else
 #define env_cube_points env_cube
 #endif
 
 #ifdef REFRACT_NEAREST
-layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat in
-    float cube_nearest; /* 1 / metres */
+layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat in float cube_nearest; /* 1/m */
 #else
 const float cube_nearest = 0.0;
 #endif
 
-const int cube_refinements = 3; /* root search iterations in the step that passed a surface */
+const int cube_refinements = 3; /* root search iterations per hit */
 
-/* Distance behind a surface, relative to the ray's own, beyond which the ray has passed behind the
- * surface's edge; what it hits is then hidden from the centre. */
+/* Relative distance behind a surface from which a ray is taken to pass behind the surface's edge;
+ * what the ray then hits is hidden from the cube's centre. */
 const float cube_occluded_min = 0.15;
 
-/* Returns how far a point is behind the surface in the cube map, negative if in front. `place` is
- * homogeneous, relative to the cube's centre. Linear along a line for flat surfaces. */
-float cube_depth_behind(vec4 place)
+/* Returns the distance of a point behind the surface in the cube map, negative in front; linear
+ * along a line for flat surfaces. `point` is homogeneous, relative to the cube's centre. */
+float cube_depth_behind(vec4 point)
 {
-    return length(place.xyz) * textureLod(env_cube_points, place.xyz, 0.0).a - place.w;
+    return length(point.xyz) * textureLod(env_cube_points, point.xyz, 0.0).a - point.w;
 }
 
-/* Bracket of a ray's hit: two parameters in 0 to 1 on either side of the surface. */
+/* Bracket of a ray's hit: two ray parameters, 0 to 1, on either side of the surface. */
 struct cube_bracket {
     float before, behind;
     float at_before, at_behind; /* cube_depth_behind() at both ends */
@@ -50,8 +49,8 @@ struct cube_bracket {
 /* Returns the root of the linearly interpolated distance behind the surface. */
 float cube_root(cube_bracket ends)
 {
-    float share = ends.at_before / min(ends.at_before - ends.at_behind, -1e-9);
-    return mix(ends.before, ends.behind, share);
+    float fraction = ends.at_before / min(ends.at_before - ends.at_behind, -1e-9);
+    return mix(ends.before, ends.behind, fraction);
 }
 
 /* Returns the bracket of the first step that passes a surface; both ends are 1 if there is none. */
@@ -78,9 +77,10 @@ vec3 cube_first_point(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)
         return from_center;
-    float middle = dot(from_center, dir);
-    float room = 1.0 / (cube_nearest * cube_nearest) - dot(from_center, from_center);
-    return room > 0.0 ? from_center + (sqrt(middle * middle + room) - middle) * dir : from_center;
+    float half_b = dot(from_center, dir);
+    float minus_c = 1.0 / (cube_nearest * cube_nearest) - dot(from_center, from_center);
+    return minus_c > 0.0 ? from_center + (sqrt(half_b * half_b + minus_c) - half_b) * dir
+                         : from_center;
 }
 
 /*

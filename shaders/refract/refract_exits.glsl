@@ -22,8 +22,7 @@ layout(push_constant, scalar) uniform Push
     refract_bounce_params params;
 };
 
-layout(
-    location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* mean radiance of the surroundings */
+layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
 #ifdef REFRACT_SSR /* reflections are faint: one exit is enough */
 #define EXITS        1u
@@ -54,25 +53,25 @@ const float exits_weak_throughput = 0.1;
 
 /* State of a path inside the object. */
 struct exits_ray {
-    vec3 weight;  /* path throughput, relative to the pixel */
-    float crack;  /* distance to a crack that reflects the ray; inclusion_none if there is none */
-    vec3 crack_n; /* unit normal of the last crack before the next face; 0 if there is none */
-    refract_path path; /* its direction points to the next face */
-    vec3 n;            /* outward normal of the face; 0 if none was found */
-    float share;       /* Fresnel reflectance of the face */
-    uint faces;        /* number of reflections at faces so far */
+    vec3 weight;       /* path throughput, relative to the pixel */
+    float crack;       /* distance to a reflecting crack, or inclusion_none */
+    vec3 crack_n;      /* unit normal of the last crack before the next face, or 0 */
+    refract_path path; /* up to the next face */
+    vec3 n;            /* next face's outward normal, or 0 */
+    float reflectance; /* Fresnel reflectance of the face */
+    uint faces;        /* number of internal reflections so far */
 #ifdef REFRACT_MEDIUM
-    float straight; /* transmittance of the scattering medium */
+    float transmittance; /* transmittance of the scattering medium */
 #endif
 #ifdef REFRACT_MATERIAL
-    vec3 tint; /* tint of the light transmitted by the face */
+    vec3 tint; /* tint of light through the face */
 #endif
 };
 
 /* Radiance of a pixel, and the branch that is still to be followed. */
 struct exits_pixel {
     vec3 light;
-    exits_ray other; /* weight below 0: no branch yet; weight 0: already followed */
+    exits_ray other; /* the weaker branch; weight below 0: none yet; weight 0: already followed */
 };
 
 float exits_mean(vec3 weight)
@@ -81,27 +80,27 @@ float exits_mean(vec3 weight)
 }
 
 /* Intersects a path with a crack in front of its next face. The path keeps the stronger branch; the
- * weaker one is stored in `pixel`, or sees the environment at once. */
+ * weaker one is stored in `pixel`, or looks up the environment at once. */
 void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
 {
     cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);
     if (hit.t >= inclusion_none || abs(dot(hit.n, ray.crack_n)) > exits_same_crack)
         return;
     float c = -dot(hit.n, ray.path.dir);
-    vec3 shares = cracks_reflectance(c, frame.outside_in_air / refract_frame.eta, hit.width);
-    bool is_mirrored = exits_mean(shares) > 0.5;
-    vec3 lesser = (is_mirrored ? 1.0 - shares : shares) * ray.weight;
+    vec3 reflectance = cracks_reflectance(c, frame.outside_in_air / refract_frame.eta, hit.width);
+    bool is_reflected = exits_mean(reflectance) > 0.5;
+    vec3 weaker = (is_reflected ? 1.0 - reflectance : reflectance) * ray.weight;
     ray.crack_n = hit.n;
-    if (exits_mean(pixel.other.weight) < 0.0 && exits_mean(lesser) > EXITS_BRANCH) {
+    if (exits_mean(pixel.other.weight) < 0.0 && exits_mean(weaker) > EXITS_BRANCH) {
         pixel.other = ray;
-        pixel.other.weight = lesser;
-        pixel.other.crack = is_mirrored ? inclusion_none : hit.t;
+        pixel.other.weight = weaker;
+        pixel.other.crack = is_reflected ? inclusion_none : hit.t;
     } else {
-        vec3 dir = is_mirrored ? ray.path.dir : optics_reflect(ray.path.dir, hit.n);
-        pixel.light += lesser * textureLod(env_cube, dir, 0.0).rgb;
+        vec3 dir = is_reflected ? ray.path.dir : optics_reflect(ray.path.dir, hit.n);
+        pixel.light += weaker * textureLod(env_cube, dir, 0.0).rgb;
     }
-    ray.weight -= lesser;
-    ray.crack = is_mirrored ? hit.t : inclusion_none;
+    ray.weight -= weaker;
+    ray.crack = is_reflected ? hit.t : inclusion_none;
 }
 
 void exits_reflect(inout exits_ray ray, vec3 n)
@@ -123,51 +122,51 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout
     const bool is_weak = exits_mean(ray.weight) < exits_weak_throughput;
     const uint bounces = space.march.bounces;
     const uint last = is_weak ? min(ray.faces + 1u, bounces) : bounces;
-    const bool meets = constant_cracks_traced != 0u && !is_weak;
-    const bool meets_all = params.inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
-    const uint most =
+    const bool hits_cracks = constant_cracks_traced != 0u && !is_weak;
+    const bool hits_all = params.inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
+    const uint segments_max =
         space.march.bounces + exits_false_max + exits_crack_reflections * constant_cracks_traced;
-    uint mistakes = 0u;
+    uint false_exits = 0u;
     bool hidden = false;
-    ray.share = 0.0;
+    ray.reflectance = 0.0;
 #ifdef REFRACT_MATERIAL
     ray.tint = vec3(1.0);
 #endif
     ray.n = vec3(0.0);
-    for (uint i = 0u; ray.faces <= last && i <= most; i++) {
+    for (uint i = 0u; ray.faces <= last && i <= segments_max; i++) {
         bool near_front, jumps;
-        if (meets && !hidden && (meets_all || ray.faces == 0u))
+        if (hits_cracks && !hidden && (hits_all || ray.faces == 0u))
             exits_hit_crack(space, ray, pixel);
         float t = march_find_exit(space, ray.path.point, ray.path.dir, hidden, near_front, jumps);
-        bool is_mirrored = ray.crack < t;
+        bool is_reflected = ray.crack < t;
         t = min(t, ray.crack);
 #ifdef REFRACT_MEDIUM
         pixel.light +=
             ray.weight * exp(-refract_frame.absorb * ray.path.path) *
-            refract_in_scatter(frame.cloud, ray.path.point, ray.path.dir, t, ray.straight);
+            refract_in_scatter(frame.cloud, ray.path.point, ray.path.dir, t, ray.transmittance);
 #endif
         ray.path.point += t * ray.path.dir;
         ray.path.path += t;
         ray.crack = inclusion_none;
-        if (is_mirrored) {
+        if (is_reflected) {
             ray.path.dir = reflect(ray.path.dir, ray.crack_n);
             continue;
         }
         vec3 n = march_nearer_normal(space, ray.path.point, near_front);
         bool is_found = dot(n, ray.path.dir) > 0.0;
-        hidden = (!is_found || jumps) && mistakes < exits_false_max;
-        mistakes += hidden ? 1u : 0u;
+        hidden = (!is_found || jumps) && false_exits < exits_false_max;
+        false_exits += hidden ? 1u : 0u;
         if (hidden)
             continue;
-        float share = is_found ? optics_fresnel(ray.path.dir, n, inverse_eta) : 0.0;
+        float reflectance = is_found ? optics_fresnel(ray.path.dir, n, inverse_eta) : 0.0;
         if (refract_is_below_ground(ray.path.point)) {
             n = normalize(ray.path.point - frame.cube_center);
             ray.path.dir = n;
             is_found = true;
-            share = 0.0;
+            reflectance = 0.0;
         }
-        if (share < 1.0) {
-            ray.share = share;
+        if (reflectance < 1.0) {
+            ray.reflectance = reflectance;
             ray.n = is_found ? n : ray.n;
 #ifdef REFRACT_MATERIAL
             ray.tint = march_transmittance(space, ray.path.point, near_front);
@@ -191,7 +190,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
 #ifdef REFRACT_MEDIUM
-    ray.straight = 1.0;
+    ray.transmittance = 1.0;
 #endif
     exits_pixel pixel;
     pixel.light = vec3(0.0);
@@ -208,21 +207,20 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
         is_first = false;
         bool is_trapped = ray.faces > space.march.bounces;
         bool is_last = i == EXITS || ray.faces >= space.march.bounces ||
-                       exits_mean(ray.weight) * ray.share < params.least;
-        vec3 seen = refract_transmitted(leaving);
-        /* fraction that leaves through the face */
-        float share = is_trapped ? 0.0 : 1.0 - ray.share;
+                       exits_mean(ray.weight) * ray.reflectance < params.least;
+        vec3 light = refract_transmitted(leaving);
+        float transmitted = is_trapped ? 0.0 : 1.0 - ray.reflectance;
         if (EXITS == 1u)
-            share = 1.0;
-        float rest = is_last ? 1.0 - share : 0.0;
-        seen = share * seen + rest * mean * exp(-refract_frame.absorb * ray.path.path);
+            transmitted = 1.0;
+        float rest = is_last ? 1.0 - transmitted : 0.0;
+        light = transmitted * light + rest * mean * exp(-refract_frame.absorb * ray.path.path);
 #ifdef REFRACT_MATERIAL
-        seen *= ray.tint;
+        light *= ray.tint;
 #endif
 #ifdef REFRACT_MEDIUM
-        seen *= ray.straight;
+        light *= ray.transmittance;
 #endif
-        pixel.light += ray.weight * seen;
+        pixel.light += ray.weight * light;
         if (is_last && exits_mean(pixel.other.weight) <= 0.0)
             break;
         if (is_last) { /* the weaker branch gets one exit */
@@ -231,7 +229,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
             i = EXITS - 1u;
             continue;
         }
-        ray.weight *= ray.share;
+        ray.weight *= ray.reflectance;
         exits_reflect(ray, ray.n);
     }
     return pixel.light;

@@ -1,8 +1,6 @@
-/*
- * refract_fullscreen.glsl: reads the visible front face from the G-buffer ice_normal.front, for
+/* refract_fullscreen.glsl: reads the visible front face from the G-buffer ice_normal.front, for
  * deferred shading with a full-screen triangle. Rasterisers that shade blocks of pixels then shade
- * each block once, not once for each of its triangles.
- */
+ * each block once, not once for each of its triangles. */
 #ifndef REFRACT_FULLSCREEN_GLSL
 #define REFRACT_FULLSCREEN_GLSL
 #include "lib/primary_ray.glsl"
@@ -27,7 +25,7 @@ vec3 refract_front_normal()
 }
 
 /* Reads the front face of this pixel. For the image, the depth test rejects pixels without ice, and
- * this function those that show only other objects; for layers it discards both, and pixels where
+ * this function those that show only other objects; for AOVs it discards both, and pixels where
  * surroundings hide the ice. */
 void refract_front_read()
 {

@@ -11,26 +11,24 @@ layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
 #ifdef REFRACT_FULLSCREEN_WITH_MEAN
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube;
 layout(location = REFRACT_FULLSCREEN_MEAN) flat out vec3 out_mean;
-layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat out
-    float out_nearest; /* 1 / metres */
+layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat out float out_nearest; /* 1/m */
 
 const uint mean_count = 256u;
 const float mean_golden = 2.39996323; /* golden angle, radians */
 const float mean_brightest = 16.0;    /* clamps the sun, which most directions miss */
 
-/* Computes the mean radiance of the environment cube and its nearest distance over a spherical
- * spiral. */
+/* Computes mean radiance and nearest distance of the environment cube along a spherical spiral. */
 void mean_compute()
 {
     vec3 sum = vec3(0.0);
     float nearest = 0.0;
     for (uint i = 0u; i < mean_count; i++) {
         float y = 1.0 - (2.0 * float(i) + 1.0) / float(mean_count);
-        float turn = mean_golden * float(i);
-        vec2 xz = sqrt(1.0 - y * y) * vec2(cos(turn), sin(turn));
-        vec4 seen = textureLod(env_cube, vec3(xz.x, y, xz.y), 0.0);
-        sum += min(seen.rgb, vec3(mean_brightest));
-        nearest = max(nearest, seen.a);
+        float angle = mean_golden * float(i);
+        vec2 xz = sqrt(1.0 - y * y) * vec2(cos(angle), sin(angle));
+        vec4 texel = textureLod(env_cube, vec3(xz.x, y, xz.y), 0.0);
+        sum += min(texel.rgb, vec3(mean_brightest));
+        nearest = max(nearest, texel.a);
     }
     out_mean = sum / float(mean_count);
     out_nearest = nearest;

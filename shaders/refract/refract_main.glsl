@@ -1,10 +1,6 @@
-/*
- * refract_main.glsl: shared main() of the raster refraction models: writes layers with
- * REFRACT_LAYERS, otherwise the image (Seipel and Nivfors 2006, eq. 6).
- *
- * Each model defines refract_follow(), the path of light through the ice. This file adds what all
- * share: environment lookup, absorption, dispersion and reflection.
- */
+/* refract_main.glsl: main() of the raster refraction models: environment lookup, absorption,
+ * dispersion and reflection; writes AOVs with REFRACT_LAYERS, otherwise the image (Seipel and
+ * Nivfors 2006, eq. 6). Each model defines refract_follow(), the path of light through the ice. */
 #ifndef REFRACT_MAIN_GLSL
 #define REFRACT_MAIN_GLSL
 #include "lib/specialization_constants.glsl"
@@ -38,8 +34,7 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Returns the edge, in metres, of a cube with the object's diagonal; the size of spheres that
- * replace it. */
+/* Returns the side of a cube with the object's diagonal, metres: the diameter of proxy spheres. */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);
@@ -69,10 +64,10 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     light *= refract_back_transmittance();
 #endif
 #ifdef REFRACT_MEDIUM
-    float straight = 1.0;
+    float transmittance = 1.0;
     vec3 scattered =
-        refract_in_scatter(frame.cloud, path.point, normalize(path.dir), 1e30, straight);
-    light = straight * light + scattered;
+        refract_in_scatter(frame.cloud, path.point, normalize(path.dir), 1e30, transmittance);
+    light = transmittance * light + scattered;
 #endif
     return light;
 }

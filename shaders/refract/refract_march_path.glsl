@@ -13,12 +13,11 @@ bool march_is_in_ground(vec3 point);
 #ifdef REFRACT_MEDIUM
 #include "refract/refract_medium.glsl"
 
-vec3 march_scattered;            /* radiance scattered into the path that was traced last */
-float march_transmittance_media; /* transmittance of media on that path; callers initialise both */
+vec3 march_scattered;            /* radiance scattered into the path traced last */
+float march_transmittance_media; /* medium transmittance; initialised by callers */
 #endif
 
-/* Traces a path inside to its exit. `leaving` becomes the transmittance of the last surface; 0 if
- * no light leaves. */
+/* Traces a path to its exit. `leaving` becomes the last surface's transmittance, 0 if trapped. */
 void march_continue(march_space space, float eta, inout refract_path path, out float leaving)
 {
     leaving = 0.0;

@@ -1,9 +1,6 @@
-/*
- * refract_march_ray.glsl: image-space ray marching inside the ice to the exit point, in depth maps.
- *
- * With REFRACT_BOUNCE a ray can also leave through front faces; without it, points before these
- * faces count as inside.
- */
+/* refract_march_ray.glsl: ray marching inside the ice to the exit point, in screen-space depth
+ * maps. Rays can leave through front faces only with REFRACT_BOUNCE; otherwise points in front of
+ * these faces count as inside. */
 #ifndef REFRACT_MARCH_RAY_GLSL
 #define REFRACT_MARCH_RAY_GLSL
 #include "refract/refract_bracket.glsl"
@@ -32,7 +29,7 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 
 /* Constants of a march, loaded once: lavapipe reads uniforms in a loop for each ray. */
 struct march_space {
-    mat4 map_from_world; /* to clip space; x / w and y / w are texels (refract_depth_at()) */
+    mat4 map_from_world; /* projection to texels, x / w and y / w (refract_depth_at()) */
     vec2 texel;
     vec3 center; /* of the object's bounding sphere */
     float radius;
@@ -43,20 +40,19 @@ march_space march_space_of_frame()
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depth_back, 0));
-#ifdef MARCH_PICTURE
-    vec2 picture = MARCH_PICTURE;
+#ifdef MARCH_IMAGE_SIZE
+    vec2 image_size = MARCH_IMAGE_SIZE;
 #elif defined(REFRACT_FULLSCREEN)
-    vec2 picture =
-        vec2(textureSize(shading, 0)); /* the maps are wider: the image is their centre */
+    vec2 image_size = vec2(textureSize(shading, 0)); /* maps have a margin around it */
 #else
-    vec2 picture = size;
+    vec2 image_size = size;
 #endif
     for (int i = 0; i < 4; i++)
-        m[i].xy = 0.5 * picture * m[i].xy + (0.5 * size - 0.5) * m[i].w;
+        m[i].xy = 0.5 * image_size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
-/* Offset of a ray's origin from its surface, in bounding radii, because texels are coarse. */
+/* Offset of a ray's origin from its surface, in bounding radii: texels are coarse. */
 const float march_start = 0.02;
 
 /* Returns signed distances of a point: x in front of the back faces, y behind the front faces,
@@ -65,21 +61,21 @@ vec2 march_signed_distances(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
     float back = refract_depth_at(depth_back, texels, space.texel);
-    vec2 rooms = vec2(fma(-back, at.w, at.z), -march_outside_silhouette);
+    vec2 dists = vec2(fma(-back, at.w, at.z), -march_outside_silhouette);
 #ifdef REFRACT_BOUNCE
-    rooms.y = fma(refract_depth_at(MARCH_DEPTH_FRONT, texels, space.texel), at.w, -at.z);
+    dists.y = fma(refract_depth_at(MARCH_DEPTH_FRONT, texels, space.texel), at.w, -at.z);
 #endif
-    return at.w > 0.0 && back > 0.0 ? rooms : vec2(march_outside_silhouette);
+    return at.w > 0.0 && back > 0.0 ? dists : vec2(march_outside_silhouette);
 }
 
-bool march_is_near_front(vec2 rooms)
+bool march_is_near_front(vec2 dists)
 {
-    return rooms.y < rooms.x;
+    return dists.y < dists.x;
 }
 
-float march_signed_distance(vec2 rooms)
+float march_signed_distance(vec2 dists)
 {
-    return march_is_near_front(rooms) ? rooms.y : rooms.x;
+    return march_is_near_front(dists) ? dists.y : dists.x;
 }
 
 bool march_is_inside(march_space space, vec4 at)
@@ -91,17 +87,15 @@ bool march_is_inside(march_space space, vec4 at)
 float march_exit_distance(march_space space, vec3 point, vec3 dir)
 {
     vec3 from_center = point - space.center;
-    float middle = dot(from_center, dir);
+    float half_b = dot(from_center, dir);
     float outside = dot(from_center, from_center) - space.radius * space.radius;
-    return sqrt(max(middle * middle - outside, 0.0)) - middle;
+    return sqrt(max(half_b * half_b - outside, 0.0)) - half_b;
 }
 
-/*
- * Marches to the first step that leaves the object. A ray marked as hidden begins behind a face
+/* Marches to the first step that leaves the object. A ray marked as hidden begins behind a face
  * that it has not crossed: its points count as inside until one is between the faces again or
  * outside the silhouette. Two independent steps are taken at a time, because the latency of the
- * address computation dominates, not the fetches.
- */
+ * address computation dominates, not the fetches. */
 march_bracket march_step_outside(march_space space, vec4 from, vec4 map_dir, float first,
                                  float step_length, bool hidden)
 {
@@ -112,20 +106,20 @@ march_bracket march_step_outside(march_space space, vec4 from, vec4 map_dir, flo
     for (uint i = 1u;; i += 2u) {
         float near = first + float(i) * step_length;
         float far = first + float(min(i + 1u, space.march.steps)) * step_length;
-        vec2 rooms_near = march_signed_distances(space, fma(vec4(near), map_dir, from));
-        vec2 rooms_far = march_signed_distances(space, fma(vec4(far), map_dir, from));
-        float room_near = march_signed_distance(rooms_near);
-        float room_far = march_signed_distance(rooms_far);
-        bool near_hidden = hidden && room_near < 0.0 && room_near > march_outside_silhouette;
-        bool near_outside = room_near < 0.0 && !near_hidden;
-        bool far_hidden = near_hidden && room_far < 0.0 && room_far > march_outside_silhouette;
+        vec2 dists_near = march_signed_distances(space, fma(vec4(near), map_dir, from));
+        vec2 dists_far = march_signed_distances(space, fma(vec4(far), map_dir, from));
+        float dist_near = march_signed_distance(dists_near);
+        float dist_far = march_signed_distance(dists_far);
+        bool near_hidden = hidden && dist_near < 0.0 && dist_near > march_outside_silhouette;
+        bool near_outside = dist_near < 0.0 && !near_hidden;
+        bool far_hidden = near_hidden && dist_far < 0.0 && dist_far > march_outside_silhouette;
         ends.beyond = near_outside ? near : far;
-        ends.distance_beyond = near_outside ? room_near : room_far;
+        ends.distance_beyond = near_outside ? dist_near : dist_far;
         if (!near_outside) {
-            bool far_outside = room_far < 0.0 && !far_hidden;
+            bool far_outside = dist_far < 0.0 && !far_hidden;
             ends.within = far_outside ? near : far;
-            ends.distance_within = far_outside ? room_near : room_far;
-            ends.near_front = march_is_near_front(far_outside ? rooms_near : rooms_far);
+            ends.distance_within = far_outside ? dist_near : dist_far;
+            ends.near_front = march_is_near_front(far_outside ? dists_near : dists_far);
         }
         hidden = far_hidden;
         if ((ends.distance_beyond < 0.0 && !hidden) || i + 2u > space.march.steps)
@@ -157,16 +151,16 @@ float march_find_exit(march_space space, vec3 point, vec3 dir, bool hidden, out 
     float t = march_root(ends, exact);
     bool done = t - ends.within < 0.5 * exact || space.march.halvings == 0u;
     for (uint i = 1u;; i++) {
-        vec2 rooms = march_signed_distances(space, fma(vec4(t), map_dir, from));
-        float room = march_signed_distance(rooms);
-        if (!done && room < 0.0) {
+        vec2 dists = march_signed_distances(space, fma(vec4(t), map_dir, from));
+        float dist = march_signed_distance(dists);
+        if (!done && dist < 0.0) {
             ends.beyond = t;
-            ends.distance_beyond = room;
+            ends.distance_beyond = dist;
             ends.distance_within *= 0.5;
         } else if (!done) {
             ends.within = t;
-            ends.distance_within = room;
-            ends.near_front = march_is_near_front(rooms);
+            ends.distance_within = dist;
+            ends.near_front = march_is_near_front(dists);
         }
         t = march_root(ends, exact);
         done = done || t - ends.within < 0.5 * exact || i >= space.march.halvings;
@@ -174,7 +168,7 @@ float march_find_exit(march_space space, vec3 point, vec3 dir, bool hidden, out 
             break;
     }
     near_front = ends.near_front;
-    /* On a continuous face, 4 * exact changes the signed distance much less than this. */
+    /* On a continuous face, 4 * exact changes the signed distance by a small part of this. */
     float probe = march_signed_distance(
         march_signed_distances(space, fma(vec4(ends.within + 4.0 * exact), map_dir, from)));
     jumps = probe < -0.25 * difference && probe > march_outside_silhouette;
@@ -206,7 +200,7 @@ vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 }
 
 #ifdef REFRACT_BOUNCE
-/* Returns the outward normal of the nearer face at the end of a ray. */
+/* Returns the outward normal of the nearer face at a ray's end. */
 vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -217,7 +211,7 @@ vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 }
 
 #ifdef REFRACT_MATERIAL
-/* Returns the transmittance of the nearer face at the end of a ray. */
+/* Returns the transmittance of the nearer face at a ray's end. */
 vec3 march_transmittance(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

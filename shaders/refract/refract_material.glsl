@@ -1,5 +1,4 @@
-/* refract_material.glsl: surface transmittance and opaque base colour, from images of ice_normal.c.
- */
+/* refract_material.glsl: transmittance and opaque base colour from images of ice_normal.c. */
 #ifndef REFRACT_MATERIAL_GLSL
 #define REFRACT_MATERIAL_GLSL
 #include "refract/refract.h"
@@ -20,8 +19,7 @@ vec3 refract_front_transmittance()
     return texelFetch(material_front, refract_pixel, 0).rgb;
 }
 
-/* Returns the transmittance of the pixel's back face, for models that do not know the exit point.
- */
+/* Returns the back face's transmittance, for models that do not know the exit point. */
 vec3 refract_back_transmittance()
 {
     return texelFetch(material_back, refract_pixel, 0).rgb;

@@ -1,6 +1,5 @@
 /*
- * refract_nested.glsl: follows light through nested objects by marching depth layers
- * (ice_nested.h).
+ * refract_nested.glsl: follows light through nested objects in their depth layers (ice_nested.h).
  *
  * A ray is in one level of nesting until it leaves it or enters the next. At each face the
  * refracted ray is followed, and the reflected one is pushed onto a stack of pending rays if its
@@ -28,20 +27,19 @@ layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
     ice_nested_media media;
 };
 
-layout(
-    location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* mean radiance of the surroundings */
+layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
 const float nested_start = 0.01; /* offset of a ray's origin from its face, in bounding radii */
 const float nested_throughput_min = 0.01; /* minimum throughput of reflected rays */
 const int nested_pending_max = 3;
 const int nested_ends_max = 6;
-const int nested_segments_max = 40; /* maximum number of segments of all rays of a pixel */
-const uint nested_steps = 2u;       /* factor on the number of ray marching steps */
+const int nested_segments_max = 40; /* maximum number of segments per pixel */
+const uint nested_steps = 2u;       /* factor on the ray marching steps */
 
 /* Transformation of world space to texels of the depth layers. */
 struct nested_space {
-    mat4 map_from_world; /* x / w and y / w: texels from the centre of the first one */
-    vec2 texel;          /* 1 / size of the depth layers */
+    mat4 map_from_world; /* projection to texels, x / w and y / w */
+    vec2 texel;          /* 1 / the depth layers' size */
 };
 
 struct nested_ray {
@@ -64,10 +62,9 @@ nested_space nested_space_of_frame()
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depths, 0).xy);
-    vec2 picture =
-        vec2(textureSize(shading, 0)); /* the maps are wider: the image is their centre */
+    vec2 image_size = vec2(textureSize(shading, 0)); /* maps have a margin around it */
     for (int i = 0; i < 4; i++)
-        m[i].xy = 0.5 * picture * m[i].xy + (0.5 * size - 0.5) * m[i].w;
+        m[i].xy = 0.5 * image_size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
     return nested_space(m, 1.0 / size);
 }
 
@@ -75,9 +72,9 @@ nested_space nested_space_of_frame()
 float nested_depth_at(int layer, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
-    vec2 share = at - corner;
-    vec3 place = vec3(fma(corner, texel, texel), float(layer));
-    return depth_interpolate(textureGather(depths, place), share);
+    vec2 fraction = at - corner;
+    vec3 coords = vec3(fma(corner, texel, texel), float(layer));
+    return depth_interpolate(textureGather(depths, coords), fraction);
 }
 
 /* Returns signed distances of a point: x in front of a level's far faces, y behind its near faces.
@@ -87,41 +84,39 @@ vec2 nested_signed_distances(nested_space space, int level, vec4 at)
     vec2 texels = at.xy / at.w;
     float near = nested_depth_at(2 * level, texels, space.texel);
     float far = nested_depth_at(2 * level + 1, texels, space.texel);
-    vec2 rooms = vec2(fma(-far, at.w, at.z), fma(near, at.w, -at.z));
-    return at.w > 0.0 && near > 0.0 && far > 0.0 ? rooms : vec2(march_outside_silhouette);
+    vec2 dists = vec2(fma(-far, at.w, at.z), fma(near, at.w, -at.z));
+    return at.w > 0.0 && near > 0.0 && far > 0.0 ? dists : vec2(march_outside_silhouette);
 }
 
-float nested_signed_distance(vec2 rooms)
+float nested_signed_distance(vec2 dists)
 {
-    return min(rooms.x, rooms.y);
+    return min(dists.x, dists.y);
 }
 
 /* Returns the signed distance of a point to the faces of its level and of the next one; negative
  * outside of its level or inside the next. */
 float nested_level_distance(nested_space space, int level, vec4 at, out bool is_in_next)
 {
-    float own = nested_signed_distance(nested_signed_distances(space, level, at));
+    float dist = nested_signed_distance(nested_signed_distances(space, level, at));
     float next = march_outside_silhouette;
     if (level + 1 < ICE_NESTED_LEVELS)
         next = nested_signed_distance(nested_signed_distances(space, level + 1, at));
     is_in_next = next >= 0.0;
-    return min(own, -next);
+    return min(dist, -next);
 }
 
 /* Returns the distance along a ray to the outermost object's bounding sphere. */
 float nested_length(vec3 point, vec3 dir)
 {
     vec3 from_center = point - refract_frame.center;
-    float middle = dot(from_center, dir);
+    float half_b = dot(from_center, dir);
     float outside = dot(from_center, from_center) - refract_frame.radius * refract_frame.radius;
-    return sqrt(max(middle * middle - outside, 0.0)) - middle;
+    return sqrt(max(half_b * half_b - outside, 0.0)) - half_b;
 }
 
-/*
- * Returns two distances along a ray: the last one in its level, and the first one beyond; `enters`
- * tells if that is in the next level or in the surrounding one. The step is refined by the Illinois
- * method: if the same end moves twice, the signed distance at the other one is halved.
- */
+/* Returns two distances along a ray: the last one in its level, and the first one beyond, which is
+ * in the next level if `enters`, otherwise in the surrounding one. The step is refined by the
+ * Illinois method: if the same end moves twice, the signed distance at the other one is halved. */
 vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
 {
     vec4 from = space.map_from_world * vec4(ray.point, 1.0);
@@ -142,21 +137,21 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
         ends.distance_within = ends.distance_beyond;
     }
     bool done = params.march.halvings == 0u;
-    float moved = 0.0; /* 1: the end inside has moved; -1: the one beyond */
+    float moved = 0.0; /* last moved end: 1: within; -1: beyond */
     for (uint i = 1u;; i++) {
         bool is_in_next;
         float t = march_root(ends, 0.0);
-        float room =
+        float dist =
             nested_level_distance(space, ray.level, fma(vec4(t), map_dir, from), is_in_next);
-        if (!done && room < 0.0) {
+        if (!done && dist < 0.0) {
             ends.beyond = t;
-            ends.distance_beyond = room;
+            ends.distance_beyond = dist;
             ends.distance_within *= moved < 0.0 ? 0.5 : 1.0;
             moved = -1.0;
             enters = is_in_next;
         } else if (!done) {
             ends.within = t;
-            ends.distance_within = room;
+            ends.distance_within = dist;
             ends.distance_beyond *=
                 moved > 0.0 && ends.distance_beyond > march_outside_silhouette ? 0.5 : 1.0;
             moved = 1.0;
@@ -174,8 +169,8 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
     vec2 texels = at.xy / at.w;
-    vec2 rooms = nested_signed_distances(space, level, at);
-    int layer = 2 * level + (rooms.y < rooms.x ? 0 : 1);
+    vec2 dists = nested_signed_distances(space, level, at);
+    int layer = 2 * level + (dists.y < dists.x ? 0 : 1);
     vec2 uv = fma(texels, space.texel, 0.5 * space.texel);
     vec3 n = textureLod(normals, vec3(uv, float(layer)), 0.0).xyz;
     ivec2 size = textureSize(normals, 0).xy;
@@ -220,11 +215,11 @@ bool nested_is_in(nested_space space, nested_ray ray, float t)
 
 /* Face at the end of a ray segment. */
 struct nested_face {
-    int next;    /* level behind the face; -1: outside */
-    int other;   /* medium behind the face */
-    float share; /* Fresnel reflectance */
+    int next;          /* level behind the face; -1: outside */
+    int other;         /* medium behind the face */
+    float reflectance; /* Fresnel reflectance */
     vec3 reflected, refracted;
-    float segment_length; /* length of the segment */
+    float segment_length;
 #ifdef REFRACT_MEDIUM
     vec3 scattered; /* radiance scattered into the segment */
 #endif
@@ -246,57 +241,58 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     int entered;
     vec3 n = nested_normal(space, level, ray.point + (enters ? ends.y : ends.x) * ray.dir, entered);
     n = enters ? -n : n;
-    int around = ray.level > 0 ? ray.within[ray.level - 1] : 0;
-    int beyond = ray.level > 1 ? ray.within[ray.level - 2] : 0;
-    bool opens = !enters && ray.level > 0 && medium == beyond && !nested_is_in(space, ray, ends.y);
+    int outer = ray.level > 0 ? ray.within[ray.level - 1] : 0;
+    int outermost = ray.level > 1 ? ray.within[ray.level - 2] : 0;
+    bool opens =
+        !enters && ray.level > 0 && medium == outermost && !nested_is_in(space, ray, ends.y);
     n = opens ? vec3(0.0) : n;
     face.next = enters ? ray.level + 1 : ray.level - (opens ? 2 : 1);
-    face.other = enters ? entered : opens ? beyond : around;
+    face.other = enters ? entered : opens ? outermost : outer;
     face.segment_length = ends.x;
 #ifdef REFRACT_MEDIUM
-    float straight = 1.0;
-    face.scattered = ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point,
-                                                         ray.dir, ends.x, straight);
-    ray.throughput *= straight;
+    float transmittance = 1.0;
+    face.scattered = ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point, ray.dir,
+                                                         ends.x, transmittance);
+    ray.throughput *= transmittance;
 #endif
     ray.point += ends.x * ray.dir;
     ray.throughput *= exp(-media.absorb[medium].rgb * ends.x);
     bool is_found = dot(n, ray.dir) > 0.0;
     float eta = media.ior[medium][channel] / media.ior[face.other][channel];
-    face.share = is_found ? optics_fresnel(ray.dir, n, eta) : 0.0;
+    face.reflectance = is_found ? optics_fresnel(ray.dir, n, eta) : 0.0;
     face.reflected = is_found ? reflect(ray.dir, n) : ray.dir;
     face.refracted = is_found ? optics_refract(ray.dir, -n, eta) : ray.dir;
     if (refract_is_below_ground(ray.point)) { /* no reflection by ice in the ground */
         face.next = -1;
-        face.share = 0.0;
+        face.reflectance = 0.0;
         face.refracted = normalize(ray.point - frame.cube_center);
     }
     return face;
 }
 
 /* Continues a ray from a face. Returns the throughput that is not followed and is given the mean
- * radiance of the surroundings. A ray that has ended has zero weight. */
+ * radiance of the surroundings. A ray that has ended has zero throughput. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;
-    bool is_total = face.share >= 1.0;
-    vec3 through = is_total ? vec3(0.0) : (1.0 - face.share) * ray.throughput;
+    bool is_total = face.reflectance >= 1.0;
+    vec3 through = is_total ? vec3(0.0) : (1.0 - face.reflectance) * ray.throughput;
     nested_ray back = ray;
     back.dir = face.reflected;
-    back.throughput *= face.share;
+    back.throughput *= face.reflectance;
     bool goes_back =
         max(back.throughput.r, max(back.throughput.g, back.throughput.b)) > nested_throughput_min;
     bool goes_through = !is_total && !leaves;
-    bool waits_for = goes_back && goes_through && pending_count < nested_pending_max;
+    bool is_pushed = goes_back && goes_through && pending_count < nested_pending_max;
     vec3 rest = vec3(0.0);
     if (leaves && !is_total && end_count < nested_ends_max)
         nested_push_end(ray.point, face.refracted, through);
     else if (leaves)
         rest += through;
-    if (waits_for)
+    if (is_pushed)
         nested_push_pending(back);
     if (goes_through) {
-        rest += waits_for ? vec3(0.0) : back.throughput;
+        rest += is_pushed ? vec3(0.0) : back.throughput;
         ray.dir = face.refracted;
         ray.throughput = through;
         if (face.next > ray.level)
@@ -313,7 +309,7 @@ vec3 nested_scatter(nested_face face, inout nested_ray ray)
 /* Records a face of the main path, which is refracted wherever possible. */
 void nested_record(nested_face face, nested_ray ray, bool is_first, inout refract_path path)
 {
-    bool is_total = face.share >= 1.0;
+    bool is_total = face.reflectance >= 1.0;
     path.path += ray.within[ray.level] != 0 ? face.segment_length : 0.0;
     path.bounces += is_total ? 1.0 : 0.0;
     path.tir = is_total && is_first ? 1.0 : path.tir;
@@ -349,14 +345,14 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     vec3 light = vec3(0.0);
     vec3 rest = vec3(0.0);
     bool is_main = true;
-    for (int part = 0; part < nested_segments_max; part++) {
+    for (int segment = 0; segment < nested_segments_max; segment++) {
         nested_face face = nested_next_face(space, channel, ray);
 #ifdef REFRACT_MEDIUM
         light += face.scattered;
 #endif
         if (is_main)
-            nested_record(face, ray, part == 0, path);
-        bool leaves = face.next < 0 && face.share < 1.0;
+            nested_record(face, ray, segment == 0, path);
+        bool leaves = face.next < 0 && face.reflectance < 1.0;
         rest += nested_scatter(face, ray);
         is_main = is_main && !leaves;
         if (ray.throughput == vec3(0.0)) {

@@ -6,15 +6,14 @@
 
 /* Path of light through the ice, traced from the camera. */
 struct refract_path {
-    vec3 dir;      /* direction in which the path leaves the ice */
+    vec3 dir;      /* exit direction */
     vec3 point;    /* exit point in world space */
-    float path;    /* length inside, metres; 0 if the refraction model does not compute it */
+    float path;    /* path length inside the ice, metres; 0 if the model does not compute it */
     float bounces; /* number of total internal reflections */
-    float tir;     /* 1 if the first inner face reflects totally, otherwise 0 */
+    float tir;     /* 1 if the first inner face reflects totally, else 0 */
 };
 
-/* Returns the path of a colour channel, with index refract_frame.etas[channel]; each refraction
- * model defines this function. */
+/* Returns the path of a colour channel (index of refract_frame.etas); defined by each model. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel);
 
 vec3 refract_front_point()

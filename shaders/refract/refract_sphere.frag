@@ -2,8 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 
-/* Refracts as a sphere of the object's size: its back deflects as much as its front and never
- * reflects totally. */
+/* Refracts as a sphere of the object's size: its back deflects like its front, never totally. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];

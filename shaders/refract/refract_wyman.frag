@@ -4,7 +4,7 @@
 #include "refract/refract_thickness.glsl"
 
 /* Returns the thickness along the front normal: the distance to the back face where a sphere of the
- * object's size would end, or nearer if there is no ice in that pixel. */
+ * object's size would end, or less if there is no ice in that pixel. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();
@@ -25,8 +25,7 @@ float thickness_along(vec3 point, vec3 n_f)
     return guess;
 }
 
-/* Refracts as in Wyman 2005, eq. 2: the ratio of the angles interpolates between both thicknesses.
- */
+/* Refracts as in Wyman 2005, eq. 2: the ratio of the angles interpolates both thicknesses. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];
@@ -36,8 +35,8 @@ refract_path refract_follow(vec3 e, vec3 n_f, int channel)
     float si = sqrt(1.0 - ci * ci);
     /* eta exceeds 1 if the ice's index is below that of its outside */
     float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
-    float straight = refract_thickness();
-    float path_length = mix(thickness_along(point, n_f), straight, ratio);
+    float ray_thickness = refract_thickness();
+    float path_length = mix(thickness_along(point, n_f), ray_thickness, ratio);
     point += path_length * inside;
     vec3 n_b = refract_normal_at(normal_back, refract_uv(refract_clip(point)));
     if (n_b == vec3(0.0)) /* the path ends outside the silhouette */

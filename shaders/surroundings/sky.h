@@ -1,10 +1,5 @@
-/*
- * sky.h: radiance and irradiance of the procedural sky; callers multiply both by
- * globals.sky_strength.
- *
- * An artistic model, not a measured one: a gradient from a bright horizon to a deep zenith, a sun
- * with a soft glow, and dark ground below.
- */
+/* sky.h: radiance and irradiance of the procedural sky, to be multiplied by globals.sky_strength.
+ * An artistic model: a gradient from horizon to zenith, a sun with a soft glow, and dark ground. */
 #ifndef SHADERS_SURROUNDINGS_SKY_H
 #define SHADERS_SURROUNDINGS_SKY_H
 #include "abi_math.h"

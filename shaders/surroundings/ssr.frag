@@ -9,12 +9,12 @@ layout(set = 0, binding = SSR_REFRACTED) uniform sampler2D refracted;
 layout(location = 0) out vec4 color; /* additively blended */
 
 const float cone = 0.8;           /* tangent of a reflection lobe's half-angle at GGX alpha 1 */
-const float fade_border = 0.04;   /* of the image: reflections fade near its edges */
+const float fade_border = 0.04;   /* width of the fade at image edges, relative to the image */
 const float fade_roughness = 0.4; /* roughness at which reflections begin to fade out */
 const float sharp = 2.0;          /* footprint in pixels up to which refracted colours are used */
 
-/* Returns the premultiplied colour of the objects at the hit, `t` along the segment: blurred to
- * the footprint of the reflection lobe, or refracted along the reflected ray if it is sharp. */
+/* Returns the premultiplied colour of the objects at `t` along the segment: blurred to the
+ * footprint of the reflection lobe, or refracted along the reflected ray if the lobe is narrow. */
 vec4 hit_color(segment p, float t, float roughness)
 {
     vec4 clip = mix(p.from, p.to, t);
@@ -29,8 +29,8 @@ vec4 hit_color(segment p, float t, float roughness)
     vec4 image = textureLod(objects, uv, log2(max(footprint, 1.0)));
     vec4 refracted_color =
         textureLod(refracted, 0.5 * gl_FragCoord.xy / vec2(textureSize(refracted, 0)), 0.0);
-    float share = refracted_color.a > 0.0 ? clamp(2.0 - footprint / sharp, 0.0, 1.0) : 0.0;
-    image.rgb = mix(image.rgb, image.a * refracted_color.rgb / max(refracted_color.a, 1e-3), share);
+    float blend = refracted_color.a > 0.0 ? clamp(2.0 - footprint / sharp, 0.0, 1.0) : 0.0;
+    image.rgb = mix(image.rgb, image.a * refracted_color.rgb / max(refracted_color.a, 1e-3), blend);
     return fade * image;
 }
 
@@ -46,10 +46,10 @@ vec3 reflection_on(ivec2 pixel, vec3 eye_to_point)
 {
     vec4 surface = texelFetch(surfaces, pixel, 0);
     segment p = segment_in_box(frame.eye + eye_to_point, reflected_dir(pixel, eye_to_point));
-    float share = intersect(p);
-    if (share > 1.0)
+    float t = intersect(p);
+    if (t > 1.0)
         return vec3(0.0);
-    vec4 image = inside_area() * hit_color(p, share, surface.z);
+    vec4 image = inside_area() * hit_color(p, t, surface.z);
     return surface.w * image.rgb - image.a * texelFetch(speculars, pixel, 0).rgb;
 }
 

@@ -1,7 +1,5 @@
-/*
- * ssr.glsl: ray march of the screen-space reflections: linear steps through the depth buffer of
- * the refractive objects, followed by bisection.
- */
+/* ssr.glsl: ray march of the screen-space reflections: linear steps through the depth buffer of the
+ * refractive objects, followed by bisection. */
 #ifndef SSR_GLSL
 #define SSR_GLSL
 #include "lib/octahedral_encoding.glsl"
@@ -25,7 +23,7 @@ const int halvings = 4; /* bisections of the step in which the ray hits an objec
 
 /* Segment of a reflected ray inside the objects' bounding box; its end points in clip space. */
 struct segment {
-    float t_enter, t_leave; /* the ray misses the box if leaves <= enters */
+    float t_enter, t_leave; /* the ray misses the box if t_leave <= t_enter */
     vec4 from, to;
 };
 

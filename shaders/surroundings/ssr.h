@@ -1,12 +1,12 @@
-/* ssr.h: bindings and push constants of the screen-space reflections, mirror*.{vert,frag}. */
+/* ssr.h: bindings and push constants of the screen-space reflections, ssr*.{glsl,vert,frag}. */
 #ifndef SHADERS_SURROUNDINGS_SSR_H
 #define SHADERS_SURROUNDINGS_SSR_H
 #include "abi.h"
 
-#define SSR_COLOR        1 /* frame_color, or the mip level to downsample */
+#define SSR_COLOR        1 /* frame_color, or mip level to downsample */
 #define SSR_DEPTH        2 /* frame_depth */
 #define SSR_OBJECTS      3 /* premultiplied colours of the objects, with mip levels */
-#define SSR_OBJECT_DEPTH 4 /* depth of the objects, 0 where there is none */
+#define SSR_OBJECT_DEPTH 4 /* objects' depth; 0 where none */
 #define SSR_SURFACE      5 /* ssr_surface */
 #define SSR_SPECULAR     6 /* ssr_specular */
 #define SSR_REFRACTED    7 /* half resolution: colour refracted along the reflected rays */
@@ -21,11 +21,11 @@
 
 struct ssr_push {
     vec3s box_min;            /* bounding box of the objects, object space, metres */
-    uint32_t steps;           /* number of ray march steps inside the box */
+    uint32_t steps;           /* ray march steps inside the box */
     vec3s box_max;            /* object space, metres */
     float thickness;          /* depth behind a front face within which a ray hits it, metres */
     vec2s area_min, area_max; /* scissored area, pixels; unbounded at the image's edges */
-    vec2s area_edge;          /* width of the fade at the area's edges, pixels */
+    vec2s area_edge;          /* fade width at the scissored area's edges, pixels */
     float pixel; /* side of a pixel at distance 1, or at any distance if orthographic, metres */
 };
 

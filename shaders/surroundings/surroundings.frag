@@ -35,10 +35,10 @@ vec3 view_vector()
  * so only the ice's caustics are added. */
 vec3 light_on(vec3 n, bool unlit)
 {
-    sun_shadow shine = sun_shadow_at(push.eye + eye_to_point, n);
+    sun_shadow shadow = sun_shadow_at(push.eye + eye_to_point, n);
     vec3 sun = sky_sun() * max(dot(n, frame.sun_dir), 0.0);
-    return unlit ? 1.0 + sun * shine.through
-                 : sky_ambient(n) + sun * (shine.own * shine.open + shine.through);
+    return unlit ? 1.0 + sun * shadow.refracted
+                 : sky_ambient(n) + sun * (shadow.direct * shadow.visibility + shadow.refracted);
 }
 #else
 vec3 light_on(vec3 n, bool unlit)

@@ -1,20 +1,16 @@
-/* surroundings.h: bindings and push constants of background*.{vert,frag} and env_cube.c. */
+/* surroundings.h: bindings and push constants of surroundings*.{vert,frag} and env_cube.c. */
 #ifndef SHADERS_SURROUNDINGS_SURROUNDINGS_H
 #define SHADERS_SURROUNDINGS_SURROUNDINGS_H
 #include "abi_math.h"
 
-#define SURROUNDINGS_ENVIRONMENT 1 /* equirectangular map, -Z in the middle */
-/* colour textures of the surroundings, one array layer each */
-#define SURROUNDINGS_TEXTURES      2
-#define SURROUNDINGS_DATA_TEXTURES 3 /* non-colour (linear) textures: normals, roughness, ... */
-/* one row of texels for each material (material_layout.h) */
-#define SURROUNDINGS_MATERIALS         4
+#define SURROUNDINGS_ENVIRONMENT       1 /* equirectangular map, -Z in the middle */
+#define SURROUNDINGS_TEXTURES          2 /* colour textures, one layer each */
+#define SURROUNDINGS_DATA_TEXTURES     3 /* non-colour (linear) textures: normals, roughness, ... */
+#define SURROUNDINGS_MATERIALS         4 /* material texture (material_layout.h) */
 #define SURROUNDINGS_ENVIRONMENT_LIGHT 5 /* prefiltered environment light (brdf.h) */
-/* one row of texels for each light of the scene file (brdf.h) */
-#define SURROUNDINGS_LIGHTS 11
-/* extra vertex attributes of the surroundings (mesh_layout.h) */
-#define SURROUNDINGS_EXTRAS 12
-/* split-sum BRDF table (brdf.h); ice_caustics.h has 6 to 9 */
+#define SURROUNDINGS_LIGHTS            11 /* light texture (brdf.h) */
+#define SURROUNDINGS_EXTRAS            12 /* vertex attributes (mesh_layout.h) */
+/* split-sum BRDF table; ice_caustics.h has bindings 6 to 9 */
 #define SURROUNDINGS_BRDF_TABLE 10
 
 /* Additional outputs of the surroundings, inputs of the screen-space reflections. */
@@ -26,9 +22,9 @@ struct surroundings_push {
     mat4s clip_from_world;
     vec3s eye;             /* camera position, world, metres */
     float environment_lod; /* mip level of the environment map that matches the size of a pixel */
-    vec3s right;           /* from the image's centre to its right edge, at distance 1 */
-    vec3s up;              /* from the image's centre to its upper edge, at distance 1 */
-    vec3s forward;         /* from the camera to the image's centre, at distance 1 */
+    vec3s right;           /* vector from the image's centre to its right edge, at distance 1 */
+    vec3s up;              /* vector from the image's centre to its upper edge, at distance 1 */
+    vec3s forward;         /* vector from the camera to the image's centre, at distance 1 */
     uint32_t inverse;      /* 1: alpha is 1 / distance from the camera, 1 / metre; 0: alpha is 1 */
 };
 

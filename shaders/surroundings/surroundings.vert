@@ -1,7 +1,11 @@
+/* surroundings.vert: vertex shader of surroundings; SURROUNDINGS_EXTRA adds struct mesh_extra. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "surroundings/surroundings.h"
+#ifdef SURROUNDINGS_EXTRA
+#include "lib/vertex_extra.glsl"
+#endif
 
 layout(push_constant, scalar) uniform Push
 {
@@ -19,10 +23,14 @@ layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_color;
 layout(location = 3) out vec2 out_uv;
 layout(location = 4) flat out uint out_material;
+#ifdef SURROUNDINGS_EXTRA
+layout(location = 5) out vec2 out_other_uv;
+layout(location = 6) out vec4 out_tangent;
+#endif
 
 void main()
 {
-    /* `precise`, because the layers' passes test for depth equality with this pass. */
+    /* `precise`: the AOV passes test for equal depth with this pass */
     precise vec3 point = pose_surroundings(position, material);
     precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;
@@ -31,4 +39,8 @@ void main()
     out_color = color;
     out_uv = uv;
     out_material = material;
+#ifdef SURROUNDINGS_EXTRA
+    out_tangent = vertex_extra_texel(0);
+    out_other_uv = vertex_extra_texel(1).xy;
+#endif
 }

@@ -27,7 +27,7 @@ layout(location = 6) in vec4 tangent;
 layout(location = 0) out vec4 color;
 #ifdef SURROUNDINGS_SSR
 layout(location = SURROUNDINGS_OUT_SURFACE) out vec4 out_surface;
-layout(location = SURROUNDINGS_OUT_SPECULAR) out vec4 out_glossy;
+layout(location = SURROUNDINGS_OUT_SPECULAR) out vec4 out_specular;
 #endif
 
 /* Returns the view vector, from the camera to the shaded point; not normalised. */
@@ -50,15 +50,14 @@ float footprint_blur()
     return longer > 0.0 ? clamp(sqrt(area / longer), 0.5, 1.0) : 1.0;
 }
 
-/* Returns the sunlight on the surface in the units of brdf.h, and the part of it due to caustics.
- */
+/* Returns the sunlight on the surface in units of brdf.h; `caustics` becomes the caustics' part. */
 vec3 sun_light(out vec3 caustics)
 {
     caustics = vec3(0.0);
 #ifdef SURROUNDINGS_CAUSTICS
-    sun_shadow shine = sun_shadow_at(push.eye + eye_to_point, normalize(normal));
-    caustics = sky_sun() * shine.through;
-    return sky_sun() * (shine.own * shine.open) + caustics;
+    sun_shadow shadow = sun_shadow_at(push.eye + eye_to_point, normalize(normal));
+    caustics = sky_sun() * shadow.refracted;
+    return sky_sun() * (shadow.direct * shadow.visibility) + caustics;
 #else
     return sky_sun();
 #endif
@@ -78,11 +77,11 @@ void main()
     vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
     vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
     vec4 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, blur);
-    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, blur);
-    vec4 normal_texel = lit_texel(numbers, row, MATERIAL_USE_NORMAL, uv, blur);
-    float occlusion = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
+    vec4 rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, blur);
+    vec4 normal_texel = lit_texel(data_textures, row, MATERIAL_USE_NORMAL, uv, blur);
+    float occlusion = lit_texel(data_textures, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
     vec3 emitted = lit_texel(textures, row, MATERIAL_USE_EMISSION, uv, blur).rgb * emission.rgb;
-    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, blur).a * factors.z;
+    float specular = lit_texel(data_textures, row, MATERIAL_USE_SPECULAR, uv, blur).a * factors.z;
     vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, blur).rgb * reflectance.rgb;
 
     vec3 albedo = base_color * base.rgb;
@@ -90,7 +89,7 @@ void main()
     vec3 to_eye = -normalize(view_vector());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
-    vec3 top = n; /* normal of the reflecting layer (clear coat); n is that of the diffuse base */
+    vec3 top = n; /* clear coat's normal; `n`: diffuse base's */
     if (normal_texel != vec4(1.0))
         n = NORMAL_MAP(row, n, normal, normal_texel.rgb, scales.xy, eye_to_point, uv);
     top = scales.w > 0.0 ? top : n;
@@ -101,7 +100,7 @@ void main()
     vec3 caustics;
     vec3 sun = sun_light(caustics);
 #ifdef SURROUNDINGS_SSR
-    out_surface = out_glossy = vec4(0.0);
+    out_surface = out_specular = vec4(0.0);
 #endif
     if ((material & MESH_UNLIT) != 0u) {
         color = vec4(albedo * (1.0 + caustics * max(dot(n, frame.sun_dir), 0.0)), alpha);
@@ -109,17 +108,17 @@ void main()
     }
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(top, to_eye), 0.0, 1.0);
-    lit_environment_factors shares = lit_environment_factors_of(s, lit_split(s.roughness, n_dot_v));
-    vec3 glossy = shares.glossy * lit_specular(reflected_dir, s.roughness, lod);
-    vec3 unoccluded_diffuse = lit_diffuse(n), matt = shares.matt * unoccluded_diffuse;
-    ao_shade(s, shares, push.eye + eye_to_point, n, unoccluded_diffuse, matt, glossy);
+    lit_environment_factors env = lit_environment_factors_of(s, lit_split(s.roughness, n_dot_v));
+    vec3 specular_light = env.specular * lit_specular(reflected_dir, s.roughness, lod);
+    vec3 unoccluded_diffuse = lit_diffuse(n), diffuse_light = env.diffuse * unoccluded_diffuse;
+    ao_shade(s, env, push.eye + eye_to_point, n, unoccluded_diffuse, diffuse_light, specular_light);
     sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
     vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
     occlusion = mix(1.0, occlusion, scales.y);
-    color = vec4((glossy + matt) * occlusion + sun + lit + emitted, alpha);
+    color = vec4((specular_light + diffuse_light) * occlusion + sun + lit + emitted, alpha);
 #ifdef SURROUNDINGS_SSR
-    float reflectance_mean = dot(shares.glossy, vec3(1.0 / 3.0));
+    float reflectance_mean = dot(env.specular, vec3(1.0 / 3.0));
     out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * occlusion);
-    out_glossy = vec4(glossy * occlusion, 0.0);
+    out_specular = vec4(specular_light * occlusion, 0.0);
 #endif
 }

@@ -8,7 +8,7 @@ layout(push_constant, scalar) uniform Push
     surroundings_push push;
 };
 
-layout(location = 0) out vec3 dir; /* not normalised; linearly interpolated over the screen */
+layout(location = 0) out vec3 dir; /* not normalised; linear in screen space */
 
 /* Draws a full-screen triangle at depth 0, which is infinitely far away. */
 void main()

@@ -1,5 +1,5 @@
-/* surroundings_vertices.frag: main() of the fragment shader for surroundings lit per vertex
- * (surroundings_vertices.vert); SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. */
+/* surroundings_vertices.frag: fragment shader of surroundings lit per vertex; SURROUNDINGS_CAUSTICS
+ * adds the ice's caustics and shadow. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/alpha_test.glsl"
@@ -10,18 +10,16 @@
 #endif
 
 layout(location = 0) flat in uint material;
-layout(
-    location = 1) in vec3 matt; /* diffuse irradiance; without the sun's if SURROUNDINGS_CAUSTICS */
-layout(location = 2) in vec3 glossy;
+layout(location = 1) in vec3 diffuse; /* diffuse light, plus sun unless SURROUNDINGS_CAUSTICS */
+layout(location = 2) in vec3 specular;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in vec2 glow_uv;
-layout(location = 5) flat in vec4 lookups; /* layer and wrap of colour and emission */
+layout(location = 5) flat in vec4 lookups; /* colour, emission: layer and wrap mode */
 #ifdef SURROUNDINGS_CAUSTICS
 layout(location = 6) in vec3 sun; /* sunlight on the diffuse base, without shadow and caustics */
-layout(location = 7) in vec4 shadow_clip;  /* position in the shadow map: ice_light_clip() */
-layout(location = 8) flat in float direct; /* factor on direct sunlight: 0 if unlit, otherwise 1 */
-layout(location = 9) in vec4
-    shadow_clip_lifted; /* shadow map position of the point after ice_light_biased() */
+layout(location = 7) in vec4 shadow_clip;        /* position in the shadow map: ice_light_clip() */
+layout(location = 8) flat in float direct;       /* 1 if lit, 0 if unlit */
+layout(location = 9) in vec4 shadow_clip_lifted; /* with the shadow bias */
 #endif
 layout(location = 0) out vec4 color;
 
@@ -55,12 +53,12 @@ bool is_cut_out(float alpha)
 void main()
 {
     vec4 base = constant_textured != 0u ? texel_at(textures, uv, lookups.xy) : vec4(1.0);
-    vec3 on_base = matt;
+    vec3 on_base = diffuse;
 #ifdef SURROUNDINGS_CAUSTICS
-    sun_shadow shine = sun_shadow_lookup(shadow_clip, shadow_clip_lifted);
-    on_base += sun * (direct * shine.own * shine.open + shine.through);
+    sun_shadow shadow = sun_shadow_lookup(shadow_clip, shadow_clip_lifted);
+    on_base += sun * (direct * shadow.direct * shadow.visibility + shadow.refracted);
 #endif
-    color = vec4(on_base * base.rgb + glossy + emitted(), 1.0);
+    color = vec4(on_base * base.rgb + specular + emitted(), 1.0);
     if (is_cut_out(base.a)) /* after all texture lookups, which need derivatives */
         discard;
 }

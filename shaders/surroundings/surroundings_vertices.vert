@@ -1,11 +1,7 @@
-/*
- * surroundings_vertices.vert: main() of the vertex shader for surroundings with materials, which
- * computes their lighting per vertex, without normal maps. SURROUNDINGS_EXTRA adds the vertex
- * attributes of struct mesh_extra, SURROUNDINGS_CAUSTICS outputs for the ice's caustics and shadow.
- *
- * Uniforms that the fragment shader needs are passed on as flat outputs, because lavapipe's
- * fragment shaders fetch each float of a uniform separately.
- */
+/* surroundings_vertices.vert: vertex shader of surroundings with materials, lit per vertex without
+ * normal maps. SURROUNDINGS_EXTRA adds the attributes of struct mesh_extra, SURROUNDINGS_CAUSTICS
+ * outputs for the ice's caustics and shadow. Uniforms are passed on as flat outputs, because
+ * lavapipe's fragment shaders fetch each float of a uniform separately. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define LIT_PER_VERTEX
@@ -32,8 +28,8 @@ layout(location = MESH_UV) in vec2 uv;
 layout(location = MESH_MATERIAL) in uint material;
 
 layout(location = 0) flat out uint out_material;
-layout(location = 1) out vec3 out_matt;
-layout(location = 2) out vec3 out_glossy;
+layout(location = 1) out vec3 out_diffuse;
+layout(location = 2) out vec3 out_specular;
 layout(location = 3) out vec2 out_uv;
 layout(location = 4) out vec2 out_glow_uv;
 layout(location = 5) flat out vec4 out_lookups;
@@ -47,13 +43,13 @@ layout(location = 9) out vec4 out_shadow_clip_lifted;
 /* Returns the reflected radiance of a surface without direct sunlight. */
 vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float occlusion)
 {
-    lit_environment_factors shares =
+    lit_environment_factors env =
         lit_environment_factors_of(s, lit_split(s.roughness, clamp(dot(n, to_eye), 0.0, 1.0)));
     vec3 mirror = lit_specular(reflect(-to_eye, n), s.roughness, push.environment_lod);
-    vec3 unoccluded_diffuse = lit_diffuse(n), matt = shares.matt * unoccluded_diffuse,
-         glossy = shares.glossy * mirror;
-    ao_shade(s, shares, point, n, unoccluded_diffuse, matt, glossy);
-    return occlusion * (glossy + matt) + lit_by_lights(s, point, n, to_eye);
+    vec3 unoccluded_diffuse = lit_diffuse(n), diffuse = env.diffuse * unoccluded_diffuse,
+         specular = env.specular * mirror;
+    ao_shade(s, env, point, n, unoccluded_diffuse, diffuse, specular);
+    return occlusion * (specular + diffuse) + lit_by_lights(s, point, n, to_eye);
 }
 
 /* Texture coordinates, array layer and wrap mode of a material's texture. */
@@ -68,11 +64,11 @@ texture_lookup texture_lookup_of(uint row, int use)
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
     bool is_other = v.w >= float(MATERIAL_OTHER_SET);
-    vec2 own = uv;
+    vec2 lookup_uv = uv;
 #ifdef SURROUNDINGS_EXTRA
-    own = is_other ? lit_second_uv : uv;
+    lookup_uv = is_other ? lit_second_uv : uv;
 #endif
-    vec2 at = vec2(dot(u.xyz, vec3(own, 1.0)), dot(v.xyz, vec3(own, 1.0)));
+    vec2 at = vec2(dot(u.xyz, vec3(lookup_uv, 1.0)), dot(v.xyz, vec3(lookup_uv, 1.0)));
     return texture_lookup(at, u.w - 1.0, is_other ? v.w - float(MATERIAL_OTHER_SET) : v.w);
 }
 
@@ -95,9 +91,9 @@ vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec3 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, 1.0).rgb;
-    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0);
-    float occlusion = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, 1.0).r;
-    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, 1.0).a * factors.z;
+    vec4 rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0);
+    float occlusion = lit_texel(data_textures, row, MATERIAL_USE_OCCLUSION, uv, 1.0).r;
+    float specular = lit_texel(data_textures, row, MATERIAL_USE_SPECULAR, uv, 1.0).a * factors.z;
     vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, 1.0).rgb;
     f0 *= material_texel(row, MATERIAL_ROW_F0).rgb;
     occlusion = mix(1.0, occlusion, material_texel(row, MATERIAL_ROW_SCALES).y);
@@ -107,16 +103,16 @@ vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
     vec3 reflected = radiance(s, point, n, to_eye, occlusion);
     vec3 highlight = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     s.diffuse = color * (1.0 - metallic);
-    out_matt = radiance(s, point, n, to_eye, occlusion) - reflected;
-    out_glossy = reflected + sky_sun() * highlight;
+    out_diffuse = radiance(s, point, n, to_eye, occlusion) - reflected;
+    out_specular = reflected + sky_sun() * highlight;
     if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
-        out_glossy += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
+        out_specular += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
     return sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - highlight);
 }
 
 void main()
 {
-    /* `precise`, because the layers' passes test for depth equality with this pass. */
+    /* `precise`: the AOV passes test for equal depth with this pass */
     precise vec3 point = pose_surroundings(position, material);
     precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;
@@ -129,8 +125,8 @@ void main()
     lit_second_uv = vertex_extra_texel(1).xy;
 #endif
     write_texture_lookups(row);
-    out_matt = color;
-    out_glossy = vec3(0.0);
+    out_diffuse = color;
+    out_specular = vec3(0.0);
     bool is_lit = (material & MESH_UNLIT) == 0u;
     vec3 sun = is_lit ? write_lighting(row, point, n, to_eye) : vec3(0.0);
 #ifdef SURROUNDINGS_CAUSTICS
@@ -140,6 +136,6 @@ void main()
     out_shadow_clip_lifted = ice_light_clip(ice_light_biased(point, n));
     out_direct = is_lit ? 1.0 : 0.0;
 #else
-    out_matt += sun;
+    out_diffuse += sun;
 #endif
 }

@@ -62,9 +62,9 @@
 #define BVH_DEPTH_MAX          30
 #define BVH_TRIANGLES_MAX      (1u << 24)
 #define BVH_MASK_OBJECTS_MAX   32    /* maximum for sets as 32-bit masks */
-#define BVH_OBJECTS_MAX        65535 /* maximum number of objects; priorities have 16 bits */
-#define BVH_INTERIOR_LIST_MAX  8     /* overlapping objects at a point, with many objects */
-#define BVH_MEDIA_MAX          255   /* maximum number of materials in scenes of many objects */
+#define BVH_OBJECTS_MAX        65535 /* maximum number of objects */
+#define BVH_INTERIOR_LIST_MAX  8     /* maximum number of overlapping objects at a point */
+#define BVH_MEDIA_MAX          255   /* maximum number of media in scenes of many objects */
 
 /* the BVHs of a scene */
 #define BVH_OBJECTS      0

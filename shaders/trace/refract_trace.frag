@@ -48,7 +48,7 @@ const int trace_pending_max = 6; /* maximum number of pending paths */
 const int trace_pending_max = 2;
 const int trace_ends_max = 3; /* maximum number of paths per pixel */
 #endif
-const int trace_segments_max = 40; /* maximum number of segments of a path */
+const int trace_segments_max = 40; /* maximum number of segments per path */
 /* Number of segments of a pixel after which paths are no longer split. llvmpipe terminates loops
  * after 65 535 iterations, which would lose the light of pending paths. */
 const int trace_split_segments_max = 256;
@@ -60,44 +60,42 @@ const float trace_lighting_branch = 0.1; /* minimum throughput of lighting rays 
 /* State of a path, traced from the camera towards the light. */
 struct trace_path {
     vec3 origin, dir, throughput;
-    uvec4 medium_stack; /* medium stack: the objects that contain the path's origin */
+    uvec4 medium_stack; /* objects that contain the origin */
     int from;           /* triangle on which the segment starts; below 0 if there is none */
-    float side, reach;  /* as in trace_ray; side may also be trace_side_escaped */
+    float side, reach;  /* as in trace_ray; also trace_side_escaped */
     uint seed;
-    float kind; /* 1: reflected by the first surface; 2: diffuse light, to denoise; else 0 */
-    int left;   /* number of segments that the path may still have */
+    float kind; /* 1: reflection; 2: diffuse light; else 0 */
+    int left;   /* number of segments left */
     bool is_in_bubble;
     bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
     /* factor for sky radiance if the ray reaches the sky without a hit; 0 after refraction by an
      * object; below 0 if the ray started inside an object */
     float open;
-    vec3 shift, turn; /* ray differentials of origin and direction (trace_ray_differentials.glsl) */
+    vec3 d_origin, d_dir; /* ray differentials of origin and direction */
 };
 
 struct trace_result {
     vec3 refraction, reflection; /* radiance, times the throughput */
-    vec3 normal;                 /* of the first surface, on the camera's side */
+    vec3 normal;                 /* first surface's normal, facing the camera */
     float distance, fresnel;
     bool is_object;
     bool is_ground; /* the primary ray hits surroundings */
     vec3 exit;
-    float path_length, bounces, segments; /* of the main path, refracted where possible */
-    /* number of the last object that the main path hits after the first surface; 0 if there is none
-     */
-    uint last;
+    float path_length, bounces, segments; /* of the main (refracted) path */
+    uint last;                            /* main path's last object, or 0 */
 };
 
 /* Per-pixel state in global variables: lavapipe compiles arrays in function arguments slowly. */
 
 trace_path path;                       /* the path that is being followed */
-trace_path pending[trace_pending_max]; /* stack of pending paths, the latest one first */
+trace_path pending[trace_pending_max]; /* pending paths, the latest one first */
 int pending_count;
-int segment_count; /* number of segments of all paths of the pixel so far */
-trace_result seen;
-vec3 start;       /* origin of the primary ray */
-bool is_first;    /* the path has not hit a surface yet */
-bool is_main;     /* the main path is followed (seen.path_length) */
-bool is_straight; /* the followed path may set seen.last */
+int segment_count; /* number of segments so far */
+trace_result result;
+vec3 start;     /* origin of the primary ray */
+bool is_first;  /* no surface has been hit yet */
+bool is_main;   /* the main path is followed (result.path_length) */
+bool sets_last; /* the followed path may set result.last */
 
 #ifndef TRACE_RAYS
 /* End of a path that leaves the objects. The environment is looked up after all paths of the pixel
@@ -109,7 +107,8 @@ struct trace_ray_end {
 
 trace_ray_end ends[trace_ends_max];
 int end_count, ends_left;
-trace_path escaped_end; /* end of the path of seen.last; zero throughput if it has not left */
+/* end of the path of result.last; zero throughput if it is inside an object */
+trace_path escaped_end;
 #endif
 
 /* Returns the untextured surface parameters of a medium. */
@@ -136,10 +135,10 @@ struct trace_crossing {
     bool is_entering, is_thin, is_real;
     bool is_inclusion;
     float eta;
-    float horizon;       /* sine of the elevation above which outgoing rays hit no object */
-    bool is_bumpy;       /* `n` comes from a normal map */
-    object_material own; /* textured surface parameters, with TRACE_HAS_TEXTURED_OBJECTS */
-    vec3 shift, bend; /* differentials of the hit point and of `n` (trace_ray_differentials.glsl) */
+    float horizon;            /* sine of the elevation above which outgoing rays hit no object */
+    bool is_bumpy;            /* `n` comes from a normal map */
+    object_material material; /* textured surface parameters, with TRACE_HAS_TEXTURED_OBJECTS */
+    vec3 d_origin, d_n;       /* ray differentials of hit point and `n` */
 };
 
 #include "trace/trace_bvh_mask.glsl"
@@ -155,9 +154,9 @@ trace_crossing trace_crossing_at(trace_path path, trace_hit hit, int channel)
     vec4 n1 = uintBitsToFloat(trace_corner(at + 1));
     vec4 n2 = uintBitsToFloat(trace_corner(at + 2));
     c.facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * triangle + 2)).xyz;
-    c.facet = trace_posed(c.facet, hit.part);
+    c.facet = trace_posed(c.facet, hit.bvh);
     c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
-    c.n = normalize(trace_posed(c.n, hit.part));
+    c.n = normalize(trace_posed(c.n, hit.bvh));
     c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) % BVH_OBJECT_NUMBER : 0u;
     c.is_entering = dot(c.facet, path.dir) < 0.0;
     c.facet *= c.is_entering ? 1.0 : -1.0;
@@ -184,16 +183,16 @@ trace_crossing trace_crossing_at(trace_path path, trace_hit hit, int channel)
     c.is_bumpy = false;
 #ifdef TRACE_RAYS
     if (trace_has(TRACE_HAS_TEXTURED_OBJECTS)) {
-        c.own = trace_untextured(c.rank);
-        vec3 bent =
-            trace_object_material(hit, path.origin, path.dir, c.rank != 0u, c.own, c.is_bumpy);
-        bent = bump_facing(c.is_entering ? bent : -bent, c.n, path.dir);
-        c.n = !c.is_bumpy ? c.n : dot(bent, path.dir) < 0.0 ? bent : c.facet;
+        c.material = trace_untextured(c.rank);
+        vec3 mapped_n =
+            trace_object_material(hit, path.origin, path.dir, c.rank != 0u, c.material, c.is_bumpy);
+        mapped_n = bump_facing(c.is_entering ? mapped_n : -mapped_n, c.n, path.dir);
+        c.n = !c.is_bumpy ? c.n : dot(mapped_n, path.dir) < 0.0 ? mapped_n : c.facet;
     }
 #endif
     if (trace_has(TRACE_HAS_INCLUSIONS)) {
         c.is_real = c.is_real && !path.is_in_bubble;
-        if (hit.triangle >= 0 && hit.part == BVH_INCLUSIONS) {
+        if (hit.triangle >= 0 && hit.bvh == BVH_INCLUSIONS) {
             vec3 n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
             float eta = 1.0 / refract_frame.etas[channel];
             if (trace_has(TRACE_HAS_MEDIA))
@@ -231,9 +230,8 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     return next;
 }
 
-/* Reads the primary hit from the rasterised front faces instead of tracing it. Returns false if the
- * primary ray must be traced: at grazing angles, as rasterised points are not exactly on triangles.
- */
+/* Reads the primary hit from the rasterised front faces. Returns false if it must be traced: at
+ * grazing angles, where rasterised points are not exactly on triangles. */
 bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -267,10 +265,10 @@ void trace_begin(vec3 eye, vec3 e)
     pending_count = 0;
     segment_count = 0;
     start = eye;
-    seen = trace_result(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
+    result = trace_result(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
     is_first = true;
     is_main = true;
-    is_straight = true;
+    sets_last = true;
 #ifdef TRACE_DENOISE
     denoise_begin();
 #endif
@@ -287,11 +285,11 @@ void trace_begin(vec3 eye, vec3 e)
 void trace_add(vec3 light, float kind)
 {
 #ifdef TRACE_DENOISE
-    matt.gathered += kind > 1.5 ? light : vec3(0.0);
+    denoise_inputs.gathered += kind > 1.5 ? light : vec3(0.0);
     light = kind > 1.5 ? vec3(0.0) : light;
 #endif
-    seen.refraction += kind > 0.5 ? vec3(0.0) : light;
-    seen.reflection += kind > 0.5 ? light : vec3(0.0);
+    result.refraction += kind > 0.5 ? vec3(0.0) : light;
+    result.reflection += kind > 0.5 ? light : vec3(0.0);
 }
 
 #ifndef TRACE_RAYS
@@ -324,15 +322,15 @@ void trace_push_pending(trace_path other)
 /* Returns true if a reflection with throughput `throughput` becomes a path of its own. */
 bool trace_is_split(vec3 throughput)
 {
-    float most = max(throughput.r, max(throughput.g, throughput.b));
+    float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
     bool has_room = pending_count < trace_pending_max && segment_count < trace_split_segments_max;
 #ifndef TRACE_RAYS
     has_room = has_room && ends_left > 0;
 #endif
-    float least = max(trace.branch, trace_branch_min);
+    float min_throughput = max(trace.branch, trace_branch_min);
     if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray)
-        least = max(least, trace_lighting_branch);
-    return has_room && most > 0.0 && (is_first || most > least);
+        min_throughput = max(min_throughput, trace_lighting_branch);
+    return has_room && max_throughput > 0.0 && (is_first || max_throughput > min_throughput);
 }
 
 #include "trace/trace_media.glsl"
@@ -345,7 +343,7 @@ object_material trace_material_at(trace_crossing c)
 {
 #ifdef TRACE_RAYS
     if (trace_has(TRACE_HAS_TEXTURED_OBJECTS))
-        return c.own;
+        return c.material;
 #endif
     return trace_untextured(c.rank);
 }
@@ -358,20 +356,20 @@ trace_fresnel_split trace_fresnel_at(trace_crossing c)
     vec3 m = c.n;
     float roughness = trace_has(TRACE_HAS_ROUGH) ? trace_material_at(c).roughness : 0.0;
     bool is_rough = roughness > trace_rough_min;
-    p.reflected_share = 1.0;
-    p.refracted_share = 1.0;
+    p.reflected_weight = 1.0;
+    p.refracted_weight = 1.0;
     if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
         vec2 at = microfacet_point(trace.sample_index, path.seed);
         m = microfacet_sample(c.n, path.dir, roughness, at);
     }
     p.fresnel = trace_fresnel(path.dir, m, c.eta, c.is_thin, p.reflected, p.refracted);
     if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
-        vec3 mirrored, bent;
+        vec3 flat_reflected, flat_refracted;
         bool is_refracted = p.fresnel < 1.0 && dot(p.refracted, c.n) < 0.0;
         bool is_reflected = dot(p.reflected, c.n) > 0.0;
-        p.fresnel = trace_fresnel(path.dir, c.n, c.eta, c.is_thin, mirrored, bent);
-        p.reflected_share = is_reflected ? microfacet_masking(c.n, p.reflected, roughness) : 0.0;
-        p.refracted_share = is_refracted ? microfacet_masking(c.n, p.refracted, roughness) : 0.0;
+        p.fresnel = trace_fresnel(path.dir, c.n, c.eta, c.is_thin, flat_reflected, flat_refracted);
+        p.reflected_weight = is_reflected ? microfacet_masking(c.n, p.reflected, roughness) : 0.0;
+        p.refracted_weight = is_refracted ? microfacet_masking(c.n, p.refracted, roughness) : 0.0;
     } else if ((!c.is_entering || c.is_inclusion) && dot(p.reflected, c.facet) <= 0.0) {
         p.reflected = reflect(path.dir, c.facet);
     }
@@ -384,16 +382,16 @@ trace_fresnel_split trace_fresnel_at(trace_crossing c)
  * radiance of the opaque base of surfaces that are not fully transmissive. */
 vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 {
-    vec3 through = path.throughput * p.refracted_share;
+    vec3 through = path.throughput * p.refracted_weight;
     if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT | TRACE_HAS_TEXTURED_OBJECTS))
         through *= trace_material_at(c).tint;
 #ifdef TRACE_RAYS
     if (trace_has(TRACE_HAS_OPACITY)) {
         float opacity = trace_material_at(c).opacity;
-        int turns = opacity > 0.0 ? int(trace.one) : 0;
-        while (turns > 0) {
+        int iterations = opacity > 0.0 ? int(trace.one) : 0;
+        while (iterations > 0) {
             float passing;
-            turns -= int(trace.one);
+            iterations -= int(trace.one);
             trace_surface_point point = trace_surface_point_at(hit, path.origin, path.dir);
             point.normal = c.is_bumpy ? c.n : point.normal;
             vec3 light = trace_shade(point, path.dir, true, passing);
@@ -407,16 +405,16 @@ vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 
 void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
 {
-    if (!is_first && is_straight && !c.is_inclusion)
-        seen.last = trace_object_number(hit.triangle);
+    if (!is_first && sets_last && !c.is_inclusion)
+        result.last = trace_object_number(hit.triangle);
     if (is_first) {
-        seen.is_object = true;
-        seen.normal = c.n;
-        seen.distance = distance(start, path.origin) + hit.t;
-        seen.fresnel = fresnel;
+        result.is_object = true;
+        result.normal = c.n;
+        result.distance = distance(start, path.origin) + hit.t;
+        result.fresnel = fresnel;
     } else if (is_main && trace_is_in(path)) {
-        seen.bounces += is_total ? 1.0 : 0.0;
-        seen.segments += 1.0;
+        result.bounces += is_total ? 1.0 : 0.0;
+        result.segments += 1.0;
     }
 }
 
@@ -425,9 +423,9 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
 bool trace_scatter(trace_hit hit, trace_crossing c)
 {
     trace_fresnel_split p = trace_fresnel_at(c);
-    vec3 shares = trace_reflectance(hit, c, path.dir, p.fresnel);
+    vec3 reflectance = trace_reflectance(hit, c, path.dir, p.fresnel);
     vec3 through = trace_transmitted(hit, c, p);
-    vec3 back = path.throughput * shares * p.reflected_share;
+    vec3 back = path.throughput * reflectance * p.reflected_weight;
     bool is_total = p.fresnel >= 1.0 || through == vec3(0.0);
     if (trace_has(TRACE_HAS_DIFFUSE_LIGHT))
         path.open = path.open > 0.0 && trace_is_in(path) ? -1.0 : min(path.open, 0.0);
@@ -437,7 +435,7 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
         other.throughput = back;
         other.kind = is_first ? 1.0 : path.kind;
         trace_push_pending(other);
-        through *= 1.0 - shares;
+        through *= 1.0 - reflectance;
     } else if (trace_is_crack(c) && p.fresnel > 0.5) { /* the stronger path gets all */
         is_total = true;
         back = path.throughput;
@@ -446,7 +444,7 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     path = trace_continue(path, hit, c, is_total ? p.reflected : p.refracted, !is_total);
     path.throughput = is_total ? back : through;
     path.kind = is_mirror ? 1.0 : path.kind;
-    seen.exit = is_main ? path.dir : seen.exit;
+    result.exit = is_main ? path.dir : result.exit;
     is_main = is_main && trace_is_in(path) && !is_mirror;
     is_first = false;
     return max(path.throughput.r, max(path.throughput.g, path.throughput.b)) > 1e-5;
@@ -457,37 +455,37 @@ bool trace_end_path(trace_hit hit)
 {
     bool goes_on = false;
 #ifdef TRACE_RAYS
-    int turns = is_first && !trace_camera_is_inside() ? 0 : int(trace.one);
-    bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && path.left > 0;
+    int iterations = is_first && !trace_camera_is_inside() ? 0 : int(trace.one);
+    bool has_holes = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && path.left > 0;
     bool is_shaded = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
 #ifdef REFRACT_LAYERS
     is_shaded = is_shaded && !is_first;
 #endif
-    if (is_holed || is_shaded)
-        turns = int(trace.one);
-    while (turns > 0) {
+    if (has_holes || is_shaded)
+        iterations = int(trace.one);
+    while (iterations > 0) {
         float passing;
-        turns -= int(trace.one);
+        iterations -= int(trace.one);
         vec3 light = trace_radiance_at_end(path, hit, passing) * (1.0 - passing);
-        bool is_around = hit.part == BVH_SURROUNDINGS || hit.part == BVH_MOVERS;
-        if (is_straight && is_around && passing <= 0.5) /* long paths may end in bubbles */
-            seen.last = trace_object_number(hit.triangle);
-        if (is_shaded && is_first && !trace_camera_is_inside() && shares.is_lit && passing == 0.0) {
+        bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;
+        if (sets_last && is_surroundings && passing <= 0.5) /* long paths may end in bubbles */
+            result.last = trace_object_number(hit.triangle);
+        if (is_shaded && is_first && !trace_camera_is_inside() && lobes.is_lit && passing == 0.0) {
             lighting_begin(hit);
             trace_add(light, 0.0);
         } else if (is_first && !trace_camera_is_inside()) {
-            /* the background is composited later, so a pane in front of objects hides nothing */
+            /* the background is composited later: a blended pane in front hides no objects */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
             float open = 1.0;
             if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle < 0 && path.open > 0.0)
                 open = path.open;
             trace_add(open * path.throughput * light, path.kind);
-            seen.is_object = true;
+            result.is_object = true;
         }
         if (is_shaded && !is_first)
             light_gather_at(hit, path.throughput * (1.0 - passing));
-        goes_on = is_holed && passing > 0.0;
+        goes_on = has_holes && passing > 0.0;
         if (goes_on) {
             path.throughput *= passing;
             path.origin += hit.t * path.dir;
@@ -498,8 +496,8 @@ bool trace_end_path(trace_hit hit)
 #else
     if ((!is_first || trace_camera_is_inside()) && end_count < trace_ends_max) {
         trace_push_end(path);
-        seen.is_object = true;
-        escaped_end = is_straight ? path : escaped_end;
+        result.is_object = true;
+        escaped_end = sets_last ? path : escaped_end;
     }
 #endif
     return goes_on;
@@ -512,7 +510,7 @@ bool trace_pop_pending()
     for (int i = 0; i + 1 < trace_pending_max; i++)
         pending[i] = pending[i + 1];
     is_main = false;
-    is_straight = false;
+    sets_last = false;
     pending_count--;
     return pending_count >= 0;
 }
@@ -523,7 +521,7 @@ bool trace_step(trace_hit hit, trace_crossing c)
     if (hit.t < 1e30) {
         path.throughput = trace_absorb(path, hit.t);
         path.throughput *= trace_medium_transmittance(hit.t);
-        seen.path_length += is_main && trace_is_in(path) && !is_first ? hit.t : 0.0;
+        result.path_length += is_main && trace_is_in(path) && !is_first ? hit.t : 0.0;
     }
     path.left--;
     segment_count++;
@@ -547,23 +545,24 @@ bool trace_step(trace_hit hit, trace_crossing c)
 
 void trace_pixel(vec3 eye, vec3 e, int channel)
 {
-    trace_hit given;
-    trace_crossing given_cross;
+    trace_hit raster_hit;
+    trace_crossing raster_crossing;
     trace_begin(eye, e);
-    bool is_given = trace_rasterised_hit(e, primary_ray_slant(ray), given, given_cross);
+    bool is_rasterised =
+        trace_rasterised_hit(e, primary_ray_slant(ray), raster_hit, raster_crossing);
     /* pixel groups without rasterised objects skip tracing */
-    bool is_going = !is_given || given_cross.is_hit;
+    bool is_going = !is_rasterised || raster_crossing.is_hit;
     while (is_going) {
-        trace_hit hit = trace_nearest_hit(trace_start_of(path), !(is_first && is_given));
+        trace_hit hit = trace_nearest_hit(trace_start_of(path), !(is_first && is_rasterised));
         trace_crossing c = trace_crossing_at(path, hit, channel);
-        if (is_given && is_first) {
-            hit = given;
-            c.n = given_cross.n;
+        if (is_rasterised && is_first) {
+            hit = raster_hit;
+            c.n = raster_crossing.n;
             c.facet = c.n;
-            c.rank = given_cross.rank;
-            c.is_hit = given_cross.is_hit;
+            c.rank = raster_crossing.rank;
+            c.is_hit = raster_crossing.is_hit;
             c.is_entering = true;
-            c.horizon = given_cross.horizon;
+            c.horizon = raster_crossing.horizon;
             c.eta = refract_frame.etas[channel];
         }
         if (trace_step(hit, c))

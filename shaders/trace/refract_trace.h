@@ -1,5 +1,4 @@
-/* refract_trace.h: bindings, flags and uniform data of the ray tracer, shared by refract_trace.c
- * and its shaders. */
+/* refract_trace.h: bindings, flags and uniforms of the ray tracer. */
 #ifndef SHADERS_TRACE_REFRACT_TRACE_H
 #define SHADERS_TRACE_REFRACT_TRACE_H
 #include "abi.h"
@@ -7,13 +6,12 @@
 #include "refract/refract.h"
 #include "trace/bvh_layout.h"
 
-/* Descriptor bindings of the ray tracer. It uses either those of surroundings.h or
- * REFRACT_ENV_CUBE. */
+/* Bindings of the ray tracer, in addition to those of surroundings.h or REFRACT_ENV_CUBE. */
 #define TRACE_FRAME        12 /* struct trace_frame */
-#define TRACE_NODES        13 /* texel buffer of the BVH nodes (bvh_layout.h) */
+#define TRACE_NODES        13 /* BVH nodes, texel buffer (bvh_layout.h) */
 #define TRACE_TRIANGLES    14
 #define TRACE_CORNERS      15
-#define TRACE_FIRST_OBJECT 21 /* the layer `object`; only in the pass that writes layers */
+#define TRACE_FIRST_OBJECT 21 /* layer `object`, in the AOV pass */
 #define TRACE_CUBE_POINTS  22 /* the environment cube with nearest filtering */
 /* The BVH as storage buffers, with TRACE_HAS_STORAGE_BUFFERS. */
 #define TRACE_STORED_NODES     18
@@ -21,7 +19,7 @@
 #define TRACE_STORED_CORNERS   20
 #define TRACE_STRUCTURE        23 /* acceleration structure, with TRACE_QUERY */
 
-/* Colour targets of the pass that writes layers, in addition to those of refract.h. */
+/* Colour targets of the AOV pass, in addition to those of refract.h. */
 #define TRACE_OUT_MEDIA 5
 #define TRACE_OUT_LAST  6
 
@@ -31,33 +29,31 @@
 #define TRACE_OUT_POSITION   4
 
 /* bits of the specialisation constant CONSTANT_TRACE */
-#define TRACE_IS_CONVEX     1   /* a single convex object: rays do not enter again */
-#define TRACE_HAS_CULLING   2   /* single closed object: faces are culled by side */
-#define TRACE_HAS_MEDIA     4   /* several objects, or thin walls: a medium stack is needed */
-#define TRACE_HAS_ROUGH     8   /* some object has a rough surface */
-#define TRACE_HAS_OPACITY   16  /* some object is not fully transmissive */
-#define TRACE_HAS_MATERIALS 32  /* surroundings have rows in the material texture */
-#define TRACE_HAS_HOLES     64  /* surroundings have alpha-tested or blended surfaces */
-#define TRACE_HAS_MOTION    128 /* objects or surroundings may rotate */
-#define TRACE_HAS_TINT      256 /* some object tints transmitted light */
-#define TRACE_HAS_TEXTURED_OBJECTS \
-    512 /* some object is textured (object_material.h); with TRACE_HAS_MATERIALS */
-#define TRACE_HAS_EXTRAS 1024 /* some vertices have a struct mesh_extra */
-/* sunlight is looked up in the caustic map of ice_caustics.h */
-#define TRACE_HAS_SUN_MAPS        2048
-#define TRACE_HAS_MANY_OBJECTS    4096   /* more than BVH_MASK_OBJECTS_MAX objects */
-#define TRACE_HAS_INCLUSIONS      8192   /* the first object contains bubbles or cracks */
-#define TRACE_HAS_SHAPES          16384  /* some bubble is not a sphere */
-#define TRACE_HAS_DIFFUSE_LIGHT   32768  /* ray-traced lighting of surroundings; with TRACE_RAYS */
-#define TRACE_HAS_SCATTERING      65536  /* some ice is a scattering medium; requires TRACE_RAYS */
-#define TRACE_HAS_STORAGE_BUFFERS 131072 /* the BVH is in storage buffers, not texel buffers */
-#define TRACE_HAS_RAY_DIFFERENTIALS \
-    262144 /* ray differentials (trace_ray_differentials.glsl); with TRACE_RAYS */
+#define TRACE_IS_CONVEX             1     /* single convex object: rays never re-enter */
+#define TRACE_HAS_CULLING           2     /* single closed object: enables face culling */
+#define TRACE_HAS_MEDIA             4     /* several objects or thin walls */
+#define TRACE_HAS_ROUGH             8     /* some object has a rough surface */
+#define TRACE_HAS_OPACITY           16    /* some object is not fully transmissive */
+#define TRACE_HAS_MATERIALS         32    /* surroundings use the material texture */
+#define TRACE_HAS_HOLES             64    /* surroundings have alpha-tested or blended surfaces */
+#define TRACE_HAS_MOTION            128   /* objects or surroundings may rotate */
+#define TRACE_HAS_TINT              256   /* some object tints transmitted light */
+#define TRACE_HAS_TEXTURED_OBJECTS  512   /* some object is textured */
+#define TRACE_HAS_EXTRAS            1024  /* some vertices have a struct mesh_extra */
+#define TRACE_HAS_SUN_MAPS          2048  /* sunlight from the caustic map */
+#define TRACE_HAS_MANY_OBJECTS      4096  /* more than BVH_MASK_OBJECTS_MAX objects */
+#define TRACE_HAS_INCLUSIONS        8192  /* first object has bubbles or cracks */
+#define TRACE_HAS_SHAPES            16384 /* some bubble is not a sphere */
+#define TRACE_HAS_DIFFUSE_LIGHT     32768 /* ray-traced lighting of surroundings; with TRACE_RAYS */
+#define TRACE_HAS_SCATTERING        65536 /* some ice scatters; requires TRACE_RAYS */
+#define TRACE_HAS_STORAGE_BUFFERS   131072 /* BVH in storage, not texel buffers */
+#define TRACE_HAS_RAY_DIFFERENTIALS 262144 /* requires TRACE_RAYS */
 
 /* Vectors of a medium in trace_frame.media. */
-#define TRACE_IOR    0 /* refractive indices for red, green and blue; roughness */
-#define TRACE_ABSORB 1 /* absorption coefficients, 1 / metre; opacity of the surface */
-#define TRACE_TINT   2 /* tint; 1: thin wall, below 0: -1 - index of the scattering medium */
+#define TRACE_IOR    0 /* rgb: refractive indices; a: roughness */
+#define TRACE_ABSORB 1 /* rgb: absorption, 1/m; a: opacity */
+/* rgb: tint; a: 1 for a thin wall; below 0: -1 - index of the scattering medium */
+#define TRACE_TINT   2
 #define TRACE_MEDIUM 3
 
 #define TRACE_SCATTERING_MAX 8
@@ -68,21 +64,20 @@ struct trace_frame {
     ABI_STRUCT(medium_field) scattering_media[TRACE_SCATTERING_MAX];
     vec4s guide; /* guide distribution for diffuse rays (diffuse_sampling.h) */
     vec4s objects_rotation, movers_rotation; /* vertical-axis rotations, see trace_bvh_pose() */
-    vec4s grid_low, grid_scale;              /* the grid of horizons (struct tree); w is 0 */
+    vec4s grid_low, grid_scale;              /* grid of horizons; w is 0 */
     uint32_t roots[BVH_PART_COUNT];
-    uint32_t parts; /* bit mask of the BVHs that have triangles */
-    uint32_t inside[BVH_INTERIOR_LIST_MAX /
-                    2];         /* medium stack at the camera (struct bvh_interior_list) */
-    uint32_t media_at, grid_at; /* word offsets in the corners buffer (struct tree) */
-    uint32_t sample_index;      /* index of the sample in the pixel, from 0 */
-    uint32_t ice;               /* medium priority of the object that contains the inclusions */
-    uint32_t is_in_bubble;      /* 1 if the camera is inside a bubble */
-    float crack_rms_slope;      /* RMS slope of crack roughness; 0 if cracks are smooth */
-    float crack_gap;            /* gap width in the middle of a crack, micrometres */
-    float branch;               /* minimum throughput of a path split at a surface */
-    float epsilon; /* epsilon in metres: rounding error of a ray's origin relative to its face */
-    uint32_t one;  /* always 1, unknown to compilers, for loops that run at most once */
-    uint32_t surroundings_are_apart; /* 1 if no surroundings intersect the objects' bounding box */
+    uint32_t parts;                             /* bit mask of non-empty BVHs */
+    uint32_t inside[BVH_INTERIOR_LIST_MAX / 2]; /* medium stack at the camera */
+    uint32_t media_at, grid_at;                 /* word offsets in the corners buffer */
+    uint32_t sample_index;                      /* index of the pixel's sample */
+    uint32_t ice;                               /* medium priority of the ice with inclusions */
+    uint32_t is_in_bubble;                      /* 1: camera inside a bubble */
+    float crack_rms_slope;                      /* crack roughness, RMS slope, or 0 */
+    float crack_gap;                            /* maximum crack gap width, micrometres */
+    float branch;                               /* minimum throughput to split a path */
+    float epsilon;                              /* rounding error of ray origins, metres */
+    uint32_t one; /* always 1, unknown to compilers, for loops that run at most once */
+    uint32_t surroundings_are_apart; /* 1: surroundings are outside the objects' bounding box */
 };
 
 #endif

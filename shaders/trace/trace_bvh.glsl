@@ -1,10 +1,6 @@
-/*
- * trace_bvh.glsl: BVH traversal; intersection of triangles, cracks and bubbles (see bvh_layout.h).
- *
- * Stack-based and front to back: descend until a leaf is found, then intersect its triangles (Aila
- * and Laine 2009, "while-while"). Finished lanes must leave the loops: otherwise Mesa 22.3 loses
- * hits.
- */
+/* trace_bvh.glsl: BVH traversal and intersection of triangles, cracks and bubbles (bvh_layout.h).
+ * Front to back with a stack: descends to a leaf, then intersects its triangles ("while-while",
+ * Aila and Laine 2009). Finished lanes must leave the loops, otherwise Mesa 22.3 loses hits. */
 #ifndef TRACE_BVH_GLSL
 #define TRACE_BVH_GLSL
 #include "lib/bubble_intersect.glsl"
@@ -16,8 +12,8 @@ layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
     trace_frame trace;
 };
 
-/* The BVH is in texel buffers, which lavapipe reads in a third of the time of storage buffers.
- * These are used only if a device limits texel buffers to fewer texels. */
+/* The BVH is in texel buffers, which lavapipe reads in a third of the time of storage buffers;
+ * those are the fallback for devices that limit texel buffers to fewer texels. */
 layout(set = 0, binding = TRACE_NODES) uniform usamplerBuffer nodes;
 layout(set = 0, binding = TRACE_TRIANGLES) uniform usamplerBuffer triangles;
 layout(set = 0, binding = TRACE_CORNERS) uniform usamplerBuffer corners;
@@ -65,35 +61,35 @@ uvec4 trace_corner(int word)
 
 struct trace_ray {
     vec3 origin, dir;
-    float side;  /* where a ray starts on a surface: 1 inside, -1 outside; else 0 */
-    float reach; /* distance within which back faces, seen from `side`, are ignored */
+    float side;  /* 1 inside, -1 outside, else 0 */
+    float reach; /* distance within which back faces are ignored */
     bool is_in_bubble;
-    int from; /* index of the triangle at the origin, which is not hit again */
+    int from; /* triangle at the origin, not hit */
 };
 
 /* A ray in world space. */
 struct trace_start {
     vec3 origin, dir;
     float side, reach;
-    int from; /* triangle at the origin, as in trace_ray */
+    int from; /* triangle at the origin */
     bool is_in_bubble;
-    uint parts; /* bit mask of the BVHs to traverse */
+    uint bvhs; /* bit mask of BVHs to traverse */
 };
 
 struct trace_hit {
-    float t, u, v; /* t is 1e30 if nothing is hit */
-    int triangle;  /* index of the triangle; below 0 if nothing is hit */
-    int part;
+    float t, u, v; /* 1e30 if nothing is hit */
+    int triangle;  /* below 0 if nothing is hit */
+    int bvh;
 };
 
 const float trace_edge = 1e-6;
-const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS; /* surroundings */
+const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS;
 
 /* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
-    vec3 inverse, minus_origin; /* 1 / dir and -origin / dir */
-    vec3 cull;                  /* 2 * side * dir of the ray; 0 if normal cones are not tested */
-    int mask, shift;            /* bit mask of the lower plane, and shift to the upper one */
+    vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
+    vec3 cull;                  /* 2 * side * dir; 0: no culling */
+    int mask, shift;            /* lower plane's mask; upper plane's shift */
 };
 
 trace_slabs trace_slabs_for(trace_ray ray, int root)
@@ -109,10 +105,9 @@ trace_slabs trace_slabs_for(trace_ray ray, int root)
     return trace_slabs(inverse, -origin * inverse, cull, (1 << shift) - 1, shift);
 }
 
-/* Returns true if the ray hits the bounding box of a child before `far`, and sets its entry
- * distance. The bit patterns of non-negative floats sort like the numbers, and negative bounds mean
- * no hit in any order, so integers are compared: lavapipe needs four instructions for a NaN-safe
- * minimum of floats. */
+/* Returns true if the ray hits a child's bounding box before `far`, and sets its entry distance.
+ * Compares integers, because lavapipe needs four instructions for a NaN-safe minimum of floats: bit
+ * patterns of non-negative floats sort like the numbers, and negative bounds mean no hit anyway. */
 bool trace_hits_box(trace_slabs slabs, uvec4 child, float far, out float enter)
 {
     ivec3 low = ivec3(child.xyz) & slabs.mask;
@@ -160,7 +155,7 @@ bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 la
     return at.x <= at.y && (i != ray.from || ray.is_in_bubble);
 }
 
-void trace_hit_triangle(trace_ray ray, int i, int part, bool counts, inout trace_hit hit)
+void trace_hit_triangle(trace_ray ray, int i, int bvh, bool is_active, inout trace_hit hit)
 {
     vec4 w = uintBitsToFloat(trace_row(3 * i + 2));
     float towards = dot(w.xyz, ray.dir);
@@ -170,21 +165,21 @@ void trace_hit_triangle(trace_ray ray, int i, int part, bool counts, inout trace
     float u = dot(first.xyz, p) + first.w;
     vec4 row = uintBitsToFloat(trace_row(3 * i + 1));
     float v = dot(row.xyz, p) + row.w;
-    bool is_seen = i != ray.from &&
-                   (towards * ray.side >= 0.0 || (!trace_has(TRACE_HAS_CULLING) && t >= ray.reach));
-    if (trace_has(TRACE_HAS_INCLUSIONS) && part == BVH_INCLUSIONS)
-        is_seen = trace_hits_inclusion(ray, i, first, row, w, t, u, v);
-    if (counts && is_seen && t > 0.0 && t < hit.t && u >= -trace_edge && v >= -trace_edge &&
+    bool is_hit = i != ray.from &&
+                  (towards * ray.side >= 0.0 || (!trace_has(TRACE_HAS_CULLING) && t >= ray.reach));
+    if (trace_has(TRACE_HAS_INCLUSIONS) && bvh == BVH_INCLUSIONS)
+        is_hit = trace_hits_inclusion(ray, i, first, row, w, t, u, v);
+    if (is_active && is_hit && t > 0.0 && t < hit.t && u >= -trace_edge && v >= -trace_edge &&
         u + v <= 1.0 + trace_edge) {
         hit.t = t;
         hit.u = u;
         hit.v = v;
         hit.triangle = i;
-        hit.part = part;
+        hit.bvh = bvh;
     }
 }
 
-void trace_hit_bvh(trace_ray ray, int root, int part, inout trace_hit hit)
+void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
 {
     trace_slabs slabs = trace_slabs_for(ray, root);
     int node = root;
@@ -194,21 +189,21 @@ void trace_hit_bvh(trace_ray ray, int root, int part, inout trace_hit hit)
             uvec4 child_0 = trace_node(BVH_NODE_WORDS * node);
             uvec4 child_1 = trace_node(BVH_NODE_WORDS * node + 1);
             float enter_0, enter_1;
-            bool meets_0 = trace_hits_box(slabs, child_0, hit.t, enter_0);
+            bool hits_0 = trace_hits_box(slabs, child_0, hit.t, enter_0);
             bool faces_0 = trace_cone_faces(slabs, child_0);
-            meets_0 = meets_0 && faces_0;
-            bool meets_1 = trace_hits_box(slabs, child_1, hit.t, enter_1);
+            hits_0 = hits_0 && faces_0;
+            bool hits_1 = trace_hits_box(slabs, child_1, hit.t, enter_1);
             bool faces_1 = trace_cone_faces(slabs, child_1);
-            meets_1 = meets_1 && faces_1;
-            bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
+            hits_1 = hits_1 && faces_1;
+            bool second = hits_1 && (!hits_0 || enter_1 < enter_0);
             int near = int((second ? child_1.w : child_0.w) & BVH_CHILD_MASK);
             int far = int((second ? child_0.w : child_1.w) & BVH_CHILD_MASK);
-            node = stack_next(meets_0 && meets_1, !meets_0 && !meets_1, near, far);
+            node = stack_next(hits_0 && hits_1, !hits_0 && !hits_1, near, far);
         }
         int leaf = node < 0 ? node & 0x7fffffff : 0;
         int k = leaf >> 3, end = k + (leaf & 7);
         do {
-            trace_hit_triangle(ray, k, part, k < end, hit);
+            trace_hit_triangle(ray, k, bvh, k < end, hit);
             k++;
             if (k >= end && node < 0 && node != trace_nothing) {
                 node = stack_pop();
@@ -223,10 +218,10 @@ void trace_hit_bvh(trace_ray ray, int root, int part, inout trace_hit hit)
 
 /* Returns the rotation of a BVH's contents about the vertical axis: cosine, sine, x and z of the
  * translation. Rays would take a sixth longer with matrices. */
-vec4 trace_bvh_pose(int part)
+vec4 trace_bvh_pose(int bvh)
 {
-    vec4 around = part == BVH_MOVERS ? trace.movers_rotation : vec4(1.0, 0.0, 0.0, 0.0);
-    return part == BVH_OBJECTS || part == BVH_INCLUSIONS ? trace.objects_rotation : around;
+    vec4 pose = bvh == BVH_MOVERS ? trace.movers_rotation : vec4(1.0, 0.0, 0.0, 0.0);
+    return bvh == BVH_OBJECTS || bvh == BVH_INCLUSIONS ? trace.objects_rotation : pose;
 }
 
 vec3 trace_rotated(vec3 v, float cosine, float sine)
@@ -238,24 +233,24 @@ vec3 trace_rotated(vec3 v, float cosine, float sine)
 #include "trace/trace_ray_query.glsl"
 #endif
 
-void trace_hit_in_world(trace_start start, int part, inout trace_hit hit)
+void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
 {
-    vec3 own_origin = start.origin, own_dir = start.dir;
+    vec3 local_origin = start.origin, local_dir = start.dir;
     if (trace_has(TRACE_HAS_MOTION)) {
-        vec4 pose = trace_bvh_pose(part);
-        own_origin = trace_rotated(start.origin - vec3(pose.z, 0.0, pose.w), pose.x, -pose.y);
-        own_dir = trace_rotated(start.dir, pose.x, -pose.y);
+        vec4 pose = trace_bvh_pose(bvh);
+        local_origin = trace_rotated(start.origin - vec3(pose.z, 0.0, pose.w), pose.x, -pose.y);
+        local_dir = trace_rotated(start.dir, pose.x, -pose.y);
     }
-    float own_side = part == BVH_OBJECTS ? start.side : 0.0;
+    float local_side = bvh == BVH_OBJECTS ? start.side : 0.0;
     trace_ray ray =
-        trace_ray(own_origin, own_dir, own_side, start.reach, start.is_in_bubble, start.from);
+        trace_ray(local_origin, local_dir, local_side, start.reach, start.is_in_bubble, start.from);
 #ifdef TRACE_QUERY
-    if (part != BVH_INCLUSIONS) {
-        trace_query_bvh(ray, part, hit);
+    if (bvh != BVH_INCLUSIONS) {
+        trace_query_bvh(ray, bvh, hit);
         return;
     }
 #endif
-    trace_hit_bvh(ray, int(trace.roots[part]), part, hit);
+    trace_hit_bvh(ray, int(trace.roots[bvh]), bvh, hit);
 }
 
 /* Returns the nearest hit of a ray among its BVHs; inactive rays hit nothing. BVHs are traversed in
@@ -265,7 +260,7 @@ trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
     bool surroundings_are_apart = trace.surroundings_are_apart != 0u && start.side > 0.0;
-    uint left = is_active ? start.parts & trace.parts : 0u;
+    uint left = is_active ? start.bvhs & trace.parts : 0u;
     while (left != 0u) {
         trace_hit_in_world(start, findLSB(left), hit);
         left &= left - 1u;
@@ -284,17 +279,17 @@ uint trace_object_number(int triangle)
 }
 
 /* Transforms a world-space point to the space of a BVH. */
-vec3 trace_unposed_point(vec3 point, int part)
+vec3 trace_unposed_point(vec3 point, int bvh)
 {
-    vec4 pose = trace_bvh_pose(part);
-    vec3 own = trace_rotated(point - vec3(pose.z, 0.0, pose.w), pose.x, -pose.y);
-    return trace_has(TRACE_HAS_MOTION) ? own : point;
+    vec4 pose = trace_bvh_pose(bvh);
+    vec3 local = trace_rotated(point - vec3(pose.z, 0.0, pose.w), pose.x, -pose.y);
+    return trace_has(TRACE_HAS_MOTION) ? local : point;
 }
 
 /* Transforms a vector from the space of a BVH to world space. */
-vec3 trace_posed(vec3 v, int part)
+vec3 trace_posed(vec3 v, int bvh)
 {
-    vec4 pose = trace_bvh_pose(part);
+    vec4 pose = trace_bvh_pose(bvh);
     return trace_has(TRACE_HAS_MOTION) ? trace_rotated(v, pose.x, pose.y) : v;
 }
 

@@ -1,5 +1,4 @@
-/* trace_bvh_mask.glsl: selects the BVHs that a path segment may hit, to skip other traversals.
- */
+/* trace_bvh_mask.glsl: selects the BVHs that a path segment may hit. */
 #ifndef TRACE_BVH_MASK_GLSL
 #define TRACE_BVH_MASK_GLSL
 
@@ -13,22 +12,22 @@ bool trace_has_escaped(trace_path path)
 uint trace_bvh_mask(trace_path path)
 {
     bool is_in_ice = trace_is_in(path) && trace_current_medium(path.medium_stack) == trace.ice;
-    bool meets_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || path.is_in_bubble);
+    bool hits_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || path.is_in_bubble);
 #ifdef TRACE_RAYS
-    uint around = trace_surroundings_mask;
+    uint surroundings = trace_surroundings_mask;
 #else
-    uint around = 0u;
+    uint surroundings = 0u;
 #endif
 #ifndef REFRACT_LAYERS
     /* surroundings in front of the objects are composited by rasterisation */
     if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && is_first &&
         !trace_camera_is_inside())
-        around = 0u;
+        surroundings = 0u;
 #endif
     bool has_left =
         trace_has(TRACE_IS_CONVEX) ? path.side < 0.0 && !is_first : path.side == trace_side_escaped;
     uint objects = has_left ? 0u : 1u << BVH_OBJECTS;
-    return objects | around | (meets_inclusions ? 1u << BVH_INCLUSIONS : 0u);
+    return objects | surroundings | (hits_inclusions ? 1u << BVH_INCLUSIONS : 0u);
 }
 
 trace_start trace_start_of(trace_path path)
@@ -39,12 +38,12 @@ trace_start trace_start_of(trace_path path)
 }
 
 #ifndef TRACE_RAYS
-/* Returns the horizon, a sine, at a rasterised point of an object's outer side, whose triangle is
- * not known. Rays above that elevation hit no object. */
+/* Returns the horizon at a rasterised point of an object's outer side, whose triangle is unknown:
+ * the sine of the elevation above which rays hit no object. */
 float trace_grid_horizon(vec3 point)
 {
-    vec3 own = trace_unposed_point(point, BVH_OBJECTS);
-    vec3 cells = (own - trace.grid_low.xyz) * trace.grid_scale.xyz;
+    vec3 local = trace_unposed_point(point, BVH_OBJECTS);
+    vec3 cells = (local - trace.grid_low.xyz) * trace.grid_scale.xyz;
     uvec3 cell = uvec3(clamp(cells, vec3(0.0), vec3(float(BVH_HORIZON_GRID - 1))));
     uint at = cell.x + uint(BVH_HORIZON_GRID) * (cell.y + uint(BVH_HORIZON_GRID) * cell.z);
     uvec4 word = trace_corner(int(trace.grid_at + at / 32u));

@@ -1,40 +1,40 @@
 /*
- * trace_denoise.glsl: outputs of ray-traced diffuse lighting for the denoise pass, an
- * edge-avoiding filter (src/render/denoise.c) that averages them over pixels of the same surface.
+ * trace_denoise.glsl: outputs of ray-traced diffuse lighting for the denoise pass, an edge-avoiding
+ * filter over pixels of the same surface (src/render/denoise.c).
  *
- * Written are traced minus unoccluded lighting, the surface's share of the pixel's throughput, and
- * its position and normal. Before sample DENOISE_SPARSE a block of 4 x 4 pixels, which lavapipe
- * executes together, traces lighting rays in every fourth sample only. One diffuse ray per surface
- * is followed, chosen in proportion to its unoccluded radiance.
+ * The outputs are traced minus unoccluded lighting, the throughput from the surface to the camera,
+ * and the surface's position and normal. Before sample DENOISE_SPARSE a block of 4 x 4 pixels,
+ * which lavapipe executes together, traces lighting rays in every fourth sample only. One diffuse
+ * ray per surface is followed, chosen in proportion to its unoccluded radiance.
  */
 #ifndef TRACE_DENOISE_GLSL
 #define TRACE_DENOISE_GLSL
 
-const float denoise_kind = 2.0; /* trace_path.kind of lighting rays, kept out of the image */
+const float denoise_kind = 2.0; /* trace_path.kind of lighting rays */
 const uint DENOISE_SPARSE = 8u;
 const uint DENOISE_PICK_SEED = 61u;
 
 /* Denoiser inputs of a pixel. */
 struct trace_denoise_inputs {
-    vec3 gathered; /* traced minus unoccluded lighting */
-    vec3 share;    /* throughput from the surface to the camera */
-    vec4 place;    /* metres, of the surface with the highest throughput; w: denoise_normal() */
-    float most;    /* throughput of that surface */
+    vec3 gathered;        /* traced minus unoccluded lighting */
+    vec3 throughput;      /* throughput from the surface to the camera */
+    vec4 position;        /* position, metres; w: denoise_normal() */
+    float max_throughput; /* throughput of that surface */
 };
 
-trace_denoise_inputs matt;
+trace_denoise_inputs denoise_inputs;
 
 void denoise_begin()
 {
-    matt = trace_denoise_inputs(vec3(0.0), vec3(0.0), vec4(0.0), 0.0);
+    denoise_inputs = trace_denoise_inputs(vec3(0.0), vec3(0.0), vec4(0.0), 0.0);
 }
 
 /* Returns true if the pixel's block traces lighting rays in this sample. */
 bool denoise_is_sampled()
 {
     uvec2 block = uvec2(gl_FragCoord.xy) / 4u;
-    uint turn = microfacet_hash(block.x, block.y) + trace.sample_index;
-    return trace.sample_index >= DENOISE_SPARSE || turn % 4u == 0u;
+    uint phase = microfacet_hash(block.x, block.y) + trace.sample_index;
+    return trace.sample_index >= DENOISE_SPARSE || phase % 4u == 0u;
 }
 
 /* Returns a unit normal in octahedral encoding, 12 bits per axis: 1 + x + 4096 y. */
@@ -48,12 +48,14 @@ float denoise_normal(vec3 n)
 }
 
 /* Records a diffuse surface and its throughput to the camera. */
-void denoise_record(vec3 point, vec3 normal, vec3 share)
+void denoise_record(vec3 point, vec3 normal, vec3 throughput)
 {
-    float much = dot(share, vec3(1.0));
-    matt.share += share;
-    matt.place = much > matt.most ? vec4(point, denoise_normal(normal)) : matt.place;
-    matt.most = max(much, matt.most);
+    float total = dot(throughput, vec3(1.0));
+    denoise_inputs.throughput += throughput;
+    denoise_inputs.position = total > denoise_inputs.max_throughput
+                                  ? vec4(point, denoise_normal(normal))
+                                  : denoise_inputs.position;
+    denoise_inputs.max_throughput = max(total, denoise_inputs.max_throughput);
 }
 
 #endif

@@ -21,10 +21,8 @@
 #include "trace/trace_shading.glsl"
 
 const int lighting_holes_max = 8; /* maximum number of surfaces with holes along a shadow ray */
-const float lighting_sun_spread =
-    0.25; /* minimum width of the sun's specular lobe at secondary hits */
-const float lighting_refracted_roughness =
-    0.5; /* roughness of sky lookups after refraction by an object */
+const float lighting_sun_spread = 0.25;         /* minimum sun lobe width at secondary hits */
+const float lighting_refracted_roughness = 0.5; /* for sky lookups */
 const float lighting_roulette_max = 0.01; /* throughput below which Russian roulette is used */
 const int LIGHT_GATHER_RAYS = DIFFUSE_SAMPLING_RAYS + 1;
 const float lighting_radiance_min = 1e-6; /* minimum radiance in divisions */
@@ -42,19 +40,19 @@ float light_gather_sun(trace_hit from, vec3 point, uint seed)
     vec2 at =
         microfacet_point(trace.sample_index, microfacet_hash(seed, DIFFUSE_SAMPLING_SUN_SEED));
     vec3 dir = diffuse_sampling_disc_dir(frame.sun_dir, frame.sun_radius, at);
-    trace_hit hit = trace_hit(0.0, 0.0, 0.0, from.triangle, from.part);
+    trace_hit hit = trace_hit(0.0, 0.0, 0.0, from.triangle, from.bvh);
     float passing = 1.0;
-    int turns = frame.sun_light == vec3(0.0) ? 0 : lighting_holes_max;
-    while (turns > 0) {
+    int iterations = frame.sun_light == vec3(0.0) ? 0 : lighting_holes_max;
+    while (iterations > 0) {
         hit = trace_nearest_hit(
             trace_start(point, dir, 0.0, 1e30, hit.triangle, false, trace_surroundings_mask), true);
-        turns--;
+        iterations--;
         bool is_hit = hit.triangle >= 0;
         if (is_hit && trace_has(TRACE_HAS_HOLES))
             passing *= trace_alpha_transmittance(trace_surface_point_at(hit, point, dir));
         else if (is_hit)
             passing = 0.0;
-        turns = is_hit && passing > 0.0 ? turns : 0;
+        iterations = is_hit && passing > 0.0 ? iterations : 0;
         point += (is_hit ? hit.t : 0.0) * dir;
     }
     return passing;
@@ -71,22 +69,22 @@ float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 }
 
 /* Pushes a lighting ray from a surface in the current path's medium. `open` scales the sky radiance
- * if the ray is unoccluded. Weak rays face Russian roulette against the unoccluded sky radiance. */
-void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uint own)
+ * if the ray is unoccluded. Weak rays undergo Russian roulette against the unoccluded radiance. */
+void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uint seed)
 {
     vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
-    facet = trace_posed(facet, hit.part);
+    facet = trace_posed(facet, hit.bvh);
     bool is_below = dot(dir, facet) * dot(path.dir, facet) >= 0.0;
-    float most = max(throughput.r, max(throughput.g, throughput.b));
-    float chance = clamp(most / lighting_roulette_max, 1e-3, 1.0);
-    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(path.seed, own));
-    vec3 straight = open * throughput * lighting_sky(dir);
-    if (most <= trace_branch_min || pending_count >= trace_pending_max || is_below ||
+    float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
+    float chance = clamp(max_throughput / lighting_roulette_max, 1e-3, 1.0);
+    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
+    vec3 unoccluded = open * throughput * lighting_sky(dir);
+    if (max_throughput <= trace_branch_min || pending_count >= trace_pending_max || is_below ||
         at.x >= chance) {
-        trace_add(straight, path.kind);
+        trace_add(unoccluded, path.kind);
         return;
     }
-    trace_add((1.0 - 1.0 / chance) * straight, path.kind);
+    trace_add((1.0 - 1.0 / chance) * unoccluded, path.kind);
     trace_path other = path;
     other.origin = path.origin + hit.t * path.dir;
     other.dir = dir;
@@ -100,92 +98,92 @@ void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uin
     trace_push_pending(other);
 }
 
-vec2 lighting_random_point(uint own)
+vec2 lighting_random_point(uint seed)
 {
-    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, own));
+    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
 }
 
 /* Lighting rays of a surface; the last one is the specular reflection. */
 struct lighting_rays {
     vec3 dirs[LIGHT_GATHER_RAYS], weights[LIGHT_GATHER_RAYS];
-    vec3 skies[LIGHT_GATHER_RAYS]; /* unoccluded radiance of each ray, already added */
+    vec3 skies[LIGHT_GATHER_RAYS]; /* unoccluded radiance of each lighting ray */
     float open[LIGHT_GATHER_RAYS];
 };
 
 lighting_rays lighting_rays_of(vec3 throughput)
 {
-    lighting_rays ways;
+    lighting_rays rays;
     vec3 sum = vec3(0.0);
-    vec3 matt = throughput * shares.matt / float(DIFFUSE_SAMPLING_RAYS),
-         glossy = throughput * shares.glossy;
+    vec3 diffuse = throughput * lobes.diffuse / float(DIFFUSE_SAMPLING_RAYS),
+         specular = throughput * lobes.specular;
     for (uint i = 0u; i < uint(DIFFUSE_SAMPLING_RAYS); i++) {
-        ways.dirs[i] = diffuse_sampling_dir(shares.normal, trace.guide, i,
+        rays.dirs[i] = diffuse_sampling_dir(lobes.normal, trace.guide, i,
                                             lighting_random_point(DIFFUSE_SAMPLING_SEED + i));
-        float count = diffuse_sampling_weight(shares.normal, trace.guide, ways.dirs[i]);
-        ways.weights[i] = vec3(count);
-        ways.skies[i] = count * lighting_sky(ways.dirs[i]);
-        sum += ways.skies[i];
+        float count = diffuse_sampling_weight(lobes.normal, trace.guide, rays.dirs[i]);
+        rays.weights[i] = vec3(count);
+        rays.skies[i] = count * lighting_sky(rays.dirs[i]);
+        sum += rays.skies[i];
     }
     float open =
-        lighting_sky_factor(sum, float(DIFFUSE_SAMPLING_RAYS) * shares.unoccluded_diffuse, matt);
+        lighting_sky_factor(sum, float(DIFFUSE_SAMPLING_RAYS) * lobes.unoccluded_diffuse, diffuse);
     for (uint i = 0u; i < uint(DIFFUSE_SAMPLING_RAYS); i++) {
-        ways.weights[i] *= matt;
-        ways.skies[i] *= open * matt;
-        ways.open[i] = open;
+        rays.weights[i] *= diffuse;
+        rays.skies[i] *= open * diffuse;
+        rays.open[i] = open;
     }
-    vec3 h = microfacet_sample(shares.top, path.dir, shares.roughness,
+    vec3 h = microfacet_sample(lobes.top, path.dir, lobes.roughness,
                                lighting_random_point(DIFFUSE_SAMPLING_GLOSSY_SEED));
     vec3 dir = reflect(path.dir, h), sky = lighting_sky(dir);
-    float open_glossy = lighting_sky_factor(sky, shares.mirrored, glossy);
-    ways.dirs[DIFFUSE_SAMPLING_RAYS] = dir;
-    ways.weights[DIFFUSE_SAMPLING_RAYS] = glossy;
-    ways.skies[DIFFUSE_SAMPLING_RAYS] = open_glossy * glossy * sky;
-    ways.open[DIFFUSE_SAMPLING_RAYS] = open_glossy;
-    return ways;
+    float open_glossy = lighting_sky_factor(sky, lobes.mirrored, specular);
+    rays.dirs[DIFFUSE_SAMPLING_RAYS] = dir;
+    rays.weights[DIFFUSE_SAMPLING_RAYS] = specular;
+    rays.skies[DIFFUSE_SAMPLING_RAYS] = open_glossy * specular * sky;
+    rays.open[DIFFUSE_SAMPLING_RAYS] = open_glossy;
+    return rays;
 }
 
-void lighting_trace_ray(trace_hit hit, lighting_rays ways, uint i, float chance)
+void lighting_trace_ray(trace_hit hit, lighting_rays rays, uint i, float chance)
 {
-    lighting_push_ray(hit, ways.dirs[i], ways.weights[i] / chance, ways.open[i],
+    lighting_push_ray(hit, rays.dirs[i], rays.weights[i] / chance, rays.open[i],
                       DIFFUSE_SAMPLING_ROULETTE_SEED + i);
-    trace_add(-ways.skies[i] / chance, path.kind);
+    trace_add(-rays.skies[i] / chance, path.kind);
 }
 
 /* Replaces the unoccluded lighting of the surface shaded last by traced lighting; `throughput` is
  * the path throughput there. */
 void light_gather_at(trace_hit hit, vec3 throughput)
 {
-    if (path.is_lighting_ray || !shares.is_lit)
+    if (path.is_lighting_ray || !lobes.is_lit)
         return;
 #ifdef TRACE_DENOISE
     float kind = path.kind;
-    int turns = denoise_is_sampled() ? int(trace.one) : 0;
-    denoise_record(path.origin + hit.t * path.dir, shares.top,
-                   throughput * (shares.matt + shares.glossy));
+    int iterations = denoise_is_sampled() ? int(trace.one) : 0;
+    denoise_record(path.origin + hit.t * path.dir, lobes.top,
+                   throughput * (lobes.diffuse + lobes.specular));
     path.kind = denoise_kind;
-    while (turns > 0) {
-        lighting_rays ways = lighting_rays_of(throughput);
-        float much = dot(ways.skies[0], vec3(1.0)), more = dot(ways.skies[1], vec3(1.0));
-        float second = clamp(more / max(much + more, lighting_radiance_min), 0.1, 0.9);
+    while (iterations > 0) {
+        lighting_rays rays = lighting_rays_of(throughput);
+        float light_0 = dot(rays.skies[0], vec3(1.0)), light_1 = dot(rays.skies[1], vec3(1.0));
+        float second = clamp(light_1 / max(light_0 + light_1, lighting_radiance_min), 0.1, 0.9);
         bool is_second = lighting_random_point(DENOISE_PICK_SEED).x < second;
-        turns -= int(trace.one);
-        lighting_trace_ray(hit, ways, is_second ? 1u : 0u, is_second ? second : 1.0 - second);
-        lighting_trace_ray(hit, ways, uint(DIFFUSE_SAMPLING_RAYS), 1.0);
+        iterations -= int(trace.one);
+        lighting_trace_ray(hit, rays, is_second ? 1u : 0u, is_second ? second : 1.0 - second);
+        lighting_trace_ray(hit, rays, uint(DIFFUSE_SAMPLING_RAYS), 1.0);
     }
     path.kind = kind;
 #else
-    lighting_rays ways = lighting_rays_of(throughput);
+    lighting_rays rays = lighting_rays_of(throughput);
     for (uint i = 0u; i < uint(LIGHT_GATHER_RAYS); i++)
-        lighting_trace_ray(hit, ways, i, 1.0);
+        lighting_trace_ray(hit, rays, i, 1.0);
 #endif
 }
 
 /* Records surroundings that the primary ray hits as the pixel's visible surface. */
 void lighting_begin(trace_hit hit)
 {
-    seen.is_object = true;
-    seen.is_ground = true;
-    seen.distance = distance(start, path.origin) + hit.t;
+    result.is_object = true;
+    result.is_ground = true;
+    result.distance = distance(start, path.origin) + hit.t;
     is_first = false;
     is_main = false;
 }
@@ -196,19 +194,18 @@ float lighting_sky_roughness(trace_path path)
     return path.open > 0.0 ? 0.0 : path.open < 0.0 ? 1.0 : lighting_refracted_roughness;
 }
 
-/* Returns the radiance at the end of a path. `passing` becomes the fraction that a blended or
- * alpha-tested surface transmits. */
+/* Returns the radiance at a path's end. `passing` becomes the fraction of transmitted light. */
 vec3 trace_radiance_at_end(trace_path path, trace_hit hit, out float passing)
 {
     vec3 light = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray
                      ? lit_specular(path.dir, lighting_sky_roughness(path), 0.0)
                      : environment_radiance(environment, path.dir, differential_lod(path));
-    bool is_around = hit.part == BVH_SURROUNDINGS || hit.part == BVH_MOVERS;
-    int turns = is_around ? int(trace.one) : 0;
+    bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;
+    int iterations = is_surroundings ? int(trace.one) : 0;
     passing = 0.0;
-    shares.is_lit = false; /* also applies to paths that reach the segment limit inside an object */
-    while (turns > 0) {
-        turns -= int(trace.one);
+    lobes.is_lit = false; /* also at the segment limit */
+    while (iterations > 0) {
+        iterations -= int(trace.one);
         if (trace_has(TRACE_HAS_DIFFUSE_LIGHT)) {
             sun_visibility = light_gather_sun(hit, path.origin + hit.t * path.dir, path.seed);
             sun_spread = path.is_lighting_ray ? lighting_sun_spread : 0.0;

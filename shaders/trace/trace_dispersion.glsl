@@ -1,10 +1,9 @@
-/* trace_dispersion.glsl: dispersion: traces red, green and blue separately if their indices
- * differ. */
+/* trace_dispersion.glsl: traces red, green and blue separately if their indices differ. */
 #ifndef TRACE_DISPERSION_GLSL
 #define TRACE_DISPERSION_GLSL
 
-/* Traces a pixel. With TRACE_DISPERSION one path per colour channel; everything except radiance is
- * taken from green, the first. The loop contains a single call, because drivers inline each one. */
+/* Traces a pixel; with TRACE_DISPERSION, one path per colour channel, everything but radiance being
+ * that of green, the first. Drivers inline each call, so the loop has only one. */
 void trace_all_channels(vec3 eye, vec3 e)
 {
 #ifdef TRACE_DISPERSION
@@ -15,18 +14,18 @@ void trace_all_channels(vec3 eye, vec3 e)
     for (int i = 0; i < 3; i++) {
         int channel = i == 0 ? 1 : 2 * (i - 1);
         trace_pixel(eye, e, channel);
-        all = i == 0 ? seen : all;
-        all.refraction[channel] = seen.refraction[channel];
-        all.reflection[channel] = seen.reflection[channel];
+        all = i == 0 ? result : all;
+        all.refraction[channel] = result.refraction[channel];
+        all.reflection[channel] = result.reflection[channel];
 #ifdef TRACE_DENOISE
-        all_denoise = i == 0 ? matt : all_denoise;
-        all_denoise.gathered[channel] = matt.gathered[channel];
-        all_denoise.share[channel] = matt.share[channel];
+        all_denoise = i == 0 ? denoise_inputs : all_denoise;
+        all_denoise.gathered[channel] = denoise_inputs.gathered[channel];
+        all_denoise.throughput[channel] = denoise_inputs.throughput[channel];
 #endif
     }
-    seen = all;
+    result = all;
 #ifdef TRACE_DENOISE
-    matt = all_denoise;
+    denoise_inputs = all_denoise;
 #endif
 #else
     trace_pixel(eye, e, 1);

@@ -1,12 +1,11 @@
-/* trace_fresnel.glsl: Fresnel reflection and refraction at a surface (in C:
- * src/reference/dielectric_split.c). */
+/* trace_fresnel.glsl: Fresnel reflection and refraction (C: src/reference/dielectric_split.c). */
 #ifndef TRACE_FRESNEL_GLSL
 #define TRACE_FRESNEL_GLSL
 
 /* Directions, reflectance and sampling weights of the two paths at a surface. */
 struct trace_fresnel_split {
     vec3 reflected, refracted;
-    float fresnel, reflected_share, refracted_share;
+    float fresnel, reflected_weight, refracted_weight;
 };
 
 /* Computes the reflected and refracted directions and returns the Fresnel reflectance. `n` is on
@@ -29,17 +28,17 @@ float trace_fresnel(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected,
  * drop such samples; smooth ones use the direction given by the geometric normal. */
 void trace_correct_sides(inout trace_fresnel_split p, vec3 d, vec3 facet, float eta, bool is_rough)
 {
-    vec3 mirrored, straight;
-    float even = trace_fresnel(d, facet, eta, false, mirrored, straight);
+    vec3 facet_reflected, facet_refracted;
+    float facet_fresnel = trace_fresnel(d, facet, eta, false, facet_reflected, facet_refracted);
     bool is_lost = p.fresnel < 1.0 && dot(p.refracted, facet) >= 0.0;
-    p.refracted_share = is_lost && is_rough ? 0.0 : p.refracted_share;
+    p.refracted_weight = is_lost && is_rough ? 0.0 : p.refracted_weight;
     if (is_lost && !is_rough) {
-        p.refracted = straight;
-        p.fresnel = even < 1.0 ? p.fresnel : 1.0;
+        p.refracted = facet_refracted;
+        p.fresnel = facet_fresnel < 1.0 ? p.fresnel : 1.0;
     }
     if (dot(p.reflected, facet) <= 0.0 || (p.fresnel >= 1.0 && is_lost)) {
-        p.reflected_share = is_rough ? 0.0 : p.reflected_share;
-        p.reflected = mirrored;
+        p.reflected_weight = is_rough ? 0.0 : p.reflected_weight;
+        p.reflected = facet_reflected;
     }
 }
 

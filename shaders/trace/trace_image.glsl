@@ -6,8 +6,8 @@ layout(location = REFRACT_OUT_COLOR) out vec4 color;
 layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
 #ifdef TRACE_DENOISE
 layout(location = TRACE_OUT_LIGHT) out vec4 gathered;
-layout(location = TRACE_OUT_THROUGHPUT) out vec4 share;
-layout(location = TRACE_OUT_POSITION) out vec4 place;
+layout(location = TRACE_OUT_THROUGHPUT) out vec4 out_throughput;
+layout(location = TRACE_OUT_POSITION) out vec4 out_position;
 #endif
 
 void main()
@@ -16,19 +16,20 @@ void main()
     vec3 e = normalize(primary_ray_at(ray, 1.0) - from);
     differential_of_pixel(from, e);
     trace_all_channels(refract_frame.eye + from, e);
-    if (!seen.is_object)
+    if (!result.is_object)
         discard;
-    vec3 eye_to_point = from + seen.distance * e;
+    vec3 eye_to_point = from + result.distance * e;
 #ifdef TRACE_DENOISE
-    float is_due = denoise_is_sampled() ? 1.0 : 0.0;
-    gathered = vec4(matt.gathered, is_due * dot(matt.share, vec3(1.0 / 3.0)));
-    share = vec4(matt.share, 0.0);
-    place = matt.place;
+    float is_sampled = denoise_is_sampled() ? 1.0 : 0.0;
+    gathered =
+        vec4(denoise_inputs.gathered, is_sampled * dot(denoise_inputs.throughput, vec3(1.0 / 3.0)));
+    out_throughput = vec4(denoise_inputs.throughput, 0.0);
+    out_position = denoise_inputs.position;
 #endif
-    color = vec4(seen.refraction + seen.reflection, 1.0);
-    highlight = seen.is_ground ? -1.0 : highlight_radiance(e, eye_to_point, seen.normal);
-    gl_FragDepth = seen.distance > 0.0 ? trace_depth(start + seen.distance * e) : 1.0;
-    if (seen.is_ground) /* keeps the rasterised background from drawing over it */
+    color = vec4(result.refraction + result.reflection, 1.0);
+    highlight = result.is_ground ? -1.0 : highlight_radiance(e, eye_to_point, result.normal);
+    gl_FragDepth = result.distance > 0.0 ? trace_depth(start + result.distance * e) : 1.0;
+    if (result.is_ground) /* keeps the rasterised background from drawing over it */
         gl_FragDepth = min(gl_FragDepth * 1.0001, 1.0);
 }
 

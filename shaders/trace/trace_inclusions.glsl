@@ -1,5 +1,5 @@
-/* trace_inclusions.glsl: intersection of paths with inclusions in the ice: cracks, air gaps too
- * thin to displace light, and bubbles, filled with the outside medium. */
+/* trace_inclusions.glsl: intersection of paths with inclusions in the ice: cracks, which are air
+ * gaps too thin to displace light, and bubbles, filled with the outside medium. */
 #ifndef TRACE_INCLUSIONS_GLSL
 #define TRACE_INCLUSIONS_GLSL
 #include "inclusions/cracks.h"
@@ -10,13 +10,13 @@
 /* Returns the shading normal of a rough crack in object space. */
 vec3 trace_crack_normal(vec3 n, vec3 point)
 {
-    vec3 bent = n;
-    int turns = trace.crack_rms_slope > 0.0 ? int(trace.one) : 0;
-    while (turns > 0) {
-        turns -= int(trace.one);
-        bent = crack_perturbed(n, point / frame.radius, trace.crack_rms_slope);
+    vec3 perturbed = n;
+    int iterations = trace.crack_rms_slope > 0.0 ? int(trace.one) : 0;
+    while (iterations > 0) {
+        iterations -= int(trace.one);
+        perturbed = crack_perturbed(n, point / frame.radius, trace.crack_rms_slope);
     }
-    return bent;
+    return perturbed;
 }
 
 /* Returns the outward normal of a bubble at a surface point, both in object space. */
@@ -34,18 +34,18 @@ vec3 trace_bubble_normal(int triangle, vec3 point)
 /* Returns a crack's thin-film reflectance for red, green and blue. */
 vec3 trace_crack_reflectance(trace_hit hit, vec3 dir, vec3 n, float eta)
 {
-    vec3 shares = vec3(0.0);
-    int turns = int(trace.one);
-    while (turns > 0) {
-        turns -= int(trace.one);
+    vec3 reflectance = vec3(0.0);
+    int iterations = int(trace.one);
+    while (iterations > 0) {
+        iterations -= int(trace.one);
         vec3 corners;
         for (int k = 0; k < 3; k++)
             corners[k] = unpackHalf2x16(trace_corner(BVH_CORNER_WORDS * hit.triangle + k).w).y;
         float open = dot(corners, vec3(1.0 - hit.u - hit.v, hit.u, hit.v));
-        shares =
+        reflectance =
             cracks_reflectance(min(-dot(dir, n), 1.0), eta, trace.crack_gap * sqrt(max(open, 0.0)));
     }
-    return shares;
+    return reflectance;
 }
 
 bool trace_is_crack(trace_crossing c)
@@ -56,21 +56,20 @@ bool trace_is_crack(trace_crossing c)
 /* Returns the reflectance of a surface for red, green and blue, and sets `fresnel` to its mean. */
 vec3 trace_reflectance(trace_hit hit, trace_crossing c, vec3 dir, inout float fresnel)
 {
-    vec3 shares = vec3(fresnel);
+    vec3 reflectance = vec3(fresnel);
     if (trace_is_crack(c)) {
-        shares = trace_crack_reflectance(hit, dir, c.n, c.eta);
-        fresnel = dot(shares, vec3(1.0 / 3.0));
+        reflectance = trace_crack_reflectance(hit, dir, c.n, c.eta);
+        fresnel = dot(reflectance, vec3(1.0 / 3.0));
     }
-    return shares;
+    return reflectance;
 }
 
 /* Returns the crossing of an inclusion by a path in ice or in a bubble. `n` is the interpolated
- * crack normal in object space, `eta` the refractive index of ice divided by that of the outside.
- */
+ * crack normal, object space; `eta` is the index of ice relative to the outside. */
 trace_crossing trace_inclusion_crossing(trace_path path, trace_hit hit, vec3 n, float eta)
 {
     trace_crossing c;
-    vec3 point = trace_unposed_point(path.origin + hit.t * path.dir, hit.part);
+    vec3 point = trace_unposed_point(path.origin + hit.t * path.dir, hit.bvh);
     vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     c.is_thin = facet != vec3(0.0);
     if (c.is_thin) {
@@ -79,8 +78,8 @@ trace_crossing trace_inclusion_crossing(trace_path path, trace_hit hit, vec3 n, 
         facet = trace_bubble_normal(hit.triangle, point);
         n = facet;
     }
-    c.facet = trace_posed(facet, hit.part);
-    c.n = trace_posed(n, hit.part);
+    c.facet = trace_posed(facet, hit.bvh);
+    c.n = trace_posed(n, hit.bvh);
     float side = dot(c.facet, path.dir) < 0.0 ? 1.0 : -1.0;
     if (!c.is_thin)
         side = path.is_in_bubble ? -1.0 : 1.0;
@@ -94,10 +93,10 @@ trace_crossing trace_inclusion_crossing(trace_path path, trace_hit hit, vec3 n, 
     c.is_inclusion = true;
     c.horizon = 2.0;
     c.is_bumpy = false;
-    c.own = trace_untextured(0u);
+    c.material = trace_untextured(0u);
     c.eta = path.is_in_bubble ? 1.0 / eta : eta;
-    c.shift = path.shift + hit.t * path.turn;
-    c.bend = vec3(0.0);
+    c.d_origin = path.d_origin + hit.t * path.d_dir;
+    c.d_n = vec3(0.0);
     return c;
 }
 

@@ -28,7 +28,7 @@ uint trace_last_object()
     if (hit.triangle >= 0)
         return trace_object_number(hit.triangle);
 #endif
-    return seen.last;
+    return result.last;
 }
 
 layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
@@ -52,15 +52,16 @@ void main()
     out_path = vec4(0.0);
     out_media = 0.0;
     out_last = texelFetch(first_object, ivec2(gl_FragCoord.xy), 0).r;
-    if (!seen.is_object || trace_is_hidden(start + seen.distance * e))
+    if (!result.is_object || trace_is_hidden(start + result.distance * e))
         return;
-    float through = 1.0 - seen.fresnel;
-    out_exit = vec4(seen.exit, 0.0);
-    out_refraction = vec4(through > 0.0 ? seen.refraction / through : vec3(0.0), 0.0);
-    out_reflection = vec4(seen.fresnel > 0.0 ? seen.reflection / seen.fresnel : vec3(0.0), 0.0);
-    out_fresnel = seen.fresnel;
-    out_path = vec4(seen.path_length, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
-    out_media = seen.segments;
+    float through = 1.0 - result.fresnel;
+    out_exit = vec4(result.exit, 0.0);
+    out_refraction = vec4(through > 0.0 ? result.refraction / through : vec3(0.0), 0.0);
+    out_reflection =
+        vec4(result.fresnel > 0.0 ? result.reflection / result.fresnel : vec3(0.0), 0.0);
+    out_fresnel = result.fresnel;
+    out_path = vec4(result.path_length, result.bounces, result.bounces > 0.0 ? 1.0 : 0.0, 0.0);
+    out_media = result.segments;
     uint last = trace_last_object();
     out_last = last != 0u ? float(last) : out_last;
 }

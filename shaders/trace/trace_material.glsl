@@ -1,5 +1,4 @@
-/* trace_material.glsl: textured surface parameters at ray hits (in C:
- * src/reference/radiance.c). */
+/* trace_material.glsl: textured surface parameters at ray hits (C: src/reference/radiance.c). */
 #ifndef TRACE_MATERIAL_GLSL
 #define TRACE_MATERIAL_GLSL
 #include "object_material.h"
@@ -8,27 +7,27 @@
 /* Multiplies surface parameters by their textures. Returns the outward normal from the normal map;
  * only valid if `is_bumpy` is set. */
 vec3 trace_object_material(trace_hit hit, vec3 origin, vec3 dir, bool is_object,
-                           inout object_material own, out bool is_bumpy)
+                           inout object_material surface, out bool is_bumpy)
 {
     uint material = trace_corner(BVH_CORNER_WORDS * max(hit.triangle, 0) + 1).w;
     uint row = material >> MESH_SURFACE_SHIFT;
     vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
-    int turns = is_object && scales.z > 0.0 ? int(trace.one) : 0;
-    vec3 bent = vec3(0.0);
+    int iterations = is_object && scales.z > 0.0 ? int(trace.one) : 0;
+    vec3 mapped_n = vec3(0.0);
     is_bumpy = false;
-    while (turns > 0) {
-        turns -= int(trace.one);
+    while (iterations > 0) {
+        iterations -= int(trace.one);
         trace_surface_point p = trace_surface_point_at(hit, origin, dir);
         lit_second_uv = p.other_uv;
         vec3 base = lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, p.uv, 1.0).rgb;
-        float rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0).g;
-        float through = lit_texel(numbers, row, MATERIAL_USE_TRANSMISSION, p.uv, 1.0).r;
-        vec4 texel = lit_texel(numbers, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
-        own = object_material_of(own, base, rough, through);
+        float rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0).g;
+        float through = lit_texel(data_textures, row, MATERIAL_USE_TRANSMISSION, p.uv, 1.0).r;
+        vec4 texel = lit_texel(data_textures, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
+        surface = object_material_of(surface, base, rough, through);
         is_bumpy = texel != vec4(1.0);
-        bent = trace_normal_mapped(p, p.outward, texel.rgb, scales.xy);
+        mapped_n = trace_normal_mapped(p, p.outward, texel.rgb, scales.xy);
     }
-    return bent;
+    return mapped_n;
 }
 
 #endif

@@ -1,6 +1,5 @@
-/* trace_medium_stack.glsl: medium stack of a path: the set of objects that contain it, ordered by
- * medium priority, as a bit mask or, with TRACE_HAS_MANY_OBJECTS, as a sorted list (struct
- * bvh_interior_list). */
+/* trace_medium_stack.glsl: medium stack of a path: the objects that contain it, by priority: a bit
+ * mask or, with TRACE_HAS_MANY_OBJECTS, a descending list (struct bvh_interior_list). */
 #ifndef TRACE_MEDIUM_STACK_GLSL
 #define TRACE_MEDIUM_STACK_GLSL
 #include "trace/trace_bvh.glsl"

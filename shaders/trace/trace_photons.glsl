@@ -4,8 +4,7 @@
  * surroundings; ice_caustics.c splats it. src/reference/photons.c has the equivalent C code.
  *
  * Scattering media deflect photons isotropically at the reduced scattering coefficient, (1 - g)
- * times extinction. Photons end at the first surface of the surroundings, even where it has
- * alpha-tested holes.
+ * times extinction. Photons end at the first surface of surroundings, even in alpha-tested holes.
  */
 #ifndef TRACE_PHOTONS_GLSL
 #define TRACE_PHOTONS_GLSL
@@ -29,9 +28,9 @@ const uint photon_sun_seed = 51u;
 const uint photon_choice_seed = 52u;
 const uint photon_scatter_seed = 53u;
 
-vec2 photon_random(uint own)
+vec2 photon_random(uint seed)
 {
-    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, own));
+    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
 }
 
 /* Starts a photon at a random point of its texel, in front of the objects' bounding sphere. */
@@ -50,37 +49,37 @@ void photon_begin(uint seed)
     path.dir = -up;
     is_first = true;
     is_main = false;
-    is_straight = false;
+    sets_last = false;
 }
 
 /* Returns the reduced optical depth of scattering media along a segment of length `t`. */
 float photon_reduced_depth(float t)
 {
     bool is_clear = !trace_has(TRACE_HAS_SCATTERING) || !trace_is_in(path) || path.is_in_bubble;
-    float own =
+    float tint_w =
         is_clear ? 0.0 : trace_medium(trace_current_medium(path.medium_stack), TRACE_TINT).w;
-    medium_field cloud = trace.scattering_media[int(max(-1.0 - own, 0.0))];
-    float sum = 0.0, part = t / float(medium_steps);
-    int turns = own < 0.0 ? medium_steps : 0;
-    while (turns > 0) {
-        turns--;
-        vec3 point = path.origin + (float(turns) + 0.5) * part * path.dir;
-        sum += part * medium_density(cloud, trace_unposed_point(point, BVH_OBJECTS));
+    medium_field field = trace.scattering_media[int(max(-1.0 - tint_w, 0.0))];
+    float sum = 0.0, step_length = t / float(medium_steps);
+    int iterations = tint_w < 0.0 ? medium_steps : 0;
+    while (iterations > 0) {
+        iterations--;
+        vec3 point = path.origin + (float(iterations) + 0.5) * step_length * path.dir;
+        sum += step_length * medium_density(field, trace_unposed_point(point, BVH_OBJECTS));
     }
-    return (1.0 - frame.medium_g) * cloud.extinction * sum;
+    return (1.0 - frame.medium_g) * field.extinction * sum;
 }
 
 /* Continues the photon's path at an object's surface by reflection or refraction. */
 void photon_scatter(trace_hit hit, trace_crossing c)
 {
     trace_fresnel_split p = trace_fresnel_at(c);
-    object_material own = trace_material_at(c);
+    object_material material = trace_material_at(c);
     vec3 through =
-        vec3(p.refracted_share * (trace_has(TRACE_HAS_OPACITY) ? 1.0 - own.opacity : 1.0));
+        vec3(p.refracted_weight * (trace_has(TRACE_HAS_OPACITY) ? 1.0 - material.opacity : 1.0));
     if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT | TRACE_HAS_TEXTURED_OBJECTS))
-        through *= own.tint;
+        through *= material.tint;
     bool is_back = photon_random(photon_choice_seed).x < p.fresnel;
-    vec3 throughput = path.throughput * (is_back ? vec3(p.reflected_share) : through);
+    vec3 throughput = path.throughput * (is_back ? vec3(p.reflected_weight) : through);
     path = trace_continue(path, hit, c, is_back ? p.reflected : p.refracted, !is_back);
     path.throughput = throughput;
     path.seed = microfacet_hash(path.seed, photon_choice_seed);
@@ -91,11 +90,11 @@ void photon_scatter(trace_hit hit, trace_crossing c)
 bool photon_step(trace_hit hit, trace_crossing c)
 {
     vec2 chance = photon_random(photon_scatter_seed);
-    bool is_turned = hit.t < 1e30 && chance.x > exp(-photon_reduced_depth(hit.t));
+    bool is_scattered = hit.t < 1e30 && chance.x > exp(-photon_reduced_depth(hit.t));
     path.throughput = hit.t < 1e30 ? trace_absorb(path, hit.t) : path.throughput;
     path.left--;
-    bool crosses = !is_turned && c.is_hit && path.left >= 0;
-    if (is_turned) {
+    bool crosses = !is_scattered && c.is_hit && path.left >= 0;
+    if (is_scattered) {
         path.origin += chance.y * hit.t * path.dir;
         path.seed = microfacet_hash(path.seed, photon_scatter_seed);
         path.dir = normalize(diffuse_sampling_sphere(photon_random(photon_scatter_seed)));
@@ -105,8 +104,8 @@ bool photon_step(trace_hit hit, trace_crossing c)
     } else if (crosses) {
         photon_scatter(hit, c);
     }
-    float most = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
-    return path.left < 0 || !(crosses || is_turned) || most < trace_branch_min;
+    float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
+    return path.left < 0 || !(crosses || is_scattered) || max_throughput < trace_branch_min;
 }
 
 /* Follows a photon to its end. Returns its landing point in the caustic map. */
@@ -119,9 +118,9 @@ vec2 photon_follow(int channel)
         trace_crossing c = trace_crossing_at(path, hit, channel);
         is_going = !photon_step(hit, c);
     } while (is_going);
-    bool is_around = hit.part == BVH_SURROUNDINGS || hit.part == BVH_MOVERS;
+    bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;
     vec4 clip = ice_light_clip(path.origin + hit.t * path.dir);
-    if (hit.triangle < 0 || !is_around || is_first || ice_light_is_hidden(ground, clip))
+    if (hit.triangle < 0 || !is_surroundings || is_first || ice_light_is_hidden(ground, clip))
         path.throughput = vec3(0.0);
     return ice_light_uv(clip);
 }

@@ -12,28 +12,28 @@
 
 /* Interpolated vertex attributes at a hit on surroundings. */
 struct trace_surface_point {
-    vec3 position, normal; /* world space; the normal is unit length and faces the ray */
+    vec3 position, normal; /* world space; unit normal, facing the ray */
     vec3 outward;          /* the interpolated vertex normal, not flipped */
     vec3 color;
     vec2 uv, other_uv;
     vec4 tangent;            /* unit tangent, with handedness in w; 0 if there is none */
-    vec3 u_dir, minus_v_dir; /* position derivatives by u and -v; 0 if uv is constant */
+    vec3 u_dir, minus_v_dir; /* position derivatives by u and -v, or 0 */
     uint material;
     float ior; /* refractive index of the medium in front of the surface, relative to the outside */
 };
 
-/* Diffuse and specular parts of a shaded surface, for traced lighting. */
+/* Diffuse and specular lobes of a shaded surface, for traced lighting. */
 struct trace_lobes {
-    vec3 matt, glossy;                 /* diffuse albedo and specular reflectance */
+    vec3 diffuse, specular;            /* diffuse albedo and specular reflectance */
     vec3 unoccluded_diffuse, mirrored; /* unoccluded diffuse and specular lighting */
-    vec3 normal, top; /* normal-mapped normals of the diffuse base and of the specular layer */
+    vec3 normal, top;                  /* normals of diffuse base and specular layer */
     float roughness;
     bool is_lit;
 };
 
-trace_lobes shares;         /* parts of the surface that trace_shade() shaded last */
-float sun_visibility = 1.0; /* visibility of the sun at the surface (trace_diffuse_light.glsl) */
-float sun_spread = 0.0;     /* minimum width of the sun's specular lobe at the surface */
+trace_lobes lobes;          /* lobes at the last trace_shade() */
+float sun_visibility = 1.0; /* the sun's visibility at the surface */
+float sun_spread = 0.0;     /* sun's minimum specular lobe width */
 
 /* Reads optional vertex attributes of a hit. `side_1` and `side_2` become the edges in the texture
  * coordinates of the normal map. */
@@ -45,7 +45,7 @@ void trace_vertex_extra(inout trace_surface_point p, trace_hit hit, int surface,
     if (!trace_has(TRACE_HAS_EXTRAS))
         return;
     int at = has_extra ? surface + BVH_SURFACE_WORDS : 0;
-    vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
+    vec3 bary = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
     vec4 t0 = uintBitsToFloat(trace_corner(at));
     vec4 t1 = uintBitsToFloat(trace_corner(at + 1));
     vec4 t2 = uintBitsToFloat(trace_corner(at + 2));
@@ -55,8 +55,8 @@ void trace_vertex_extra(inout trace_surface_point p, trace_hit hit, int surface,
         return;
     uint row = p.material >> MESH_SURFACE_SHIFT;
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
-    p.tangent = share.x * t0 + share.y * t1 + share.z * t2;
-    p.tangent.xyz = trace_posed(p.tangent.xyz, hit.part);
+    p.tangent = bary.x * t0 + bary.y * t1 + bary.z * t2;
+    p.tangent.xyz = trace_posed(p.tangent.xyz, hit.bvh);
     p.other_uv = uv.xy + hit.u * (uv.zw - uv.xy) + hit.v * (uv_2 - uv.xy);
     if (v.w >= float(MATERIAL_OTHER_SET)) {
         side_1 = uv.zw - uv.xy;
@@ -75,19 +75,19 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
     vec4 c1 = uintBitsToFloat(trace_corner(surface + 1));
     vec4 c2 = uintBitsToFloat(trace_corner(surface + 2));
     vec4 rest = uintBitsToFloat(trace_corner(surface + 3));
-    vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
+    vec3 bary = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
     vec2 uv_0 = vec2(c0.w, c1.w), side_1 = vec2(c2.w, rest.x) - uv_0, side_2 = rest.yz - uv_0;
     trace_surface_point p;
     p.position = origin + hit.t * dir;
-    p.normal = share.x * n0.xyz + share.y * n1.xyz + share.z * n2.xyz;
-    p.normal = normalize(trace_posed(p.normal, hit.part));
+    p.normal = bary.x * n0.xyz + bary.y * n1.xyz + bary.z * n2.xyz;
+    p.normal = normalize(trace_posed(p.normal, hit.bvh));
     p.outward = p.normal;
     p.normal *= dot(p.normal, dir) > 0.0 ? -1.0 : 1.0;
-    p.color = share.x * c0.xyz + share.y * c1.xyz + share.z * c2.xyz;
+    p.color = bary.x * c0.xyz + bary.y * c1.xyz + bary.z * c2.xyz;
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
     p.material = floatBitsToUint(n1.w);
     p.ior = 1.0;
-    /* Rows of the map are orthogonal to all edges but one: cross products recover the edges. */
+    /* Rows of the map are orthogonal to all edges but one: cross products yield the edges. */
     at = BVH_TRIANGLE_WORDS * hit.triangle;
     vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
     vec3 row_1 = uintBitsToFloat(trace_row(at + 1)).xyz;
@@ -96,9 +96,9 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
     vec3 edge_1 = cross(row_1, row_2) / volume, edge_2 = cross(row_2, row_0) / volume;
     bool has_extra = (floatBitsToUint(rest.w) & 1u) != 0u;
     trace_vertex_extra(p, hit, surface, has_extra, side_1, side_2);
-    float turn = sign(side_1.x * side_2.y - side_2.x * side_1.y);
-    p.u_dir = trace_posed(turn * (edge_1 * side_2.y - edge_2 * side_1.y), hit.part);
-    p.minus_v_dir = trace_posed(-turn * (edge_2 * side_1.x - edge_1 * side_2.x), hit.part);
+    float handedness = sign(side_1.x * side_2.y - side_2.x * side_1.y);
+    p.u_dir = trace_posed(handedness * (edge_1 * side_2.y - edge_2 * side_1.y), hit.bvh);
+    p.minus_v_dir = trace_posed(-handedness * (edge_2 * side_1.x - edge_1 * side_2.x), hit.bvh);
     return p;
 }
 
@@ -114,21 +114,21 @@ vec3 trace_normal_mapped(trace_surface_point p, vec3 n, vec3 texel, vec2 scales)
     return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
 }
 
-/* Returns the sun's irradiance on a surface that faces it. `through` becomes the part that the
+/* Returns the sun's irradiance on a surface that faces it. `through` becomes the fraction that the
  * objects have refracted; the base of an object itself (`is_base`) is always fully lit. */
 vec3 trace_sun(trace_surface_point p, bool is_base, out vec3 through)
 {
     through = vec3(0.0);
-    float own = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && !is_base ? sun_visibility : 1.0;
+    float visibility = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && !is_base ? sun_visibility : 1.0;
 #ifndef TRACE_PHOTONS
     if (trace_has(TRACE_HAS_SUN_MAPS) && !is_base) {
-        sun_shadow opacity = sun_shadow_at(p.position, p.outward);
-        own = trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? own : opacity.open;
-        through = sky_sun() * opacity.through;
-        return sky_sun() * opacity.own * own + through;
+        sun_shadow shadow = sun_shadow_at(p.position, p.outward);
+        visibility = trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? visibility : shadow.visibility;
+        through = sky_sun() * shadow.refracted;
+        return sky_sun() * shadow.direct * visibility + through;
     }
 #endif
-    return sky_sun() * own;
+    return sky_sun() * visibility;
 }
 
 /* Returns the radiance of a diffuse surface without material, or of an object's opaque base. */
@@ -138,8 +138,8 @@ vec3 trace_diffuse(trace_surface_point p, vec3 to_eye, vec3 albedo, bool is_base
     vec3 sun = trace_sun(p, is_base, through) * max(dot(p.normal, frame.sun_dir), 0.0);
     if (constant_lit == 0u || (p.material & MESH_UNLIT) != 0u)
         return albedo * (1.0 + through * max(dot(p.normal, frame.sun_dir), 0.0));
-    vec3 open = trace_has(TRACE_HAS_MATERIALS) ? lit_diffuse(p.normal) : sky_ambient(p.normal);
-    shares = trace_lobes(albedo, vec3(0.0), open, open, p.normal, p.normal, 1.0, !is_base);
+    vec3 ambient = trace_has(TRACE_HAS_MATERIALS) ? lit_diffuse(p.normal) : sky_ambient(p.normal);
+    lobes = trace_lobes(albedo, vec3(0.0), ambient, ambient, p.normal, p.normal, 1.0, !is_base);
     if (!trace_has(TRACE_HAS_MATERIALS))
         return albedo * (trace_has(TRACE_HAS_SUN_MAPS | TRACE_HAS_DIFFUSE_LIGHT)
                              ? sky_ambient(p.normal) + sun
@@ -180,7 +180,7 @@ vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passin
     uint row = p.material >> MESH_SURFACE_SHIFT;
     uint layer = p.material & MESH_TEXTURE_MASK;
     passing = 0.0;
-    shares.is_lit = false;
+    lobes.is_lit = false;
     lit_second_uv = p.other_uv;
     if (!trace_has(TRACE_HAS_MATERIALS)) {
         vec4 texel = vec4(1.0);
@@ -200,36 +200,36 @@ vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passin
         passing = trace_alpha_transmittance_of(row, base.a);
     if (is_base || (p.material & MESH_UNLIT) != 0u)
         return trace_diffuse(p, -dir, albedo, is_base);
-    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0);
-    vec4 bent = lit_texel(numbers, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
+    vec4 rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0);
+    vec4 normal_texel = lit_texel(data_textures, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
     vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
-    float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, p.uv, 1.0).r;
-    vec3 glow = lit_texel(textures, row, MATERIAL_USE_EMISSION, p.uv, 1.0).rgb * emission.rgb;
-    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, p.uv, 1.0).a * factors.z;
+    float occlusion = lit_texel(data_textures, row, MATERIAL_USE_OCCLUSION, p.uv, 1.0).r;
+    vec3 emitted = lit_texel(textures, row, MATERIAL_USE_EMISSION, p.uv, 1.0).rgb * emission.rgb;
+    float specular = lit_texel(data_textures, row, MATERIAL_USE_SPECULAR, p.uv, 1.0).a * factors.z;
     vec3 f0 =
         lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, p.uv, 1.0).rgb * reflectance.rgb;
     vec3 n = p.normal;
-    if (bent != vec4(1.0))
-        n = trace_normal_mapped(p, n, bent.rgb, scales.xy);
-    bool is_film = scales.w > 0.0;
-    vec3 top = is_film ? p.normal : n;
-    if (is_film) /* a water layer below ice has almost no Fresnel reflection */
+    if (normal_texel != vec4(1.0))
+        n = trace_normal_mapped(p, n, normal_texel.rgb, scales.xy);
+    bool is_water_layer = scales.w > 0.0;
+    vec3 top = is_water_layer ? p.normal : n;
+    if (is_water_layer) /* a water layer below ice has almost no Fresnel reflection */
         specular *= lit_reflectance_in_medium(max(f0.r, max(f0.g, f0.b)), p.ior);
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(top, -dir), 0.0, 1.0);
     vec2 split = lit_split(s.roughness, n_dot_v);
     vec3 mirrored = lit_specular(reflect(dir, top), s.roughness, 0.0),
          unoccluded_diffuse = lit_diffuse(n);
-    vec3 around = lit_by_environment(s, split, mirrored, unoccluded_diffuse);
+    vec3 ambient = lit_by_environment(s, split, mirrored, unoccluded_diffuse);
     /* traced rays replace the ambient occlusion map */
-    vec3 unhidden = vec3(trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? 1.0 : mix(1.0, open, scales.y));
-    shares = trace_lobes(lit_by_environment(s, split, vec3(0.0), unhidden),
-                         lit_by_environment(s, split, unhidden, vec3(0.0)), unoccluded_diffuse,
-                         mirrored, n, top, s.roughness, true);
+    vec3 unhidden = vec3(trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? 1.0 : mix(1.0, occlusion, scales.y));
+    lobes = trace_lobes(lit_by_environment(s, split, vec3(0.0), unhidden),
+                        lit_by_environment(s, split, unhidden, vec3(0.0)), unoccluded_diffuse,
+                        mirrored, n, top, s.roughness, true);
     vec3 through;
     vec3 sun = trace_sun(p, false, through) *
                lit_by_light_on(s, top, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
-    return around * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + glow;
+    return ambient * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + emitted;
 }
 
 #endif

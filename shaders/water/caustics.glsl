@@ -56,7 +56,7 @@ float sun_entering()
 }
 
 /* Returns two unit vectors that form an orthonormal basis with the unit vector `dir`. */
-void square_to(vec3 dir, out vec3 a, out vec3 b)
+void orthonormal_basis(vec3 dir, out vec3 a, out vec3 b)
 {
     a = normalize(cross(dir, abs(dir.z) < 0.9 ? up : vec3(1.0, 0.0, 0.0)));
     b = cross(dir, a);
@@ -67,7 +67,7 @@ vec3 sun_disc(vec2 at)
 {
     vec3 a, b;
     vec3 dir = pool_sun_dir();
-    square_to(dir, a, b);
+    orthonormal_basis(dir, a, b);
     return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
 }
 

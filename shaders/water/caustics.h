@@ -15,21 +15,21 @@
 #define CAUSTICS_SIZE 512 /* side of the light map, texels */
 #define CAUSTICS_GRID 256 /* cells along each side of the surface grid, method `area` */
 
-#define CAUSTICS_GROUP_2D     8   /* workgroup width and height, for the light map or the grid */
-#define CAUSTICS_GROUP_1D     256 /* workgroup size of the photon pass and of caustics_sum.comp */
+#define CAUSTICS_GROUP_2D     8       /* workgroup width and height */
+#define CAUSTICS_GROUP_1D     256     /* size of one-dimensional workgroups */
 #define CAUSTICS_WEIGHT       1024.0f /* fixed-point weight of a photon that enters level water */
 #define CAUSTICS_TRIANGLE_MAX 32.0f   /* maximum light that one triangle adds to a texel */
 
 #define CAUSTICS_COUNTS  1 /* accumulated photon weights, in units of 1 / CAUSTICS_WEIGHT */
-#define CAUSTICS_RAW     1 /* light map before the blur or the normalisation */
-#define CAUSTICS_SUM     2 /* sum over all texels of the light map */
+#define CAUSTICS_RAW     1 /* light map before filtering */
+#define CAUSTICS_SUM     2 /* sum of the light map's texels */
 #define CAUSTICS_LANDING 1 /* landing points of the grid's vertices on the floor, and their flux */
 
 struct caustics_params {
     uint32_t method;     /* CAUSTICS_NONE, ... */
     float sun;           /* angular diameter of the sun, degrees */
     uint32_t photons;    /* naive: number of photons */
-    uint32_t directions; /* gather: number of directions sampled at each point of the floor */
+    uint32_t directions; /* gather: directions per floor point */
     float cone;     /* gather: maximum angle between a direction and the unperturbed ray, degrees */
     uint32_t slope; /* backtrace: CAUSTICS_SNELL, ... */
     float glow; /* backtrace: angular radius at which the sun's glow has fallen to 1 / e, degrees */

@@ -10,9 +10,9 @@ layout(location = 0) out float light;
  * of its centre, refracted by level water. `depth` is that of the ground. */
 vec2 image_of(vec2 at, float depth)
 {
-    vec3 middle = sun_inside();
+    vec3 sun_center = sun_inside();
     vec3 inside = refract(-sun_disc(at), up, 1.0 / push.water.ior);
-    vec2 shift = middle.xy / middle.z - inside.xy / inside.z;
+    vec2 shift = sun_center.xy / sun_center.z - inside.xy / inside.z;
     return shift * depth / map_texel_size();
 }
 

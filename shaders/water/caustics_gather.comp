@@ -44,7 +44,7 @@ void main()
     float height = caustics_map_height(push.pool, -axis, map_pos, facing);
     vec3 ground = vec3(map_pos + height / axis.z * axis.xy, height - push.pool.depth);
     vec3 n = height > 0.0 ? vec3(facing, 0.0) : up;
-    square_to(axis, a, b);
+    orthonormal_basis(axis, a, b);
     vec3 sun_dir = pool_sun_dir();
     float cone = sin(0.5 * radians(push.caustics.cone));
     float sun = sin(0.25 * radians(push.caustics.sun));

@@ -15,6 +15,6 @@ layout(location = 0) out float light;
 void main()
 {
     float texel = texelFetch(raw, ivec2(gl_FragCoord.xy), 0).r;
-    float entering = pool_lit_share(pool_sun_dir(), push.pool.size);
+    float entering = pool_lit_fraction(pool_sun_dir(), push.pool.size);
     light = texel * entering * map_pool_texels() / max(total, 1e-6);
 }

@@ -1,7 +1,4 @@
-/*
- * water.glsl: radiance along rays in the pool; WATER_WITH_CAUSTICS adds caustics on the ground,
- * WATER_WITH_ICE floating ice.
- */
+/* water.glsl: radiance along rays in the pool, with WATER_WITH_CAUSTICS and WATER_WITH_ICE. */
 #ifndef WATER_GLSL
 #define WATER_GLSL
 #include "lib/environment_radiance.glsl"
@@ -52,14 +49,14 @@ vec3 transmittance(float path)
 
 /* Returns the light that a white surface below the water reflects: sunlight, refracted as through
  * level water, and sky light, both attenuated by absorption. */
-vec3 light_below(vec3 at, vec3 n, float share)
+vec3 light_below(vec3 at, vec3 n, float sun_fraction)
 {
     vec3 sun_dir = pool_sun_dir();
     vec3 inside = pool_sun_inside(push.water.ior);
     float entering = 1.0 - optics_fresnel(-sun_dir, up, 1.0 / push.water.ior);
     float steepness = max(dot(n, inside) / inside.z, 0.0); /* 1 on level ground */
     vec3 sun = sky_sun() * entering * max(pool_from_world(frame.sun_dir).z, 0.0) * steepness *
-               share * transmittance(at.z / inside.z);
+               sun_fraction * transmittance(at.z / inside.z);
     vec3 sky = sky_ambient(pool_to_world(n)) * transmittance(-at.z);
     return sun + sky;
 }

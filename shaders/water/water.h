@@ -3,10 +3,10 @@
 #define SHADERS_WATER_WATER_H
 #include "abi.h"
 
-#define WATER_ENVIRONMENT 1 /* equirectangular environment map, -Z in the middle */
+#define WATER_ENVIRONMENT 1 /* equirectangular map, -Z in the middle */
 #define WATER_CAUSTICS    6 /* caustics_light, in water_caustics*.frag */
 
-#define WATER_GRID 128 /* cells of the surface grid along each side */
+#define WATER_GRID 128 /* surface grid cells per side */
 
 #define WATER_SERIES 0 /* values of water_params.wave */
 #define WATER_COSINE 1
@@ -20,7 +20,7 @@ struct water_params {
     float speed;            /* S: angular frequency, radians per second */
     uint32_t octaves;       /* series: number of octaves */
     float scale;            /* metres per unit of the series */
-    float ior;              /* index of refraction; in shaders, relative to that of air */
+    float ior;              /* refractive index; shaders: relative to air */
     float red, green, blue; /* absorption coefficients, 1 / metre */
 };
 

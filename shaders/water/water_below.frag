@@ -1,12 +1,7 @@
-/*
- * water_below.frag: main() for a camera below the water; with WATER_LAYER, of the AOV layer
- * `caustics`.
- *
- * Rays are intersected with the wave function itself. Through the surface they see the scene above
- * within Snell's window; outside it, and partly inside, the surface reflects the ground. Radiance
- * is not scaled by the squared index of refraction where light enters or leaves the water
- * (water.c).
- */
+/* water_below.frag: main() for a camera below the water, of the AOV `caustics` with WATER_LAYER.
+ * Rays are intersected with the wave function itself. Within Snell's window the scene above the
+ * surface is visible; outside it, and partly inside, the surface reflects the ground. Radiance is
+ * not scaled by the squared index of refraction at the surface (water.c). */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/primary_ray.glsl"
@@ -29,7 +24,7 @@ const int below_halvings = 12;
 float below_crest()
 {
     water_params w = push.water;
-    float across = 0.70711 * push.pool.size; /* half of the pool's diagonal, the maximum of r */
+    float across = 0.70711 * push.pool.size; /* half the pool's diagonal */
     return w.wave == WATER_SERIES ? 4.0 * w.height * w.amplitude * across : w.height * w.scale;
 }
 
@@ -45,12 +40,12 @@ float below_surface(vec3 from, vec3 dir, float last)
     float crest = below_crest();
     float rise = abs(dir.z) > 1e-6 ? 1.0 / dir.z : 1e6;
     float first = dir.z > 0.0 ? max((-crest - from.z) * rise, 0.0) : 0.0;
-    float most = dir.z > 0.0 ? (crest - from.z) * rise : (-crest - from.z) * rise;
-    most = clamp(most, 0.0, last);
+    float t_max = dir.z > 0.0 ? (crest - from.z) * rise : (-crest - from.z) * rise;
+    t_max = clamp(t_max, 0.0, last);
     float under = first, over = last;
     for (int i = 1; i <= below_steps; i++) {
-        float t = mix(first, most, float(i) / float(below_steps));
-        if (first >= most)
+        float t = mix(first, t_max, float(i) / float(below_steps));
+        if (first >= t_max)
             break;
         if (below_height(from + t * dir) > 0.0) {
             over = t;
@@ -73,7 +68,7 @@ float below_surface(vec3 from, vec3 dir, float last)
 struct below_rays {
     water_ray reflected;
     vec3 through;
-    float reflectance; /* reflectance, the weight of `reflected` */
+    float reflectance; /* weight of `reflected` */
 };
 
 below_rays below_split(vec3 from, vec3 e, float t)
@@ -83,13 +78,15 @@ below_rays below_split(vec3 from, vec3 e, float t)
     n = dot(n, e) > -1e-3 ? normalize(n - (dot(n, e) + 1e-3) * e) : n;
     vec3 out_dir = optics_refract(e, n, push.water.ior);
     vec3 in_dir = optics_reflect(e, n);
-    float share = optics_fresnel(e, n, push.water.ior);
+    float reflectance = optics_fresnel(e, n, push.water.ior);
     /* Keep both directions on their side of the surface, so that neither ray hits a second wave. */
     out_dir = normalize(vec3(out_dir.xy, max(out_dir.z, 1e-3)));
     in_dir = normalize(vec3(in_dir.xy, min(in_dir.z, -1e-3)));
     vec3 throughput = transmittance(t);
-    vec3 transmitted = share < 1.0 ? (1.0 - share) * radiance_above(at, out_dir) : vec3(0.0);
-    return below_rays(water_ray(at, in_dir, false, throughput), throughput * transmitted, share);
+    vec3 transmitted =
+        reflectance < 1.0 ? (1.0 - reflectance) * radiance_above(at, out_dir) : vec3(0.0);
+    return below_rays(water_ray(at, in_dir, false, throughput), throughput * transmitted,
+                      reflectance);
 }
 
 void main()

@@ -9,5 +9,5 @@ void main()
 {
     water_view view = water_shade();
     vec3 radiance = optics_compose(view.reflection, view.refraction, view.fresnel);
-    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* focused light may exceed a half float */
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* largest half float */
 }

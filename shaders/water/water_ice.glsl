@@ -1,9 +1,6 @@
-/*
- * water_ice.glsl: traces rays through the floating ice by ray marching its depth and normal maps,
- * as in refract_bounce.c, down to the water below the surface at rest or up to the air.
- *
- * All colours share the path of green (no dispersion). Partial internal reflections are left out.
- */
+/* water_ice.glsl: traces rays through the floating ice by ray marching its depth and normal maps
+ * (refract_bounce.c), down to the water below the surface at rest or up to the air. All colours
+ * share the path of green (no dispersion); partial internal reflections are ignored. */
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH refract_march(16u, 8u, 4u)
 #include "refract/refract_march_ray.glsl"
@@ -16,9 +13,8 @@ float ice_ratio(float height)
     return (height < 0.0 ? 1.0 / push.water.ior : 1.0) / frame.eta;
 }
 
-/* Continues a ray that has left the ice, for water_radiance_along(). Going up in water it is
- * reflected by the surface; going down in air it enters the water. It is not tested against the ice
- * again. */
+/* Continues a ray that has left the ice, for water_radiance_along(): reflected by the surface if it
+ * goes up in water, refracted into the water if it goes down in air; never back into the ice. */
 water_ray ice_outside(water_ray ray)
 {
     bool in_water = ray.from.z < 0.0;
@@ -71,13 +67,14 @@ float ice_distance(vec3 point, vec3 dir)
     vec4 from = space.map_from_world * vec4(point, 1.0);
     vec4 dir_map = space.map_from_world * vec4(dir, 0.0);
     vec3 from_center = point - space.center;
-    float middle = -dot(from_center, dir);
-    float room = space.radius * space.radius - dot(from_center, from_center) + middle * middle;
-    float last = middle + sqrt(max(room, 0.0));
-    float first = max(middle - sqrt(max(room, 0.0)), 0.0);
+    float t_center = -dot(from_center, dir);
+    float discriminant =
+        space.radius * space.radius - dot(from_center, from_center) + t_center * t_center;
+    float last = t_center + sqrt(max(discriminant, 0.0));
+    float first = max(t_center - sqrt(max(discriminant, 0.0)), 0.0);
     float outside = first;
     float inside = -1.0;
-    for (uint i = 0u; i <= ice_steps && room > 0.0 && last > first; i++) {
+    for (uint i = 0u; i <= ice_steps && discriminant > 0.0 && last > first; i++) {
         float t = mix(first, last, float(i) / float(ice_steps));
         if (march_is_inside(space, fma(vec4(t), dir_map, from))) {
             inside = t;
@@ -107,8 +104,7 @@ water_ray ice_below(water_ray ray)
     march_space space = march_space_of_frame();
     vec4 at = space.map_from_world * vec4(point, 1.0);
     bool near_front = march_is_near_front(march_signed_distances(space, at));
-    vec3 n = -march_normal(space, point, -dir,
-                           near_front); /* the entry is the exit of the reversed ray */
+    vec3 n = -march_normal(space, point, -dir, near_front); /* exit of the reversed ray */
     ray.throughput *= transmittance(t);
     ray.from = pool_from_world(point);
     if (dot(n, dir) > 0.0) {

@@ -1,5 +1,4 @@
-/* water_ice_color.frag: main() of the ice above the water. Reflected rays that point down are
- * reflected once more by the water. */
+/* water_ice_color.frag: ice above the water; the water reflects reflected rays that point down. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WATER_WITH_ICE

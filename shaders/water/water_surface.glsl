@@ -9,7 +9,7 @@ struct water_view {
     vec3 refraction; /* radiance of the ground along the refracted ray */
     vec3 reflection;
     float fresnel;  /* Fresnel reflectance */
-    float caustics; /* sun_visibility() at the visible point of the ground */
+    float caustics; /* water_sun_fraction() on the ground */
 };
 
 /* Returns the unit normal of the wave, bent towards the camera where it would face away. */

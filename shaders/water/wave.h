@@ -19,15 +19,15 @@ ABI_FUNCTION vec3s wave_series(ABI_STRUCT(water_params) w, vec2s p, float time)
 {
     float r = fmaxf(sqrtf(p.x * p.x + p.y * p.y), 1e-6f);
     float f = w.amplitude;
-    float turns = p.x * p.y * w.frequency;
+    float phase = p.x * p.y * w.frequency;
     float heights = 0.0f; /* sum of F_i cos phi_i */
     float sines = 0.0f;
     for (uint32_t i = 0u; i < w.octaves; i++) {
-        float phi = w.speed * time + turns;
+        float phi = w.speed * time + phase;
         heights += f * cosf(phi);
         sines += sinf(phi);
         f *= 0.5f;
-        turns *= 2.0f;
+        phase *= 2.0f;
     }
     float across = r * w.frequency * w.amplitude * sines;
     float along = heights / r;
