@@ -39,14 +39,14 @@ struct globals {
     vec3s absorb;            /* object's absorption, 1 / metre */
     float refract_crossfade; /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(highlight_params) highlight;
-    ABI_STRUCT(medium_field) cloud; /* object's medium; extinction 0: clear */
-    float medium_g;                 /* Henyey-Greenstein g of scattering media */
-    uint32_t medium_steps;          /* media: ray marching steps per segment */
-    vec2s wide_scale;               /* image size relative to ice_normal's wide maps */
-    vec3s cube_center;              /* environment cube's capture point, world, metres */
-    vec3s local_min, local_max;     /* environment lookups' projection box, world, metres */
-    float sample_random;            /* stratified random number; first sample: 0.5 */
-    float lod_bias;                 /* mip bias; negative for interleaved tiles */
+    ABI_STRUCT(medium_field) medium; /* object's medium; extinction 0: clear */
+    float medium_g;                  /* Henyey-Greenstein g of scattering media */
+    uint32_t medium_steps;           /* media: ray marching steps per segment */
+    vec2s wide_scale;                /* image size relative to ice_normal's wide maps */
+    vec3s cube_center;               /* environment cube's capture point, world, metres */
+    vec3s local_min, local_max;      /* environment lookups' projection box, world, metres */
+    float sample_random;             /* stratified random number; first sample: 0.5 */
+    float lod_bias;                  /* mip bias; negative for interleaved tiles */
 };
 
 #endif

@@ -28,7 +28,7 @@ object_material ice_material_at(out vec3 mapped_n)
     mapped_n = normalize(normal);
     if (texel != vec4(1.0))
         mapped_n = normal_map_by_derivatives(mapped_n, texel.rgb, scales.xy, eye_to_point, uv);
-    return object_material_of(push.own, base, rough, through);
+    return object_material_of(push.parameters, base, rough, through);
 }
 
 #endif

@@ -12,7 +12,7 @@
 
 /* Material parameters of an object before texturing. */
 struct ice_material_push {
-    ABI_STRUCT(object_material) own;
+    ABI_STRUCT(object_material) parameters;
     uint32_t row;   /* row in the material texture */
     uint32_t layer; /* base colour's texture layer + 1 */
 };

@@ -102,7 +102,7 @@ vec4 bubble_attenuate(vec3 e, vec3 eye_to_bubble, vec4 bubble)
     float transmittance = 1.0;
     bool near_front;
     float t = march_length(bubble_space(), point, -e, near_front);
-    vec3 scattered = refract_in_scatter(frame.cloud, point - t * e, e, t, transmittance);
+    vec3 scattered = refract_in_scatter(frame.medium, point - t * e, e, t, transmittance);
     bubble.rgb = transmittance * bubble.rgb + bubble.a * scattered;
 #endif
     return bubble;

@@ -18,7 +18,7 @@ void ao_shade(lit_surface s, lit_environment_factors factors, vec3 point, vec3 n
 {
     if (constant_ao == 0u)
         return;
-    vec3 off = point - ao.middle;
+    vec3 off = point - ao.center;
     vec4 found = textureLod(ao_map, 0.5 + 0.5 * off.xz / ao.half_side, 0.0);
     float level = clamp(2.0 - 2.0 * abs(off.y) / ao.height, 0.0, 1.0);
     float weight = level * max(n.y, 0.0);

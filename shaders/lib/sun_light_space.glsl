@@ -24,7 +24,7 @@ vec2 ice_light_uv(vec4 clip)
  * is either normal of the surface. */
 vec3 ice_light_biased(vec3 point, vec3 n)
 {
-    return point + (dot(n, frame.sun_dir) < 0.0 ? -light.lift : light.lift) * n;
+    return point + (dot(n, frame.sun_dir) < 0.0 ? -light.shadow_bias : light.shadow_bias) * n;
 }
 
 /* Converts a clip-space position in the caustic map to that in the shadow map. */

@@ -19,14 +19,14 @@
 struct ao_occluder {
     vec3s min, max; /* box corners, object space, metres */
     vec3s sky, ground;
-    float straight; /* fraction of the transmitted sky light whose direction hardly changes */
+    float undeviated; /* fraction of the transmitted sky light whose direction hardly changes */
 };
 
 struct ao_occluders {
     ABI_STRUCT(ao_occluder) all[AO_OCCLUDERS_MAX];
     uint32_t count;
     float strength;  /* 0: no effect; 1: full occlusion */
-    vec3s middle;    /* centre of the map, on the plane of the objects' base; world, metres */
+    vec3s center;    /* centre of the map, on the plane of the objects' base; world, metres */
     float half_side; /* half the map's side, metres */
     float height;    /* height above the objects' base at which occlusion ends, metres */
 };

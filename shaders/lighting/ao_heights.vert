@@ -15,7 +15,7 @@ layout(location = MESH_MATERIAL) in uint material;
  * clamped to the maximum; what lies below the plane of the objects' base is clipped. */
 void main()
 {
-    vec3 off = pose_surroundings(position, material) - ao.middle;
+    vec3 off = pose_surroundings(position, material) - ao.center;
     float depth = off.y / (AO_HEIGHTS_RANGE * ao.height) - AO_HEIGHTS_GAP;
     gl_Position = vec4(off.xz / ao.half_side, min(depth, 1.0), 1.0);
 }

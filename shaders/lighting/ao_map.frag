@@ -120,7 +120,7 @@ void main()
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);
     vec2 at = 2.0 * gl_FragCoord.xy / float(AO_MAP_SIZE) - 1.0;
-    vec3 point = ao.middle + ao.half_side * vec3(at.x, 0.0, at.y);
+    vec3 point = ao.center + ao.half_side * vec3(at.x, 0.0, at.y);
     vec3 object_point = pose_to_object(point),
          object_up = transpose(mat3(frame.world_from_object)) * up;
     vec3 unoccluded = lit_diffuse(up), light = unoccluded;
@@ -135,7 +135,7 @@ void main()
             max((form_factor * form_factor + cover.y / form_factor) / (form_factor + 1.0), 0.0);
         vec3 behind = light_behind(cover / form_factor, unoccluded, sine);
         vec3 refracted = min(behind, mix(unoccluded, behind, min(sine / wide_sine, 1.0)));
-        vec3 sky = ao.all[i].sky * mix(unoccluded, refracted, ao.all[i].straight);
+        vec3 sky = ao.all[i].sky * mix(unoccluded, refracted, ao.all[i].undeviated);
         light = max(light - blocked * behind, 0.0) + blocked * sky;
         of_ground += blocked * dot(ao.all[i].ground, vec3(1.0 / 3.0));
     }

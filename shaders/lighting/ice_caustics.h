@@ -35,8 +35,8 @@
 struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;
-    float front; /* distance from the light-space camera at which the ground begins, metres */
-    float lift;  /* offset of shadow map look-ups along the surface normal, metres */
+    float front;       /* distance from the light-space camera at which the ground begins, metres */
+    float shadow_bias; /* offset of shadow map look-ups along the surface normal, metres */
 };
 
 struct ice_caustics_push {

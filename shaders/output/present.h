@@ -18,7 +18,7 @@
  * saves a third of the scaling pass's time on lavapipe. */
 struct present_push {
     vec2s uv_from_clip; /* scale of the image's texture coordinates, (0, 0) to (1, 1) */
-    vec2s uv_of_middle; /* texture coordinates at the centre of the window */
+    vec2s uv_of_center; /* texture coordinates at the centre of the window */
     uint32_t x, y;      /* position of the image's first pixel in the window */
 };
 

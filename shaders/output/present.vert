@@ -13,6 +13,6 @@ layout(location = 0) out vec2 uv;
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
-    uv = corner * push.uv_from_clip + push.uv_of_middle;
+    uv = corner * push.uv_from_clip + push.uv_of_center;
     gl_Position = vec4(corner, 0.0, 1.0);
 }

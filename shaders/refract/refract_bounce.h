@@ -15,12 +15,12 @@
 
 struct refract_bounce_params {
     ABI_STRUCT(refract_march) march;
-    uint32_t exits;      /* maximum number of exits per ray */
-    float least;         /* minimum throughput to follow a ray beyond its first exit */
-    float branch;        /* minimum throughput to follow both directions at a crack */
-    uint32_t margin;     /* 1: maps extend beyond the image */
-    uint32_t nested;     /* REFRACT_BOUNCE_NESTED_OFF ... */
-    uint32_t inclusions; /* REFRACT_BOUNCE_INCLUSIONS_OFF ... */
+    uint32_t exits;       /* maximum number of exits per ray */
+    float min_throughput; /* minimum throughput to follow a ray beyond its first exit */
+    float branch;         /* minimum throughput to follow both directions at a crack */
+    uint32_t margin;      /* 1: maps extend beyond the image */
+    uint32_t nested;      /* REFRACT_BOUNCE_NESTED_OFF ... */
+    uint32_t inclusions;  /* REFRACT_BOUNCE_INCLUSIONS_OFF ... */
 };
 
 #endif

@@ -143,7 +143,7 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout
 #ifdef REFRACT_MEDIUM
         pixel.light +=
             ray.weight * exp(-refract_frame.absorb * ray.path.path) *
-            refract_in_scatter(frame.cloud, ray.path.point, ray.path.dir, t, ray.transmittance);
+            refract_in_scatter(frame.medium, ray.path.point, ray.path.dir, t, ray.transmittance);
 #endif
         ray.path.point += t * ray.path.dir;
         ray.path.path += t;
@@ -207,7 +207,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
         is_first = false;
         bool is_trapped = ray.faces > space.march.bounces;
         bool is_last = i == EXITS || ray.faces >= space.march.bounces ||
-                       exits_mean(ray.weight) * ray.reflectance < params.least;
+                       exits_mean(ray.weight) * ray.reflectance < params.min_throughput;
         vec3 light = refract_transmitted(leaving);
         float transmitted = is_trapped ? 0.0 : 1.0 - ray.reflectance;
         if (EXITS == 1u)

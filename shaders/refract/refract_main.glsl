@@ -66,7 +66,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 #ifdef REFRACT_MEDIUM
     float transmittance = 1.0;
     vec3 scattered =
-        refract_in_scatter(frame.cloud, path.point, normalize(path.dir), 1e30, transmittance);
+        refract_in_scatter(frame.medium, path.point, normalize(path.dir), 1e30, transmittance);
     light = transmittance * light + scattered;
 #endif
     return light;

@@ -27,7 +27,7 @@ void march_continue(march_space space, float eta, inout refract_path path, out f
 #ifdef REFRACT_MEDIUM
         march_scattered +=
             exp(-refract_frame.absorb * path.path) *
-            refract_in_scatter(frame.cloud, path.point, path.dir, t, march_transmittance_media);
+            refract_in_scatter(frame.medium, path.point, path.dir, t, march_transmittance_media);
 #endif
         path.point += t * path.dir;
         path.path += t;

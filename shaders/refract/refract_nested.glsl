@@ -251,8 +251,8 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     face.segment_length = ends.x;
 #ifdef REFRACT_MEDIUM
     float transmittance = 1.0;
-    face.scattered = ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point, ray.dir,
-                                                         ends.x, transmittance);
+    face.scattered = ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point,
+                                                         ray.dir, ends.x, transmittance);
     ray.throughput *= transmittance;
 #endif
     ray.point += ends.x * ray.dir;

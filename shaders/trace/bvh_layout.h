@@ -71,6 +71,6 @@
 #define BVH_SURROUNDINGS 1
 #define BVH_MOVERS       2 /* surroundings that orbit the object */
 #define BVH_INCLUSIONS   3 /* cracks and bubbles of the first object, in object space */
-#define BVH_PART_COUNT   4
+#define BVH_COUNT        4
 
 #endif

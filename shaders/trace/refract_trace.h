@@ -65,8 +65,8 @@ struct trace_frame {
     vec4s guide; /* guide distribution for diffuse rays (diffuse_sampling.h) */
     vec4s objects_rotation, movers_rotation; /* vertical-axis rotations, see trace_bvh_pose() */
     vec4s grid_low, grid_scale;              /* grid of horizons; w is 0 */
-    uint32_t roots[BVH_PART_COUNT];
-    uint32_t parts;                             /* bit mask of non-empty BVHs */
+    uint32_t roots[BVH_COUNT];
+    uint32_t bvh_mask;                          /* bit mask of non-empty BVHs */
     uint32_t inside[BVH_INTERIOR_LIST_MAX / 2]; /* medium stack at the camera */
     uint32_t media_at, grid_at;                 /* word offsets in the corners buffer */
     uint32_t sample_index;                      /* index of the pixel's sample */

@@ -260,7 +260,7 @@ trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
     bool surroundings_are_apart = trace.surroundings_are_apart != 0u && start.side > 0.0;
-    uint left = is_active ? start.bvhs & trace.parts : 0u;
+    uint left = is_active ? start.bvhs & trace.bvh_mask : 0u;
     while (left != 0u) {
         trace_hit_in_world(start, findLSB(left), hit);
         left &= left - 1u;

@@ -310,7 +310,7 @@ struct globals frame_view_object_globals(const struct frame_view *view, const st
     g.radius = box_diagonal(box) / 2.0f;
     fit_depth(view, &g);
     set_medium(view, object, &g);
-    g.cloud = medium_field_of(view->scene, view->settings, object);
+    g.medium = medium_field_of(view->scene, view->settings, object);
     return g;
 }
 
@@ -346,7 +346,7 @@ struct globals frame_view_globals(const struct frame_view *view,
     }
     set_sun(view, &g);
     set_medium(view, 0, &g);
-    g.cloud = medium_field_of(scene, view->settings, 0);
+    g.medium = medium_field_of(scene, view->settings, 0);
     return g;
 }
 

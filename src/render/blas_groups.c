@@ -169,7 +169,7 @@ static uint32_t add_root_groups(struct gpu_blas_groups *groups, const struct bvh
 
 static bool add_parts(struct gpu_blas_groups *groups, const struct bvh *bvh, bool by_objects)
 {
-    bool too_many[BVH_PART_COUNT] = { false };
+    bool too_many[BVH_COUNT] = { false };
     uint32_t count = 0;
     for (uint32_t root = 0; root < INCLUSIONS_AT; root++) {
         const uint32_t own = add_root_groups(groups, bvh, root, by_objects);

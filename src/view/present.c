@@ -80,7 +80,7 @@ static void push(struct rg_cmd *cmd, const struct present_area *area)
     const vec2s center = { { (float)window.width / 2.0f, (float)window.height / 2.0f } };
     const struct present_push pushed = {
         .uv_from_clip = { { center.x / (float)area->width, center.y / (float)area->height } },
-        .uv_of_middle = { { (center.x - (float)area->x) / (float)area->width,
+        .uv_of_center = { { (center.x - (float)area->x) / (float)area->width,
                             (center.y - (float)area->y) / (float)area->height } },
         .x = area->x,
         .y = area->y,

@@ -575,7 +575,7 @@ static void test_nothing(void **state)
     struct bvh_hit hit;
     assert_int_equal(bvh_init(&bvh, &(struct bvh_params){ .model = &model, .threads = 1 }),
                      STATUS_OK);
-    for (uint32_t part = 0; part < BVH_PART_COUNT; part++)
+    for (uint32_t part = 0; part < BVH_COUNT; part++)
         assert_false(bvh_intersect(&bvh, part, &ray, &hit));
     assert_int_equal(bvh_interior_list_at(&bvh, ray.origin).words[0], 0);
     bvh_finish(&bvh);

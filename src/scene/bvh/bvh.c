@@ -243,14 +243,14 @@ static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {
     struct bvh_rest_pose *rest = params->rest;
-    struct bvh_part rest_parts[BVH_PART_COUNT] = { 0 };
+    struct bvh_part rest_parts[BVH_COUNT] = { 0 };
     const bool is_posed = rest && rest->is_known;
     bool done = true;
     if (is_posed) {
         const struct bvh_params at_rest = { .model = &rest->model, .sorted = rest->sorted };
         done = bvh_parts_init(rest_parts, &at_rest, rest->by_objects);
     }
-    for (uint32_t i = 0; i < BVH_PART_COUNT && done; i++) {
+    for (uint32_t i = 0; i < BVH_COUNT && done; i++) {
         struct bvh_two_level *at_rest =
             is_posed && i != BVH_INCLUSIONS ? &rest->hierarchies[i] : NULL;
         work->is_cached = params->is_cached && i != BVH_INCLUSIONS;
@@ -270,7 +270,7 @@ static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part
 static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
                       const struct bvh_two_level *hierarchies)
 {
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
+    for (uint32_t i = 0; i < BVH_COUNT; i++)
         count_words(bvh, &parts[i], &hierarchies[i]);
     const struct bvh_two_level *objects = &hierarchies[BVH_OBJECTS];
     bvh->corners.count +=
@@ -278,11 +278,11 @@ static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
     if (!reserve(&bvh->nodes) || !reserve(&bvh->triangles) || !reserve(&bvh->corners))
         return false;
     bvh->corners.count = bvh->triangle_count * BVH_CORNER_WORDS;
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
+    for (uint32_t i = 0; i < BVH_COUNT; i++)
         write_part(bvh, i, &parts[i], &hierarchies[i]);
     if (bvh_has_horizon_grid(bvh, objects))
         bvh_horizon_grid_write(bvh, objects, &parts[BVH_OBJECTS]);
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
+    for (uint32_t i = 0; i < BVH_COUNT; i++)
         bvh->costs[i] =
             parts[i].count ? bvh_sah_cost(&hierarchies[i].builder, hierarchies[i].root) : 0.0;
     return !media_words(bvh) || write_media(bvh, parts[BVH_OBJECTS].model);
@@ -292,7 +292,7 @@ static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
 static bool keep_topologies(struct bvh_rest_pose *rest, struct bvh_two_level *hierarchies)
 {
     bool done = true;
-    for (uint32_t i = 0; i < BVH_PART_COUNT && i != BVH_INCLUSIONS && done; i++) {
+    for (uint32_t i = 0; i < BVH_COUNT && i != BVH_INCLUSIONS && done; i++) {
         bvh_two_level_finish(&rest->hierarchies[i]); /* frees that of an earlier bvh_init() */
         rest->hierarchies[i] = hierarchies[i];
         hierarchies[i] = (struct bvh_two_level){ 0 };
@@ -327,8 +327,8 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
                                                                : 1,
                                     .cost_growth_max =
                                         by_objects ? object_growth_max : part_growth_max };
-    struct bvh_part parts[BVH_PART_COUNT] = { 0 };
-    struct bvh_two_level hierarchies[BVH_PART_COUNT] = { 0 };
+    struct bvh_part parts[BVH_COUNT] = { 0 };
+    struct bvh_two_level hierarchies[BVH_COUNT] = { 0 };
     bool done =
         bvh_parts_init(parts, params, by_objects) && build_parts(hierarchies, parts, params, &work);
     if (done && !by_objects)
@@ -344,7 +344,7 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
     bvh->shared = work.shared;
     bvh->refitted = work.refitted;
     bvh->read = work.read;
-    for (int i = 0; i < BVH_PART_COUNT; i++)
+    for (int i = 0; i < BVH_COUNT; i++)
         bvh_two_level_finish(&hierarchies[i]);
     bvh_parts_finish(parts);
     return done;
@@ -381,7 +381,7 @@ struct bvh_rest_pose *bvh_rest_pose_create(bool by_objects)
     if (!rest)
         return NULL;
     rest->by_objects = by_objects;
-    rest->hierarchies = calloc(BVH_PART_COUNT, sizeof(*rest->hierarchies));
+    rest->hierarchies = calloc(BVH_COUNT, sizeof(*rest->hierarchies));
     if (rest->hierarchies)
         return rest;
     free(rest);
@@ -415,7 +415,7 @@ void bvh_rest_pose_destroy(struct bvh_rest_pose *rest)
 {
     if (!rest)
         return;
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
+    for (uint32_t i = 0; i < BVH_COUNT; i++)
         bvh_two_level_finish(&rest->hierarchies[i]);
     model_finish(&rest->model);
     free(rest->sorted.all);
@@ -434,7 +434,7 @@ void bvh_finish(struct bvh *bvh)
 uint32_t bvh_node_count(const struct bvh *bvh)
 {
     uint32_t count = bvh->nodes.count / BVH_NODE_WORDS;
-    for (uint32_t i = 0; i < BVH_PART_COUNT && count; i++)
+    for (uint32_t i = 0; i < BVH_COUNT && count; i++)
         count -= bvh->roots[i] != BVH_NONE; /* excludes the node that holds the grid */
     return count;
 }

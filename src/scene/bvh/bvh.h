@@ -26,15 +26,15 @@ struct bvh_words {
 struct bvh {
     struct bvh_words nodes, triangles, corners;
     uint32_t triangle_count;
-    uint32_t roots[BVH_PART_COUNT]; /* root nodes; BVH_NONE for empty parts */
-    uint32_t object_count;          /* number of refractive objects, >= 1 */
+    uint32_t roots[BVH_COUNT]; /* root nodes; BVH_NONE for empty parts */
+    uint32_t object_count;     /* number of refractive objects, >= 1 */
     /* number of distinct media; 0 with up to BVH_MASK_OBJECTS_MAX objects, which need no table */
     uint32_t medium_count;
     uint32_t media;             /* start of the medium table in `corners`; 0 if there is none */
     uint32_t grid;              /* start of the horizon grid in `corners`; 0 if there is none */
     vec3s grid_low, grid_scale; /* horizon grid: minimum corner; cells per metre */
     /* SAH costs, in ray-triangle tests; 0 for parts without triangles */
-    double costs[BVH_PART_COUNT];
+    double costs[BVH_COUNT];
     uint32_t depth;              /* maximum node depth from a root, at most BVH_DEPTH_MAX */
     bool is_closed;              /* the objects' mesh is closed: each edge has an opposite */
     bool surroundings_are_apart; /* bounding boxes of triangles do not overlap the objects' box */

@@ -97,11 +97,11 @@ static bool list_triangles(struct bvh_part *part, const struct mesh_order *sorte
     return part->triangles;
 }
 
-bool bvh_parts_init(struct bvh_part parts[static BVH_PART_COUNT], const struct bvh_params *params,
+bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT], const struct bvh_params *params,
                     bool by_objects)
 {
     const struct model *model = params->model;
-    const struct bvh_part all[BVH_PART_COUNT] = {
+    const struct bvh_part all[BVH_COUNT] = {
         [BVH_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
         [BVH_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
         [BVH_MOVERS] = { .model = model, .mesh = &model->surroundings },
@@ -112,7 +112,7 @@ bool bvh_parts_init(struct bvh_part parts[static BVH_PART_COUNT], const struct b
     };
     bool done = true;
     memcpy(parts, all, sizeof(all));
-    for (uint32_t i = 0; i < BVH_PART_COUNT && done; i++) {
+    for (uint32_t i = 0; i < BVH_COUNT && done; i++) {
         const bool is_surroundings = i == BVH_SURROUNDINGS || i == BVH_MOVERS;
         done =
             list_triangles(&parts[i], is_surroundings ? &params->sorted : NULL, i == BVH_MOVERS) &&
@@ -121,9 +121,9 @@ bool bvh_parts_init(struct bvh_part parts[static BVH_PART_COUNT], const struct b
     return done;
 }
 
-void bvh_parts_finish(struct bvh_part parts[static BVH_PART_COUNT])
+void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT])
 {
-    for (int i = 0; i < BVH_PART_COUNT; i++) {
+    for (int i = 0; i < BVH_COUNT; i++) {
         free(parts[i].triangles);
         free(parts[i].firsts);
     }
@@ -168,7 +168,7 @@ static void extend_to_rotations(struct bvh_box *box)
     }
 }
 
-bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_PART_COUNT], bool rotates)
+bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates)
 {
     struct bvh_box box = box_of(&parts[BVH_OBJECTS]);
     if (rotates && parts[BVH_OBJECTS].count)

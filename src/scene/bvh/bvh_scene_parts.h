@@ -18,9 +18,9 @@ struct bvh_part {
 
 /* Lists the triangles of all parts: one group per object if `by_objects`, else one group per part.
  * Returns false when out of memory; the caller must finish the parts in any case. */
-MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_PART_COUNT],
+MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT],
                              const struct bvh_params *params, bool by_objects);
-void bvh_parts_finish(struct bvh_part parts[static BVH_PART_COUNT]);
+void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT]);
 
 /* Returns the bubble with this triangle number, or NULL for a triangle of the mesh. */
 const struct bubble *bvh_bubble(const struct bvh_part *part, uint32_t triangle);
@@ -31,7 +31,7 @@ struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
 /* Returns true if no triangle's box in the surroundings overlaps the objects' bounding box or, with
  * `rotates`, its rotations about the vertical axis; moving surroundings then always overlap. */
-bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_PART_COUNT], bool rotates);
+bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */
 bool bvh_part_is_closed(const struct bvh_part *part);

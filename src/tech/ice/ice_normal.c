@@ -204,7 +204,7 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
     const uint32_t vertex = model->object.indices[object->first_index];
     const uint32_t bits = model->object.vertices[vertex].material;
     const struct ice_material_push push = {
-        .own = { m->base_color, m->roughness, 1.0f - m->transmission },
+        .parameters = { m->base_color, m->roughness, 1.0f - m->transmission },
         .row = object->material + 1,
         .layer = bits & MESH_TEXTURE_MASK,
     };

@@ -220,10 +220,10 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
     const struct box box = view->scene->box;
     all->strength = strength_of(view->settings);
     all->count = is_on(view->settings) ? found->count : 0;
-    all->middle = globals->center;
-    all->middle.y = lowest_corner_height(box, world);
+    all->center = globals->center;
+    all->center.y = lowest_corner_height(box, world);
     all->half_side = reach * fmaxf(globals->radius, 1e-6f);
-    all->height = fmaxf(globals->center.y - all->middle.y, 1e-6f);
+    all->height = fmaxf(globals->center.y - all->center.y, 1e-6f);
     for (uint32_t i = 0; i < all->count; i++) {
         const struct ao_shape *shape = &found->shapes[i];
         const struct ao_medium medium = medium_of(view, globals, shape);
@@ -233,7 +233,7 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
             .max = slimmed_corner(shape, shape->box.max),
             .sky = light.sky,
             .ground = light.ground,
-            .straight = light.undeviated,
+            .undeviated = light.undeviated,
         };
     }
 }

@@ -466,8 +466,8 @@ void ice_caustics_write_light(void *memory, const struct frame_view *view,
                                    scene_near_plane(view->scene), (vec2s){ { 0.0f, 0.0f } }),
         .reach = params->reach,
         .front = ICE_CAUSTICS_DISTANCE * radius - radius,
-        .lift = 1.5f * 2.0f * ICE_CAUSTICS_MARGIN * ICE_CAUSTICS_SHADOW_MAP_REACH * radius /
-                ICE_CAUSTICS_SHADOW_MAP_SIZE,
+        .shadow_bias = 1.5f * 2.0f * ICE_CAUSTICS_MARGIN * ICE_CAUSTICS_SHADOW_MAP_REACH * radius /
+                       ICE_CAUSTICS_SHADOW_MAP_SIZE,
     };
     for (int column = 0; column < 4; column++) {
         map->clip_from_world.raw[column][0] /= params->reach;

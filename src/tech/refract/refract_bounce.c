@@ -161,7 +161,7 @@ static const struct setting rows[] = {
         .renamed_from = "refract_bounce.least",
         .label = "Minimum exit throughput",
         .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_bounce_params, least),
+        .offset = offsetof(struct refract_bounce_params, min_throughput),
         .max = 1,
         .help = "minimum fraction of a ray's light at which it is followed to another exit",
     },

@@ -183,9 +183,9 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
     if (trace_has_diffuse_light(view->scene, view->settings))
         trace->guide = image_based_lighting_dominant_cone(&view->scene->environment,
                                                           view->scene->prefiltered_environment);
-    for (uint32_t i = 0; i < BVH_PART_COUNT; i++) {
+    for (uint32_t i = 0; i < BVH_COUNT; i++) {
         trace->roots[i] = bvh->roots[i];
-        trace->parts |= bvh->roots[i] != BVH_NONE ? 1u << i : 0u;
+        trace->bvh_mask |= bvh->roots[i] != BVH_NONE ? 1u << i : 0u;
     }
     for (uint32_t i = 0; i < frame_media_count(view->scene); i++) {
         const struct frame_medium medium = frame_medium_at(view->scene, view->settings, i);
