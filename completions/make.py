@@ -12,9 +12,9 @@ from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 
 # Options whose values are names of a `firn list` (NAMED) or comma-separated lists of such names
 # (LISTED). Options in FILES also accept file names.
-NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers',
+NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'materials', 'show': 'layers',
          'env': 'environments', 'quality': 'qualities'}
-LISTED = {'rungs': 'rungs', 'aov': 'layers'}
+LISTED = {'rungs': 'refractions', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'),
          'present': ('auto', 'fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),

@@ -4,7 +4,7 @@ import subprocess
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet',
             'farm', 'merge', 'info', 'list')
-LISTS = ('scenes', 'environments', 'rungs', 'materials', 'layers', 'qualities', 'settings')
+LISTS = ('scenes', 'environments', 'refractions', 'materials', 'layers', 'qualities', 'settings')
 
 
 def output_of(firn, *words):

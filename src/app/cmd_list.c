@@ -179,10 +179,14 @@ static const struct {
     const char *name;
     enum status (*print)(void);
 } lists[] = {
-    { "scenes", list_scenes },           { "environments", list_environments },
-    { "rungs", list_refraction_models }, { "materials", list_materials },
-    { "layers", list_layers },           { "qualities", list_qualities },
-    { "settings", list_settings },       { "devices", list_devices },
+    { "scenes", list_scenes },
+    { "environments", list_environments },
+    { "refractions", list_refraction_models },
+    { "materials", list_materials },
+    { "layers", list_layers },
+    { "qualities", list_qualities },
+    { "settings", list_settings },
+    { "devices", list_devices },
     { "sandbox", list_sandbox },
 };
 
@@ -196,15 +200,18 @@ static enum status check_topic(const char *topic)
         if (!topic || !strcmp(topic, lists[i].name))
             return STATUS_OK;
     }
-    log_error("list: expected scenes, environments, rungs, materials, layers, qualities, settings, "
-              "devices or sandbox, got '%s'",
-              topic);
+    log_error(
+        "list: expected scenes, environments, refractions, materials, layers, qualities, settings, "
+        "devices or sandbox, got '%s'",
+        topic);
     return STATUS_USAGE;
 }
 
 enum status app_list(const struct app_options *o)
 {
-    const char *topic = o->positionals[0];
+    const char *given = o->positionals[0];
+    const bool is_rungs = given && !strcmp(given, "rungs"); /* former name, and the key in JSON */
+    const char *topic = is_rungs ? "refractions" : given;
     const bool is_preset = o->run.format == APP_FORMAT_PRESET;
     enum status status = check_topic(topic);
     if (status == STATUS_OK && is_preset && (!topic || strcmp(topic, "settings") != 0)) {
@@ -214,7 +221,7 @@ enum status app_list(const struct app_options *o)
     if (status == STATUS_OK && is_preset)
         return print_preset();
     if (status == STATUS_OK && o->run.format == APP_FORMAT_JSON)
-        return list_json(topic);
+        return list_json(topic && !strcmp(topic, "refractions") ? "rungs" : topic);
     for (size_t i = 0; i < LIST_COUNT && status == STATUS_OK; i++) {
         if (topic && strcmp(topic, lists[i].name) != 0)
             continue;

@@ -176,7 +176,7 @@ static bool parse_own(struct session_file *s, const char *name, char *value, con
     } else if (!strcmp(name, "rung") || !strcmp(name, "b.rung")) {
         const bool ok =
             parse_refraction(value, *name == 'r' ? &s->state.refraction : &s->state.split);
-        *expected = ok ? NULL : "a refraction model (firn list rungs)";
+        *expected = ok ? NULL : "a refraction model (firn list refractions)";
     } else if (!strcmp(name, "b")) {
         *expected =
             parse_side_b(value, &s->state.side_b) ? NULL : "none, rung, stored or reference";

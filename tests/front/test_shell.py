@@ -84,7 +84,7 @@ class Completions(Case):
         self.assertEqual(self.offered('render', '--refraction', 'bo'), ['bounce'])
         self.assertEqual(self.offered('render', '-m', 'wa'), ['water'])
         self.assertIn('ice-cube', self.offered('graph', 'i'))
-        self.assertEqual(self.offered('list', 'run'), ['rungs'])
+        self.assertEqual(self.offered('list', 'ref'), ['refractions'])
         self.assertEqual(self.offered('render', '--set', 'cracks.cou'), ['cracks.count='])
         self.assertEqual(self.offered('render', '--set', 'refract.lookup', '=', 'd'),
                          ['distance'])

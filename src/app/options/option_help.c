@@ -71,8 +71,8 @@ static const char *const usages[] = {
     [APP_MERGE] = "firn merge [options] TILE...: join the tiles of an image",
     [APP_INFO] = "firn info [options] SCENE: print the contents of a scene or model file",
     [APP_LIST] = ("firn list [options] "
-                  "[scenes|environments|rungs|materials|layers|settings|devices|sandbox]: print "
-                  "available names, settings and devices"),
+                  "[scenes|environments|refractions|materials|layers|qualities|settings|"
+                  "devices|sandbox]: print available names, settings and devices"),
 };
 
 void option_help(enum app_command command, const struct option *options, size_t count)

@@ -48,12 +48,15 @@ static void offer_names(struct suggest *suggest, enum option_names names)
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length)
 {
-    static const char *const kinds[] = {
-        [OPTION_REFRACTION_MODELS] = "rung",
-        [OPTION_REFRACTION_MODELS_AND_REFERENCE] = "rung",
-        [OPTION_MATERIALS] = "material",
-        [OPTION_LAYERS] = "layer",
+    static const struct {
+        const char *singular, *list;
+    } kinds[] = {
+        [OPTION_REFRACTION_MODELS] = { "refraction model", "refractions" },
+        [OPTION_REFRACTION_MODELS_AND_REFERENCE] = { "refraction model", "refractions" },
+        [OPTION_MATERIALS] = { "material", "materials" },
+        [OPTION_LAYERS] = { "layer", "layers" },
     };
+
     char name[SUGGEST_NAME_SIZE];
     char hint[SUGGEST_HINT_SIZE];
     struct suggest suggest = { .word = name };
@@ -65,8 +68,8 @@ enum status option_refuse_name(const struct option *option, enum option_names na
                   "supports",
                   option->name, name);
     else
-        log_error("--%s: unknown %s '%s'%s (firn list %ss)", option->name, kinds[names], name,
-                  suggest_hint(&suggest, hint), kinds[names]);
+        log_error("--%s: unknown %s '%s'%s (firn list %s)", option->name, kinds[names].singular,
+                  name, suggest_hint(&suggest, hint), kinds[names].list);
     return STATUS_USAGE;
 }
 

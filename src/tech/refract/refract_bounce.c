@@ -285,7 +285,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 
 const struct technique refract_bounce = {
     .name = "refract_bounce",
-    .help = "refraction with total internal reflections, ray marched among front and back faces",
+    .help = "refraction with total internal reflection, ray marched between front and back faces",
     .settings = { &refract_bounce_settings },
     .pass_groups = REFRACT_PASS_GROUPS,
     .write_constants = write_constants,
