@@ -188,10 +188,12 @@ static const struct {
     { "settings", list_settings },
     { "devices", list_devices },
     { "sandbox", list_sandbox },
+    { "rungs", list_refraction_models }, /* former name */
 };
 
 enum {
-    LIST_COUNT = sizeof(lists) / sizeof(lists[0])
+    LIST_COUNT = sizeof(lists) / sizeof(lists[0]),
+    FORMER_LIST = LIST_COUNT - 1 /* printed only by name */
 };
 
 static enum status check_topic(const char *topic)
@@ -209,9 +211,7 @@ static enum status check_topic(const char *topic)
 
 enum status app_list(const struct app_options *o)
 {
-    const char *given = o->positionals[0];
-    const bool is_rungs = given && !strcmp(given, "rungs"); /* former name, and the key in JSON */
-    const char *topic = is_rungs ? "refractions" : given;
+    const char *topic = o->positionals[0];
     const bool is_preset = o->run.format == APP_FORMAT_PRESET;
     enum status status = check_topic(topic);
     if (status == STATUS_OK && is_preset && (!topic || strcmp(topic, "settings") != 0)) {
@@ -221,9 +221,9 @@ enum status app_list(const struct app_options *o)
     if (status == STATUS_OK && is_preset)
         return print_preset();
     if (status == STATUS_OK && o->run.format == APP_FORMAT_JSON)
-        return list_json(topic && !strcmp(topic, "refractions") ? "rungs" : topic);
+        return list_json(topic);
     for (size_t i = 0; i < LIST_COUNT && status == STATUS_OK; i++) {
-        if (topic && strcmp(topic, lists[i].name) != 0)
+        if (topic ? strcmp(topic, lists[i].name) != 0 : i == FORMER_LIST)
             continue;
         printf("%s:\n", lists[i].name);
         status = lists[i].print();

@@ -187,15 +187,21 @@ static const struct {
     const char *name;
     json_t *(*make)(void); /* NULL for the devices */
 } lists[] = {
-    { "scenes", scenes },           { "environments", environments },
-    { "rungs", refraction_models }, { "materials", materials },
-    { "layers", layers },           { "qualities", qualities_all },
-    { "settings", settings },       { "devices", NULL },
+    { "scenes", scenes },
+    { "environments", environments },
+    { "refractions", refraction_models },
+    { "materials", materials },
+    { "layers", layers },
+    { "qualities", qualities_all },
+    { "settings", settings },
+    { "devices", NULL },
     { "sandbox", sandbox },
+    { "rungs", refraction_models }, /* former name */
 };
 
 enum {
-    LIST_COUNT = sizeof(lists) / sizeof(lists[0])
+    LIST_COUNT = sizeof(lists) / sizeof(lists[0]),
+    FORMER_LIST = LIST_COUNT - 1 /* printed only by name */
 };
 
 static enum status add_list(json_t *root, size_t i)
@@ -216,7 +222,7 @@ enum status list_json(const char *topic)
     json_t *root = json_object();
     enum status status = root ? STATUS_OK : log_out_of_memory(NULL);
     for (size_t i = 0; i < LIST_COUNT && status == STATUS_OK; i++) {
-        if (!topic || !strcmp(topic, lists[i].name))
+        if (topic ? !strcmp(topic, lists[i].name) : i != FORMER_LIST)
             status = add_list(root, i);
     }
     if (status == STATUS_OK)
