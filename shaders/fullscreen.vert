@@ -1,7 +1,6 @@
+/* fullscreen.vert: vertex shader of a full-screen triangle. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 
-/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,5 +1,5 @@
+/* ice_depth.frag: fragment shader of the AOVs of the ice's front and back depth and thickness. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_depth.h"
 #include "lib/fitted_depth.glsl"
 #include "lib/primary_ray.glsl"

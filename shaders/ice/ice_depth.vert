@@ -1,5 +1,5 @@
+/* ice_depth.vert: vertex shader of the ice's depth maps and depth peeling. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;

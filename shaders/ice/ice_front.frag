@@ -1,6 +1,5 @@
 /* ice_front.frag: G-buffer of the ice's front faces; REFRACT_BUMP adds bump mapping. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_front_face.glsl"
 
 layout(location = 0) out vec4 front; /* outward unit normal, world; w: 1 */

@@ -1,5 +1,5 @@
+/* ice_interval_count.frag: fragment shader that counts a primary ray's intervals inside the ice. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_interval.glsl"
 
 layout(set = 0, binding = ICE_INTERVAL_NEAR) uniform sampler2DArray near;

@@ -1,5 +1,5 @@
+/* ice_interval_first.frag: fragment shader of the depth peeling of the ice's faces, first layer. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_interval.glsl"
 
 void main()

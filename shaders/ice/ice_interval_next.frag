@@ -1,5 +1,5 @@
+/* ice_interval_next.frag: fragment shader of the depth peeling of the ice's faces, later layers. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_interval.glsl"
 
 layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray previous;

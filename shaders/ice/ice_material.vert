@@ -1,5 +1,5 @@
+/* ice_material.vert: vertex shader of the G-buffer passes of textured ice. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_material.h"
 #include "lib/optics.glsl"
 #include "lib/pose.glsl"

@@ -1,5 +1,5 @@
+/* ice_material_back.frag: fragment shader of the G-buffer of textured ice's back faces. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_material.glsl"
 
 layout(location = 0) out vec4 back;          /* outward unit normal, world; w: 1 */

@@ -1,5 +1,6 @@
+/* ice_material_front.frag: fragment shader of the G-buffer of textured ice's front faces, with the
+ * radiance of the opaque base. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_material.glsl"
 
 layout(location = 0) out vec4 front; /* outward unit normal, world; w: 1 */

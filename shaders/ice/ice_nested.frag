@@ -1,5 +1,6 @@
+/* ice_nested.frag: fragment shader of the depth peeling of nested objects; with ICE_NESTED_INNER,
+ * inside the surrounding level. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_nested.h"
 
 #ifdef ICE_NESTED_INNER

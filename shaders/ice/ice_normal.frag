@@ -1,5 +1,5 @@
+/* ice_normal.frag: fragment shader that writes the normals of the ice's faces. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 
 layout(location = 0) in vec3 normal;
 layout(location = 0) out vec4 back; /* outward unit normal, world; w: 1 */

@@ -1,5 +1,5 @@
+/* ice_normal.vert: vertex shader of the ice's normals; ICE_WIDE covers more than the image. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;

@@ -1,5 +1,5 @@
+/* air.frag: fragment shader of the opacity of milky air in the ice, drawn as textured planes. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "ice/ice_depth.h"
 #include "inclusions/air.h"
 #include "lib/globals.glsl"

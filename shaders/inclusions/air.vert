@@ -1,5 +1,5 @@
+/* air.vert: vertex shader of the textured planes that show milky air in the ice. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/air.h"
 #include "lib/pose.glsl"
 

@@ -1,5 +1,5 @@
+/* air_layer.frag: fragment shader of the layer (AOV) of milky air: its light times its opacity. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "output/composite.h"
 
 layout(set = 0, binding = COMPOSITE_AIR) uniform sampler2D cover;

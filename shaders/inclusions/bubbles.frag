@@ -1,5 +1,5 @@
+/* bubbles.frag: fragment shader of spherical bubbles in the ice. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/bubbles.h"
 #include "lib/bubble_deflection.glsl"
 #include "lib/globals.glsl"

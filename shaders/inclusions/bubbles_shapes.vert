@@ -1,5 +1,5 @@
+/* bubbles_shapes.vert: vertex shader of billboards of ellipsoidal and capsule-shaped bubbles. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/bubbles.h"
 #include "lib/globals.glsl"
 #include "lib/specialization_constants.glsl"

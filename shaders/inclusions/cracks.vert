@@ -2,7 +2,6 @@
  * object. Push constants are passed on as flat varyings, because lavapipe's fragment shaders fetch
  * each float of a uniform separately for each pixel (Mesa 22.3). */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.h"
 #include "lib/pose.glsl"
 

@@ -1,6 +1,5 @@
 /* cracks_color.frag: draws the highlights on cracks, clipped by cracks_clip.glsl. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 

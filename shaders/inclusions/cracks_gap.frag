@@ -1,6 +1,5 @@
 /* cracks_gap.frag: draws air-filled cracks, which reflect the environment cube map. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 #include "lib/optics.glsl"

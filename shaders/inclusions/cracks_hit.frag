@@ -2,7 +2,6 @@
  * (refract_cracks.glsl). A gap that is highly reflective along the unrefracted ray hides weaker
  * ones, even nearer ones. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 #include "refract/inclusion_march.glsl"

@@ -1,6 +1,5 @@
 /* cracks_normal.frag: draws the cracks' normals, clipped by cracks_clip.glsl. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 

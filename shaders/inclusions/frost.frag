@@ -1,5 +1,5 @@
+/* frost.frag: fragment shader of frost on the ice's surface, blended over the image. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/frost.h"
 #include "lib/globals.glsl"
 #include "lib/procedural_sky.glsl"

@@ -1,5 +1,5 @@
+/* frost_cube.frag: fragment shader that prefilters the environment cube map for frost. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "inclusions/frost.h"
 #include "lib/globals.glsl"
 

@@ -1,4 +1,4 @@
-/* Decodes sRGB colours to linear ones (IEC 61966-2-1). */
+/* srgb.glsl: decodes sRGB colours to linear ones (IEC 61966-2-1). */
 vec3 srgb_decode(vec3 c)
 {
     vec3 low = c / 12.92;

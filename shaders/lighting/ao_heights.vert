@@ -1,5 +1,5 @@
+/* ao_heights.vert: vertex shader of the height maps of the surroundings, for ambient occlusion. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "lighting/ao.h"
 

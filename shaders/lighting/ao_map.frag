@@ -1,6 +1,5 @@
+/* ao_map.frag: fragment shader of the ambient occlusion map, seen from above (ao.c). */
 #version 460
-#extension GL_GOOGLE_include_directive : require
-/* ao_map.frag: ambient occlusion map of box occluders, from above (src/tech/lighting/ao.c). */
 #include "lib/specialization_constants.glsl"
 #include "lighting/ao.h"
 #include "surroundings/surroundings.h"

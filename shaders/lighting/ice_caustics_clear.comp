@@ -1,5 +1,5 @@
+/* ice_caustics_clear.comp: compute shader that clears the photon counts of ice caustics. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lighting/ice_caustics.h"
 
 layout(local_size_x = ICE_CAUSTICS_GROUP, local_size_y = ICE_CAUSTICS_GROUP) in;

@@ -1,5 +1,5 @@
+/* ice_caustics_ground.frag: fragment shader of the ground behind the ice in the sun's depth map. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/sun_light_space.glsl"
 
 layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D front;

@@ -1,5 +1,5 @@
+/* ice_caustics_ground.vert: vertex shader of the ground behind the ice in the sun's depth map. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "lib/sun_light_space.glsl"
 

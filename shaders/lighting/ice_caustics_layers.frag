@@ -1,5 +1,5 @@
+/* ice_caustics_layers.frag: fragment shader of the sunlight AOV: shadows, ice caustics. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/sun_shadow_caustics.glsl"
 #include "surroundings/surroundings.h"
 

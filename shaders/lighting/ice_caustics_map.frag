@@ -1,5 +1,5 @@
+/* ice_caustics_map.frag: fragment shader that filters photon counts into the ice's caustic map. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/sun_light_space.glsl"
 
 layout(set = 0, binding = ICE_CAUSTICS_COUNTS) uniform usampler2D counts;

@@ -2,7 +2,6 @@
  * space; writes its landing point in the caustic map and its energy. The faces are read from depth
  * and normal maps or, with REFRACT_BUMP, rasterised again with bump mapping. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #ifndef REFRACT_BUMP
 #define REFRACT_PHOTONS
 #endif

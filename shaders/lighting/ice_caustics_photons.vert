@@ -1,10 +1,10 @@
+/* ice_caustics_photons.vert: vertex shader of the photon pass: full-screen triangle in the sun's
+ * light space, whose projection is perspective. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/globals.glsl"
 
 layout(location = 0) out vec3 out_ray; /* view ray at view-space depth 1 */
 
-/* Draws a full-screen triangle in the sun's light space, whose projection is perspective. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

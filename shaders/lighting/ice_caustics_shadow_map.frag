@@ -1,5 +1,5 @@
+/* ice_caustics_shadow_map.frag: fragment shader of the sun's shadow map: alpha test. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/material_textures.glsl"
 
 layout(location = 0) in vec2 uv;

@@ -1,5 +1,5 @@
+/* ice_caustics_shadow_map.vert: vertex shader of the sun's shadow map. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "lib/sun_light_space.glsl"
 

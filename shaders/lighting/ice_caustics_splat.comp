@@ -1,5 +1,5 @@
+/* ice_caustics_splat.comp: compute shader that adds the photons of ice caustics to the counts. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lighting/ice_caustics.h"
 
 layout(local_size_x = ICE_CAUSTICS_GROUP, local_size_y = ICE_CAUSTICS_GROUP) in;

@@ -1,5 +1,6 @@
+/* composite.frag: fragment shader that composites air, bubbles, cracks and highlights over the ice;
+ * BUBBLES_REFRACTED shows bubbles along refracted rays. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/specialization_constants.glsl"
 #include "output/composite.h"
 #ifdef BUBBLES_REFRACTED

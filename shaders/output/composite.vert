@@ -1,5 +1,6 @@
+/* composite.vert: vertex shader of compositing: full-screen triangle with the light of milky air;
+ * BUBBLES_REFRACTED adds view parameters. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/air_light.glsl"
 #include "output/composite.h"
 #ifdef BUBBLES_REFRACTED
@@ -11,7 +12,6 @@ layout(set = 0, binding = COMPOSITE_ENVIRONMENT) uniform sampler2D environment;
 
 layout(location = 0) flat out vec3 out_light;
 
-/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

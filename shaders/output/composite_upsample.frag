@@ -1,5 +1,5 @@
+/* composite_upsample.frag: fragment shader that upsamples low-resolution images of inclusions. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "output/composite.h"
 
 layout(set = 0, binding = COMPOSITE_LOW_RES) uniform sampler2D small;

@@ -1,9 +1,8 @@
+/* composite_upsample.vert: vertex shader of upsampling: full-screen triangle with its uv. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 
 layout(location = 0) out vec2 uv;
 
-/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 2.0 : 0.0, gl_VertexIndex == 2 ? 2.0 : 0.0);

@@ -1,5 +1,5 @@
+/* first_surface.vert: vertex shader of the albedo, object and motion layers (AOVs). */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "output/first_surface.h"
 

@@ -1,5 +1,5 @@
+/* gbuffer.vert: vertex shader of the G-buffer of the visible surface: normal and position. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "output/gbuffer.h"
 

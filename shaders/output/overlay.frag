@@ -1,5 +1,5 @@
+/* overlay.frag: fragment shader of the user interface drawn over the image. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/srgb.glsl"
 #include "output/overlay.h"
 #include "output/present.h"

@@ -1,5 +1,5 @@
+/* overlay.vert: vertex shader of the user interface drawn over the image. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "output/overlay.h"
 
 layout(location = OVERLAY_POSITION) in vec2 position;

@@ -1,5 +1,5 @@
+/* present.frag: fragment shader that shows the image in the window; PRESENT_SCALED scales it. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/srgb.glsl"
 #include "output/present.h"
 

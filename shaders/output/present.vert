@@ -1,5 +1,5 @@
+/* present.vert: vertex shader that shows the image in the window: full-screen triangle with uv. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "output/present.h"
 
 layout(push_constant, scalar) uniform Push
@@ -9,7 +9,6 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) out vec2 uv;
 
-/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,5 +1,5 @@
+/* timestamp_check.comp: compute shader of a GPU load (src/profile/timestamp_check.c). */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/gpu_load.glsl"
 #include "output/timestamp_check.h"
 

@@ -1,5 +1,5 @@
+/* tonemap.frag: fragment shader of tone mapping and sRGB encoding. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/specialization_constants.glsl"
 #include "output/tonemap.h"
 

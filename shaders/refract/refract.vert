@@ -1,6 +1,5 @@
 /* refract.vert: vertex shader of the ice's front faces, with Fresnel reflectance by SN eq. 4. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define HIGHLIGHT_VERTEX
 #include "lib/optics.glsl"
 #include "lib/pose.glsl"

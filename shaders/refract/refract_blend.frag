@@ -1,5 +1,5 @@
+/* refract_blend.frag: fragment shader of the refraction model with one blended normal. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_blend.h"
 #include "refract/refract_main.glsl"
 

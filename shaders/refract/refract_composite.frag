@@ -1,5 +1,5 @@
+/* refract_composite.frag: fragment shader that copies a layer, to be blended over the image. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract.h"
 
 layout(set = 0, binding = REFRACT_COMPOSITE) uniform sampler2D over;

@@ -1,5 +1,6 @@
+/* refract_fullscreen.vert: vertex shader of per-pixel refraction models: full-screen triangle;
+ * REFRACT_FULLSCREEN_WITH_MEAN adds the environment's mean radiance. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define REFRACT_FULLSCREEN_VERTEX
 #define HIGHLIGHT_VERTEX
 #include "lib/primary_ray.glsl"

@@ -1,4 +1,4 @@
-/* refract_main.glsl: main() of the raster refraction models: environment lookup, absorption,
+/* refract_main.glsl: shading of the raster refraction models: environment lookup, absorption,
  * dispersion and reflection; writes AOVs with REFRACT_LAYERS, otherwise the image (Seipel and
  * Nivfors 2006, eq. 6). Each model defines refract_follow(), the path of light through the ice. */
 #ifndef REFRACT_MAIN_GLSL

@@ -3,7 +3,6 @@
  * REFRACT_EXITS, REFRACT_NEAREST and REFRACT_FULLSCREEN together, the model `bounce`, which follows
  * total internal reflections and several exits. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 #ifndef REFRACT_BOUNCE
 #include "refract/refract_march_path.glsl"

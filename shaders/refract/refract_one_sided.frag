@@ -1,5 +1,5 @@
+/* refract_one_sided.frag: fragment shader of the refraction model of the front face alone. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)

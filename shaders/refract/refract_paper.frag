@@ -1,5 +1,5 @@
+/* refract_paper.frag: fragment shader of the refraction model of Seipel and Nivfors 2006. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 #include "refract/refract_paper.h"
 

@@ -1,5 +1,5 @@
+/* refract_per_vertex.frag: fragment shader of the refraction model evaluated at vertices. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define REFRACT_PER_VERTEX
 #include "refract/refract_main.glsl"
 

@@ -1,5 +1,5 @@
+/* refract_slab.frag: fragment shader of the refraction model that treats the ice as a slab. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 

@@ -1,5 +1,5 @@
+/* refract_sphere.frag: fragment shader of the refraction model that treats the ice as a sphere. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 
 /* Refracts as a sphere of the object's size: its back deflects like its front, never totally. */

@@ -1,5 +1,5 @@
+/* refract_wyman.frag: fragment shader of the refraction model of Wyman 2005. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 

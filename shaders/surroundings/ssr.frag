@@ -1,5 +1,5 @@
+/* ssr.frag: fragment shader that adds screen-space reflections to the image. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "surroundings/ssr.glsl"
 
 layout(set = 0, binding = SSR_OBJECTS) uniform sampler2D objects;

@@ -1,10 +1,9 @@
+/* ssr.vert: vertex shader of screen-space reflections: full-screen triangle with primary rays. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/primary_ray.glsl"
 
 layout(location = 0) out vec3 out_view_ray;
 
-/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,5 +1,6 @@
+/* ssr_copy.frag: fragment shader that copies the objects' colour and depth before surroundings are
+ * drawn over them, for screen-space reflections. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "surroundings/ssr.h"
 
 layout(set = 0, binding = SSR_COLOR) uniform sampler2D image;
@@ -8,7 +9,6 @@ layout(set = 0, binding = SSR_DEPTH) uniform sampler2D depths;
 layout(location = 0) out vec4 objects; /* premultiplied alpha */
 layout(location = 1) out float front;
 
-/* Copies the objects' colour and depth before the surroundings are drawn over them. */
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);

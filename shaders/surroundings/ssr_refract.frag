@@ -1,5 +1,5 @@
+/* ssr_refract.frag: fragment shader of refraction where reflected rays hit objects (ssr.c). */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define REFRACT_BOUNCE
 #define REFRACT_EXITS
 #define REFRACT_NEAREST

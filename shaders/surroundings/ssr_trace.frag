@@ -1,5 +1,5 @@
+/* ssr_trace.frag: fragment shader that traces reflected rays for ssr_refract.frag. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "surroundings/ssr.glsl"
 
 layout(location = 0) out vec4 point; /* hit point of the reflected ray, relative to the camera */

@@ -1,7 +1,6 @@
-/* surroundings.frag: main() of the fragment shader for surroundings without materials;
+/* surroundings.frag: fragment shader of surroundings without materials;
  * SURROUNDINGS_CAUSTICS adds the caustics and shadow of the ice. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/globals.glsl"
 #include "lib/procedural_sky.glsl"
 #include "lib/specialization_constants.glsl"

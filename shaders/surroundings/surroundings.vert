@@ -1,6 +1,5 @@
 /* surroundings.vert: vertex shader of surroundings; SURROUNDINGS_EXTRA adds struct mesh_extra. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pose.glsl"
 #include "surroundings/surroundings.h"
 #ifdef SURROUNDINGS_EXTRA

@@ -1,8 +1,7 @@
-/* surroundings_materials.frag: main() of the fragment shader for surroundings with materials.
+/* surroundings_materials.frag: fragment shader of surroundings with materials.
  * SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow, SURROUNDINGS_EXTRA the vertex
  * attributes of struct mesh_extra, SURROUNDINGS_SSR the outputs for screen-space reflections. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/alpha_test.glsl"
 #include "lib/ao.glsl"
 #include "lib/brdf_shading.glsl"

@@ -1,5 +1,5 @@
+/* surroundings_sky.frag: fragment shader of the background: radiance of the environment. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/environment_radiance.glsl"
 #include "surroundings/surroundings.h"
 

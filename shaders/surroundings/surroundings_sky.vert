@@ -1,5 +1,6 @@
+/* surroundings_sky.vert: vertex shader of the background: full-screen triangle at depth 0, which
+ * is infinitely far away. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/specialization_constants.glsl"
 #include "surroundings/surroundings.h"
 
@@ -10,7 +11,6 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) out vec3 dir; /* not normalised; linear in screen space */
 
-/* Draws a full-screen triangle at depth 0, which is infinitely far away. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,7 +1,6 @@
 /* surroundings_vertices.frag: fragment shader of surroundings lit per vertex; SURROUNDINGS_CAUSTICS
  * adds the ice's caustics and shadow. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/alpha_test.glsl"
 #include "lib/brdf_shading.glsl"
 #include "surroundings/surroundings.h"

@@ -3,7 +3,6 @@
  * outputs for the ice's caustics and shadow. Uniforms are passed on as flat outputs, because
  * lavapipe's fragment shaders fetch each float of a uniform separately. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define LIT_PER_VERTEX
 #include "lib/ao.glsl"
 #include "lib/brdf_shading.glsl"

@@ -10,7 +10,6 @@
  * pixel of a group enters, but executes both sides of a branch.
  */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #ifdef TRACE_QUERY
 #extension GL_EXT_ray_query : require
 #endif

@@ -1,4 +1,4 @@
-/* trace_image.glsl: main() of the pass that writes the ray-traced image. */
+/* trace_image.glsl: the ray tracer's fragment outputs for the image. */
 #ifndef TRACE_IMAGE_GLSL
 #define TRACE_IMAGE_GLSL
 

@@ -1,4 +1,4 @@
-/* trace_layers.glsl: main() of the pass that writes the ray tracer's layers (AOVs). */
+/* trace_layers.glsl: the ray tracer's fragment outputs for its layers (AOVs). */
 #ifndef TRACE_LAYERS_GLSL
 #define TRACE_LAYERS_GLSL
 

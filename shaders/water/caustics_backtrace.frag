@@ -1,5 +1,5 @@
+/* caustics_backtrace.frag: fragment shader of pool caustics by one ray from each floor texel. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(location = 0) out float raw;

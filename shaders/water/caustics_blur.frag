@@ -1,5 +1,5 @@
+/* caustics_blur.frag: fragment shader that blurs pool caustics by the sun's disc. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;

@@ -1,5 +1,5 @@
+/* caustics_clear.comp: compute shader that clears the photon counts of pool caustics. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.h"
 
 layout(local_size_x = CAUSTICS_GROUP_2D, local_size_y = CAUSTICS_GROUP_2D) in;

@@ -1,5 +1,5 @@
+/* caustics_copy.frag: fragment shader that copies the light map of pool caustics. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.h"
 
 layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;

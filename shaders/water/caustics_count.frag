@@ -1,5 +1,5 @@
+/* caustics_count.frag: fragment shader that converts photon counts to light of pool caustics. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(set = 0, binding = CAUSTICS_COUNTS) uniform usampler2D counts;

@@ -1,5 +1,5 @@
+/* caustics_gather.comp: compute shader of pool caustics by many rays from each ground texel. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(local_size_x = CAUSTICS_GROUP_2D, local_size_y = CAUSTICS_GROUP_2D) in;

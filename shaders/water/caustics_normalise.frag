@@ -1,5 +1,6 @@
+/* caustics_normalise.frag: fragment shader that normalises the light map so that its sum equals the
+ * light that enters the pool. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
@@ -11,7 +12,6 @@ layout(set = 0, binding = CAUSTICS_SUM, scalar) readonly buffer Sum
 
 layout(location = 0) out float light;
 
-/* Normalises the light map so that its sum equals the light that enters the pool. */
 void main()
 {
     float texel = texelFetch(raw, ivec2(gl_FragCoord.xy), 0).r;

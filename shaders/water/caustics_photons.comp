@@ -1,5 +1,5 @@
+/* caustics_photons.comp: compute shader that traces photons of pool caustics from the sun. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(local_size_x = CAUSTICS_GROUP_1D) in;

@@ -1,5 +1,5 @@
+/* caustics_splat.frag: fragment shader of pool caustics: light of a projected grid triangle. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(location = 0) in vec2 p;          /* position on the water surface */

@@ -1,5 +1,5 @@
+/* caustics_splat.vert: vertex shader of pool caustics: surface grid projected to the floor. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/grid_strip.glsl"
 #include "water/caustics.glsl"
 

@@ -1,5 +1,5 @@
+/* caustics_sum.comp: compute shader that sums the light map by a reduction in one workgroup. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.h"
 
 layout(local_size_x = CAUSTICS_GROUP_1D) in;
@@ -12,7 +12,6 @@ layout(set = 0, binding = CAUSTICS_SUM, scalar) writeonly buffer Sum
 
 shared float sums[CAUSTICS_GROUP_1D];
 
-/* Sums the light map by columns, then by a parallel reduction in one workgroup. */
 void main()
 {
     uint i = gl_LocalInvocationID.x;

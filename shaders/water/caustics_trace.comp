@@ -1,5 +1,5 @@
+/* caustics_trace.comp: compute shader that traces sunlight from the surface grid to the floor. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/caustics.glsl"
 
 layout(local_size_x = CAUSTICS_GROUP_2D, local_size_y = CAUSTICS_GROUP_2D) in;

@@ -1,5 +1,5 @@
+/* water.vert: vertex shader of the water surface, a grid displaced by waves. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/grid_strip.glsl"
 #include "lib/pool_walls.glsl"
 #include "water/wave.h"

@@ -1,6 +1,5 @@
-/* water_aov.frag: main() of the AOV layer `caustics`: sunlight on the ground below the water. */
+/* water_aov.frag: fragment shader of the AOV `caustics`: sunlight on the ground below the water. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define WATER_WITH_CAUSTICS
 #include "water/water_surface.glsl"
 

@@ -1,9 +1,8 @@
-/* water_below.frag: main() for a camera below the water, of the AOV `caustics` with WATER_LAYER.
- * Rays are intersected with the wave function itself. Within Snell's window the scene above the
- * surface is visible; outside it, and partly inside, the surface reflects the ground. Radiance is
- * not scaled by the squared index of refraction at the surface (water.c). */
+/* water_below.frag: fragment shader of the view from below the water, or of the AOV `caustics` with
+ * WATER_LAYER. Rays are intersected with the wave function itself. Within Snell's window the scene
+ * above the surface is visible; outside it, and partly inside, the surface reflects the ground.
+ * Radiance is not scaled by the squared index of refraction at the surface (water.c). */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"
 #include "refract/refract.h"

@@ -1,11 +1,10 @@
+/* water_below.vert: vertex shader of the view from below the water: full-screen triangle. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/primary_ray.glsl"
 #include "refract/refract.h"
 
 layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
 
-/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

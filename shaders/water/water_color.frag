@@ -1,6 +1,5 @@
-/* water_color.frag: main() of the water surface for a camera above it. */
+/* water_color.frag: fragment shader of the water surface for a camera above it. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "water/water_surface.glsl"
 
 layout(location = 0) out vec4 color;

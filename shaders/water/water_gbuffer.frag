@@ -1,5 +1,5 @@
+/* water_gbuffer.frag: fragment shader of the G-buffer of the water surface: normal and position. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #include "lib/pool_walls.glsl"
 #include "water/wave.h"
 

@@ -1,6 +1,5 @@
 /* water_ice_color.frag: ice above the water; the water reflects reflected rays that point down. */
 #version 460
-#extension GL_GOOGLE_include_directive : require
 #define WATER_WITH_ICE
 #include "water/water.glsl"
 
