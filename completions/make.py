@@ -12,8 +12,8 @@ from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 
 # Options whose values are names of a `firn list` (NAMED) or comma-separated lists of such names
 # (LISTED). Options in FILES also accept file names.
-NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'materials', 'show': 'layers',
-         'env': 'environments', 'quality': 'qualities'}
+NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'materials',
+         'show': 'layers', 'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'refractions', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'),
          'present': ('auto', 'fifo', 'mailbox', 'immediate'),

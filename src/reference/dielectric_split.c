@@ -34,7 +34,7 @@ static vec3s weighted_sum(double a, vec3s d, double b, vec3s n)
 }
 
 /* Computes the directions of reflection and refraction and the Fresnel reflectance. `n` faces the
- * incident side; `eta` is the index of the incident side over that of the other side. */
+ * incident side; `eta` is the ratio of the refractive indices, incident over transmitted. */
 static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-dielectric_split_dot(d, n), 1.0);
@@ -55,7 +55,7 @@ static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
     return split;
 }
 
-/* Computes reflection and transmission of a thin wall with all its internal reflections. */
+/* Computes reflection and transmission of a thin wall, summed over all internal reflections. */
 static struct dielectric_split split_thin(vec3s d, vec3s n, double eta)
 {
     struct dielectric_split split = split_smooth(d, n, eta);
@@ -95,7 +95,7 @@ struct face {
     bool is_bumpy, is_thin;
 };
 
-/* Applies bumps and frost to a hit. A sample gets frost with the probability of its coverage. */
+/* Applies bumps to a hit, and frost with a probability equal to the frost coverage. */
 static void apply_bumps_and_frost(const struct tracer *tracing, vec3s dir,
                                   const struct surface_hit *surface_hit, struct face *face)
 {
@@ -147,8 +147,8 @@ static struct face face_at(const struct tracer *tracing, vec3s dir,
     return face;
 }
 
-/* Applies GGX masking-shadowing, rejects directions on the wrong side, and replaces the
- * microfacet's reflectance by that of the macroscopic surface. */
+/* Applies GGX masking, which is 0 for directions on the wrong side of the surface. Replaces the
+ * Fresnel reflectance at the microfacet by that at the macroscopic normal. */
 static void apply_masking(struct dielectric_split *split, vec3s dir, const struct face *face)
 {
     const bool is_refracted =
@@ -161,8 +161,8 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
         is_refracted ? microfacet_masking(face->n, split->refracted, face->roughness) : 0.0f;
 }
 
-/* Keeps directions at a bumpy surface on the correct side of the triangle. A rough surface absorbs
- * light on the wrong side; a smooth one uses the geometric normal's direction instead. */
+/* Keeps directions at a bumpy surface on the correct side of the triangle. Light on the wrong side
+ * is absorbed if the surface is rough, else recomputed with the geometric normal. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {
@@ -182,7 +182,7 @@ static void fix_sides(struct dielectric_split *split, vec3s dir, const struct fa
     split->reflected = smooth.reflected;
 }
 
-/* Computes reflection and refraction at an object; at a sampled microfacet if it is rough. */
+/* Computes reflection and refraction at an object. If rough, samples one microfacet. */
 static struct dielectric_split split_surface(const struct tracer *tracing, vec3s dir,
                                              const struct surface_hit *surface_hit)
 {

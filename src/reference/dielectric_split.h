@@ -23,7 +23,7 @@ struct surface_hit {
     bool is_bent;
 };
 
-/* Computes reflection and refraction of a ray at a hit, at a sampled microfacet if it is rough. */
+/* Computes reflection and refraction of a ray at a hit. Rough surfaces sample one microfacet. */
 struct dielectric_split dielectric_split_at(const struct tracer *tracing, vec3s dir,
                                             const struct surface_hit *surface_hit);
 

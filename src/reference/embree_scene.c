@@ -64,8 +64,8 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-/* Intersection filter that rejects hits on cracks and planes of air closer than epsilon, such as
- * the one on which the ray starts, or the second triangle at a shared edge. */
+/* Intersection filter that rejects hits closer than epsilon on cracks and planes of air: on the
+ * sheet where the ray starts, or twice at an edge shared by two triangles. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;

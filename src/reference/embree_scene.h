@@ -50,7 +50,7 @@ struct embree_scene_hit {
     struct mesh_vertex surface; /* interpolated vertex, in world space */
 };
 
-/* The Embree scene of one frame; {0} until embree_scene_init(). */
+/* Embree scene of one frame; zero-initialised until embree_scene_init(). */
 struct embree_scene {
     RTCScene scene;
     const struct radiance *radiance;
@@ -66,8 +66,8 @@ struct embree_scene {
 };
 
 /*
- * Builds the Embree scene. `radiance` is borrowed. Scenes whose build would need more than `memory`
- * bytes are refused. Logs errors, returns STATUS_TRY_AGAIN and sets *embree_scene to {0}.
+ * Builds the Embree scene; borrows `radiance`. Fails when out of memory, or if the build would need
+ * more than `memory` bytes: logs the error, returns STATUS_TRY_AGAIN, zeroes *embree_scene.
  */
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);

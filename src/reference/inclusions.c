@@ -107,7 +107,7 @@ static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
                       half_to_float(texel[3]) } };
 }
 
-/* Returns a texel of the bump map: xy slope, z smoothness, w density of frost crystals. */
+/* Samples the bump map: xy is the slope, z the smoothness, w the density of frost crystals. */
 static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
 {
     const struct bump_maps *maps = &inclusions->radiance->scene->bump;
@@ -153,7 +153,7 @@ static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
     return glms_vec3_scale(sum, 1.0f / sqrtf(fmaxf(glms_vec3_norm2(sum), 1e-30f)));
 }
 
-/* Samples the bump map in the mesh's uv, with the triangle's tangents; slope 0 without uv. */
+/* Samples the bump map at the mesh's uv, along the triangle's tangents; slope 0 without uv. */
 static struct bump_sample bump_by_uv(const struct inclusions *inclusions,
                                      const struct embree_scene *embree_scene,
                                      const struct embree_scene_hit *hit, vec3s normal)

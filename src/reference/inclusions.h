@@ -39,7 +39,7 @@ struct inclusions_surface {
     float frost;  /* frost coverage, 0 to 1 */
 };
 
-/* Evaluates bumps and frost at a hit on the object; `normal` is unit, outward, in world space. */
+/* Evaluates bumps and frost at a hit. `normal` is the outward unit normal in world space. */
 struct inclusions_surface inclusions_surface_at(const struct inclusions *inclusions,
                                                 const struct embree_scene *embree_scene,
                                                 const struct embree_scene_hit *hit, vec3s normal);

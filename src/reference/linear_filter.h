@@ -11,8 +11,8 @@ struct linear_filter {
     float weight;
 };
 
-/* Returns the texels at `coordinate`, whose range 0 to 1 spans `count` texels. The wrap mode beyond
- * that range is repeat or clamp to edge. */
+/* Returns the texels at a normalised coordinate of a texture with `count` texels. Coordinates
+ * outside 0..1 repeat the texture or, if `repeat` is false, clamp to its edge. */
 struct linear_filter linear_filter_at(float coordinate, uint32_t count, bool repeat);
 
 #endif

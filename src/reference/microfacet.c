@@ -38,7 +38,7 @@ static uint32_t scrambled(uint32_t x, uint32_t seed)
     return reversed(x);
 }
 
-/* Returns the second dimension of the Sobol sequence; the first is the bit-reversed index. */
+/* Returns the second coordinate of a Sobol point; the first is the bit-reversed index. */
 static uint32_t sobol_second(uint32_t index)
 {
     uint32_t point = 0;
@@ -85,7 +85,7 @@ vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
     const float radius = sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     const float a = radius * cosf(angle);
-    /* Foreshortens the visible half of the disc along `up`. */
+    /* Basis of the disc, whose visible half is foreshortened along `up`. */
     const float length = hypotf(view.x, view.y);
     const vec3s right = length > 1e-6f ? (vec3s){ { -view.y / length, view.x / length, 0.0f } }
                                        : (vec3s){ { 1.0f, 0.0f, 0.0f } };

@@ -1,8 +1,8 @@
 /*
- * nested_media.h: nested dielectrics with priorities: which objects contain a ray, and its medium.
+ * nested_media.h: nested dielectrics with priorities: the objects that contain a ray, its medium.
  *
  * Touching objects must overlap a little, because coincident surfaces cannot be intersected
- * robustly. There the medium of highest priority (`rank`) fills the space, and surfaces inside it
+ * robustly. In the overlap the medium of highest priority (`rank`) applies, and surfaces inside it
  * are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced Images).
  */
 #ifndef FIRN_REFERENCE_NESTED_MEDIA_H
@@ -34,11 +34,11 @@ bool nested_media_init(struct nested_media *media, const struct scene *scene,
                        const struct settings *settings);
 void nested_media_finish(struct nested_media *media);
 
-/* Returns the set's object of highest priority other than `except`, or else the outside. */
+/* Returns the set's object of highest priority, ignoring `except`; the outside medium if none. */
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 
-/* Returns true if a boundary between two media does not refract: equal media or outside air. */
+/* Returns true if media `a` and `b` are the same, or both air (outside, bubble) of equal index. */
 bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32_t b);
 
 bool nested_media_set_has(const struct nested_media_set *set, uint32_t object);
@@ -52,8 +52,8 @@ struct nested_media_crossing {
     bool is_entering;
 };
 
-/* Returns the media in front of and behind an object's surface; `is_entering`: the front face is
- * hit. Ignores whether `set` contains the object, so that open and overlapping meshes work. */
+/* Returns the media in front of and behind an object's surface. `is_entering` is true at front
+ * faces. Ignores whether `set` contains the object, so that open and overlapping meshes work. */
 struct nested_media_crossing nested_media_cross(const struct nested_media *media,
                                                 const struct nested_media_set *set, uint32_t object,
                                                 bool is_entering);

@@ -22,7 +22,7 @@ enum {
 #define RADIUS         1.0f  /* of one photon, in objects' radii */
 #define PLANE_DISTANCE 0.25f /* max. tangent plane distance, search radii */
 
-/* Photons stored by one chunk of emitted photons. */
+/* Photons that one chunk (CHUNK emitted photons) has stored on surfaces. */
 struct stored_hits {
     struct photon *photons;
     uint32_t count, capacity;
@@ -184,8 +184,8 @@ static uint32_t bucket_of(const struct photons *photons, struct cell cell)
     return microfacet_hash(across, (uint32_t)cell.at[1]) & (photons->bucket_count - 1);
 }
 
-/* Counting-sorts the photons of all chunks into the hash grid, in emission order, independently of
- * threads. Returns false when out of memory. */
+/* Counting-sorts the photons of all chunks into the hash grid. Buckets stay in emission order,
+ * whatever the number of threads. Returns false when out of memory. */
 static bool sort(struct photons *photons, const struct job *job)
 {
     bool done = true;
@@ -279,7 +279,7 @@ static void gather_cell(const struct photons *photons, struct cell cell, struct 
     }
 }
 
-/* Estimates the photons' irradiance at a point, relative to perpendicular direct sunlight. */
+/* Estimates the caustic irradiance at a point, relative to sunlight at normal incidence. */
 static struct disc estimate(const struct photons *photons, vec3s point, vec3s normal)
 {
     const float radius = photons->radius;

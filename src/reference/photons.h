@@ -32,7 +32,7 @@ struct photons {
     bool has_shadow;
 };
 
-/* Returns false to cancel the tracing of photons. */
+/* Progress callback; returns false to cancel the tracing of photons. */
 typedef bool photons_progress_fn(void *user);
 
 struct photons_params {
@@ -50,7 +50,7 @@ MUST_USE enum status photons_init(struct photons *photons, const struct tracer *
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */
 
-/* Returns direct and refracted sunlight at a point; unit `normal` is on the viewer's side. */
+/* Returns direct and refracted sunlight at a point, whose unit `normal` faces the viewer. */
 struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, vec3s normal,
                                    uint32_t seed);
 

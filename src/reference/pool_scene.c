@@ -1,4 +1,4 @@
-/* pool_scene.c: triangle meshes of the pool's water, tiles and floating ice; its lighting. */
+/* pool_scene.c: triangle meshes and lighting of the pool: water, tiles and floating ice. */
 #include "src/reference/pool_scene.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -22,7 +22,7 @@ static vec3s to_world(vec3s v)
     return (vec3s){ { v.x, v.z, -v.y } };
 }
 
-/* Returns a vertex of the water shell. The outermost ring, at the bottom, forms the side walls. */
+/* Returns a vertex of the water mesh, whose outermost ring is at the bottom and forms the sides. */
 static struct mesh_vertex shell_vertex(const struct pool_scene *pool_scene, uint32_t column,
                                        uint32_t row, float time)
 {

@@ -27,17 +27,17 @@ struct pool_scene {
     struct water_push push;
 };
 
-/* Builds the meshes of the pool of `scene` for the waves at the time of `globals`. Returns false
- * when out of memory; *pool_scene is then {0}. */
+/* Builds the meshes of the pool of `scene`, with the waves at globals->time. Returns false when out
+ * of memory; *pool_scene is then zeroed. */
 bool pool_scene_init(struct pool_scene *pool_scene, const struct scene *scene,
                      const struct settings *settings, const struct globals *globals);
 void pool_scene_finish(struct pool_scene *pool_scene); /* accepts {0} */
 
-/* Sets media and priorities of water, ice and air. `scene` is the scene with the pool. */
+/* Sets the media and priorities of water, ice and air. `scene` is the original scene. */
 void pool_scene_set_media(const struct pool_scene *pool_scene, const struct scene *scene,
                           const struct settings *settings, struct nested_media *media);
 
-/* Returns direct and sky light on a tile below a flat water surface; unit normal `n`. */
+/* Returns the effect of a flat water surface on sunlight and sky light at a tile of normal `n`. */
 struct radiance_sun pool_scene_light(const struct pool_scene *pool_scene,
                                      const struct globals *globals, vec3s point, vec3s n);
 

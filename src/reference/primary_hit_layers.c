@@ -13,7 +13,7 @@ static bool is_visible(const struct primary_hit_layers *first, const struct embr
     return hit->kind != EMBREE_SCENE_AIR;
 }
 
-/* Finds the first visible surface along a camera ray, behind planes of air and surfaces with an
+/* Finds the first visible surface along a camera ray. Skips planes of air, and surfaces with an
  * alpha below one half. Returns false if there is none. */
 static bool find_visible(const struct primary_hit_layers *first, const struct embree_scene_ray *ray,
                          struct embree_scene_hit *hit)
@@ -31,7 +31,7 @@ static bool find_visible(const struct primary_hit_layers *first, const struct em
     return false;
 }
 
-/* Returns where a hit point was in the previous frame, in the space of its mesh. */
+/* Returns the position of a hit point in the previous frame, in its mesh's local space. */
 static vec3s previous_point(const struct primary_hit_layers *first,
                             const struct embree_scene_hit *hit)
 {

@@ -12,14 +12,14 @@ struct primary_hit_layers {
     const struct first_surface_previous *earlier; /* previous frame; NULL if nothing moves */
 };
 
-/* Fills the layers of the primary hit as gbuffer.c and first_surface.c do: blended surfaces with an
- * alpha below one half are skipped. `closest` is the closest hit, `forward` the view direction. */
+/* Fills the layers of the primary hit. Like the rasteriser, skips blended surfaces with an alpha
+ * below one half. `closest` is the ray's closest hit, `forward` the camera's view direction. */
 void primary_hit_layers_fill(const struct primary_hit_layers *first,
                              const struct embree_scene_ray *ray, vec3s forward,
                              const struct embree_scene_hit *closest,
                              struct reference_ray_values *values);
 
-/* Returns the value of the layer `object` for a hit on an object or on surroundings. */
+/* Returns the object number of a hit, as stored in the layer `object`. */
 float primary_hit_layers_object(const struct primary_hit_layers *first,
                                 const struct embree_scene_hit *hit);
 

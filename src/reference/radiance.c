@@ -361,7 +361,7 @@ static vec3s shade_white_diffuse(const struct radiance *radiance,
                             glms_vec3_mul(sun->sky, diffuse_irradiance(radiance, n)));
 }
 
-/* Returns the reflected sunlight: direct, and refracted from its mean direction. */
+/* Shades direct sunlight, and refracted sunlight as if all of it came from its mean direction. */
 static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface *surface,
                        const struct radiance_point *point, struct normals n)
 {

@@ -24,7 +24,7 @@ struct radiance {
 struct radiance_sun {
     vec3s sky;           /* transmittance for environment light */
     float direct;        /* visibility of the sun's disc */
-    vec3s refracted;     /* irradiance of refracted sunlight, relative to unrefracted */
+    vec3s refracted;     /* irradiance relative to unrefracted sunlight */
     vec3s refracted_dir; /* unit mean direction towards refracted sunlight */
 };
 
@@ -57,21 +57,21 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 /* Returns the mean radiance of the environment map over all directions. */
 vec3s radiance_mean(const struct radiance *radiance);
 
-/* Returns a surface's base colour, with texture. */
+/* Returns a surface's textured base colour. */
 vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex);
 
 /* Returns the radiance that a surface of the surroundings emits and reflects along the ray. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
 
-/* Computes a surroundings surface's reflectance. Returns false if it is unlit. */
+/* Computes the reflectance of a surface of the surroundings. Returns false if it is unlit. */
 bool radiance_reflectance_at(const struct radiance *radiance, const struct radiance_point *point,
                              struct radiance_reflectance *reflectance);
 
 /* Returns the radiance of the sky without the sun's disc, which is sampled separately. */
 vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir);
 
-/* Evaluates an object's material textures at a point; `untextured` is the material without them.
- * *normal becomes the outward normal, perturbed by the normal map. */
+/* Evaluates an object's material at a point, with textures; `untextured` is the material without
+ * them. Stores the outward normal, perturbed by the normal map, in *normal. */
 struct object_material radiance_material_at(const struct radiance *radiance,
                                             const struct material *material,
                                             const struct radiance_point *point,

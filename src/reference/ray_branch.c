@@ -29,8 +29,8 @@ static vec3s absorbed(const struct tracer *tracing, const struct ray_branch *b, 
     return throughput;
 }
 
-/* Returns the media on both sides of an object's surface; for a thin wall, which has no interior,
- * the surrounding medium on both. */
+/* Returns the media on both sides of an object's surface. A thin wall has no interior, so that the
+ * surrounding medium is on both sides. */
 static struct nested_media_crossing crossing_at(const struct tracer *tracing,
                                                 const struct nested_media_set *inside, vec3s dir,
                                                 const struct embree_scene_hit *hit)
@@ -89,7 +89,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
     return nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE) == object;
 }
 
-/* Passes a surface without branching: a composited plane of air, or a crack outside the ice. */
+/* Continues a ray through a plane of air, which is composited, or a crack outside the ice. */
 static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
                        const struct embree_scene_hit *hit)
 {
@@ -193,7 +193,7 @@ const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
     return tracer_medium(tracing, is_crack ? tracing->media->bubble : surface_hit->hit.object);
 }
 
-/* Evaluates the surface material at an object's hit, with its textures. */
+/* Evaluates the textured surface material at a hit on an object. */
 static void evaluate_material(const struct tracer *tracing, const struct ray_branch *b,
                               struct surface_hit *surface_hit)
 {

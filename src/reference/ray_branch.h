@@ -34,12 +34,12 @@ struct fork {
 bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
                         struct surface_hit *surface_hit);
 
-/* Continues a ray behind a transparent surface; multiplies its throughput by `passing`. */
+/* Continues a ray through a transparent surface of transmittance `passing`. */
 void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                      const struct embree_scene_hit *hit, float passing);
 
 /* Returns true if a ray has reached its limit of surfaces or scattering events. With Russian
- * roulette, which ends paths anyway, the surface limit exceeds reference.bounces. */
+ * roulette, which terminates rays anyway, a higher limit replaces reference.bounces. */
 bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_branch *b);
 
 /* Returns true if a ray is in the medium of `object`, outside its bubbles. */
@@ -47,7 +47,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
 
 bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_branch *b);
 
-/* Returns the medium whose surface properties apply at a hit: the object's; air at a crack. */
+/* Returns the medium that defines a hit's surface: air for a crack, else the object's medium. */
 const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
                                               const struct surface_hit *surface_hit);
 
@@ -59,7 +59,7 @@ struct fork ray_branch_split(const struct tracer *tracing, const struct ray_bran
  * single path. Returns false if the ray is terminated. */
 bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b);
 
-/* Samples reflection or refraction by Fresnel reflectance; reweights by the probability. */
+/* Chooses the reflected or refracted ray at random by Fresnel reflectance, and reweights it. */
 struct ray_branch ray_branch_choose(const struct tracer *tracing, const struct ray_branch *b,
                                     const struct fork *fork);
 

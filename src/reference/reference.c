@@ -49,7 +49,7 @@ struct plane {
     bool mean;          /* mean of samples, or sample 0 */
 };
 
-/* Statistics of the pixels of a tile. */
+/* Statistics of a tile's pixels. */
 struct tally {
     double error; /* sum of the pixels' standard errors */
     double remaining;
@@ -213,7 +213,7 @@ static uint32_t thread_count(const struct reference_request *request)
     return min_u32(wanted, THREAD_COUNT_MAX);
 }
 
-/* Returns the progress over the samples of all rounds, in tiles. */
+/* Returns the progress over all samples, as an equivalent number of tiles. */
 static uint32_t tiles_done(const struct job *job)
 {
     const uint64_t all = job->reference->request.samples;
@@ -222,8 +222,8 @@ static uint32_t tiles_done(const struct job *job)
     return (uint32_t)((before + now) / all);
 }
 
-/* Renders one round of all tiles on several threads, fewer if some cannot be created. The calling
- * thread also renders, and reports the overall progress. */
+/* Renders one round of samples of all tiles on several threads, fewer if thread creation fails. The
+ * calling thread also renders, and reports the overall progress. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];
@@ -272,7 +272,7 @@ static bool is_enough(const struct job *job, double began)
            (request->seconds > 0.0 && samples && clock_seconds() - began >= request->seconds);
 }
 
-/* Sums up the tiles in fixed order: noise is bit-identical for any number of threads. */
+/* Sums up the tiles in a fixed order, so that `noise` does not depend on the number of threads. */
 static struct reference_outcome outcome_of(const struct job *job)
 {
     const double pixels = (double)job->sums.width * job->sums.height;
@@ -286,7 +286,7 @@ static struct reference_outcome outcome_of(const struct job *job)
     return outcome;
 }
 
-/* Renders up to `samples` samples per pixel; if there are none to add, only rewrites the image. */
+/* Renders until pixels have `samples` samples. If they already do, only rewrites the image. */
 static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
                              void *user)
 {

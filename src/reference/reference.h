@@ -46,10 +46,10 @@ MUST_USE enum status reference_create(struct reference **reference,
                                       const struct reference_request *request);
 
 /*
- * Renders an image. *result must be {0} or finished; on failure it is {0}. The calling thread polls
- * `progress`, which may be NULL, with the number of finished tiles and of all tiles. If `progress`
- * returns false, all threads stop within a row of pixels, and the result is STATUS_FAILED without a
- * log.
+ * Renders an image. *result must own no memory; on failure it is zeroed. The calling thread
+ * regularly calls `progress` (may be NULL) with the numbers of finished tiles and of all tiles. If
+ * `progress` returns false, all threads stop within a row of pixels, and the result is
+ * STATUS_FAILED without a log message.
  */
 MUST_USE enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
                                       struct render_result *result, renderer_progress_fn *progress,
@@ -57,14 +57,14 @@ MUST_USE enum status reference_render(struct reference *reference, const struct 
 
 /*
  * Samples are rendered in rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel.
- * Limits are checked between rounds. The noise of an image is its pixels' mean standard error
- * (reference_sample_sums.h), too uncertain to stop at below REFERENCE_NOISE_SAMPLES samples.
+ * Limits are checked between rounds. The noise of an image is its pixels' mean standard error;
+ * below REFERENCE_NOISE_SAMPLES samples, its estimate is too uncertain for a noise limit.
  */
 enum {
     REFERENCE_NOISE_SAMPLES = 8
 };
 
-/* Fraction of a pixel's light in terminated rays above which the pixel deserves a warning. */
+/* Maximum mean throughput of a pixel's terminated rays; pixels above it cause a warning. */
 #define REFERENCE_REMAINING_MAX 0.05
 
 /* Result of a run: samples, noise, and light lost by truncation. */
@@ -83,7 +83,7 @@ typedef enum status reference_load_fn(void *user, struct reference_sums *sums);
 /* Callback that saves the sums after each round. A failure ends the rendering. */
 typedef enum status reference_save_fn(void *user, const struct reference_sums *sums, bool is_last);
 
-/* Rendering session of an image that several runs may continue. */
+/* Rendering session for an image whose samples may come from several runs. */
 struct reference_session {
     reference_load_fn *load; /* NULL to start without samples */
     reference_save_fn *save; /* may be NULL */
@@ -91,14 +91,14 @@ struct reference_session {
     struct reference_outcome outcome;
 };
 
-/* Renders as reference_render() does, up to a limit of the request; fills session->outcome. */
+/* Renders like reference_render(), but loads and saves sums; fills session->outcome. */
 MUST_USE enum status reference_continue(struct reference *reference,
                                         const struct renderer_shot *shot,
                                         struct render_result *result,
                                         struct reference_session *session,
                                         renderer_progress_fn *progress, void *user);
 
-/* Returns the ray tracing library's name and version, "Embree 3.13.5"; owned by `reference`. */
+/* Returns the ray tracing library and version, e.g. "Embree 3.13.5"; owned by `reference`. */
 const char *reference_device(const struct reference *reference);
 
 void reference_destroy(struct reference *reference); /* may be NULL */

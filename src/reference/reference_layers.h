@@ -19,8 +19,8 @@ struct reference_ray_values {
     float alpha; /* 1; 0 for a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* Exit direction, length inside the object in metres, and number of total internal reflections
-     * of the refracted path; 1 if the first surface hit inside reflects totally. */
+    /* Refracted path: exit direction, `path` length inside the object in metres, `bounces`: number
+     * of total internal reflections, `tir`: 1 if there are any, else 0. */
     vec3s exit;
     float path, bounces, tir;
     float inclusion_bits;         /* inclusions hit by the refracted path */
@@ -39,11 +39,11 @@ enum {
     REFERENCE_RAY_VALUE_NONE,
 };
 
-/* Returns the index of the float that a plane stores; REFERENCE_RAY_VALUE_ERROR or
- * REFERENCE_RAY_VALUE_NONE for the standard error or an unknown plane. */
+/* Returns the index of the value that a plane stores: REFERENCE_RAY_VALUE_ERROR for the standard
+ * error, REFERENCE_RAY_VALUE_NONE for an unknown plane. */
 size_t reference_layers_find(const char *plane);
 
-/* Returns the plane that stores the float of this index, or NULL. */
+/* Returns the name of the plane that stores value `index`, or NULL. */
 const char *reference_layers_plane(size_t index);
 
 /* Returns true if the path tracer can compute a layer. */

@@ -23,14 +23,14 @@ enum {
     REFERENCE_VALUE_COUNT,
 };
 
-/* Substitute for the undefined standard error of one sample: the maximum for a mean of 0..1. */
+/* Standard error of a single sample, where it is undefined: the maximum for values of 0..1. */
 #define REFERENCE_ERROR_UNKNOWN 0.5
 
 struct reference_sums {
     uint32_t width, height; /* pixels */
     uint32_t samples;       /* samples added so far */
     uint32_t count;         /* sums per pixel */
-    /* Index of each sum's source in struct reference_ray_values, or REFERENCE_SUM_... */
+    /* What each sum adds up: index into struct reference_ray_values, or REFERENCE_SUM_... */
     uint32_t values[REFERENCE_VALUE_COUNT];
     double *sums;         /* `count` per pixel; may be NULL */
     uint32_t first_count; /* number of values of sample 0 */
@@ -45,7 +45,7 @@ void reference_sums_finish(struct reference_sums *sums); /* accepts {0} */
 /* Adds a value to the list of sums unless it is already listed. Returns the index of its sum. */
 uint32_t reference_sums_add_value(struct reference_sums *sums, uint32_t value);
 
-/* Adds a value of sample 0, which is not averaged, with the image plane that stores it. */
+/* Registers a value that is taken from sample 0 instead of averaged, and its image plane. */
 void reference_sums_add_first(struct reference_sums *sums, uint32_t value, float *texels);
 
 /* Allocates the sums of all pixels, initialised to 0. Returns false when out of memory. */
@@ -58,10 +58,10 @@ void reference_sums_add(const struct reference_sums *sums, double *pixel,
 /* Returns the standard error of a pixel's mean brightness after `samples` samples. */
 double reference_sums_error(const double *pixel, uint32_t samples);
 
-/* Returns the largest channel of a pixel's mean `remaining`. */
+/* Returns a pixel's mean throughput of terminated rays, in the largest colour channel. */
 double reference_sums_remaining(const double *pixel, uint32_t samples);
 
-/* Returns the number of planes in a file; the next function returns the name of each. */
+/* Returns the number of planes in a file; reference_sums_plane_name() returns their names. */
 uint32_t reference_sums_plane_count(const struct reference_sums *sums);
 void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane,
                                char name[static IMAGE_NAME_SIZE]);
@@ -71,7 +71,7 @@ void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, u
                             float *row);
 
 /* Restores row y of a file's plane. The sums must initially be 0, and every row must be restored
- * once. Returns false if a value is not one that reference_sums_get_row() writes. */
+ * exactly once. Returns false for values that reference_sums_get_row() cannot write. */
 MUST_USE bool reference_sums_set_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
                                      const float *row);
 

@@ -1,7 +1,7 @@
 /*
- * volume_scattering.h: heterogeneous medium inside an object that scatters light but absorbs none.
- * Free-flight distances are sampled by delta tracking (Woodcock 1965): unbiased below the majorant,
- * and without a step size. Directions follow the Henyey-Greenstein phase function (1941).
+ * volume_scattering.h: heterogeneous scattering medium inside an object, without absorption.
+ * Free-flight distances are sampled by delta tracking (Woodcock 1965), which is unbiased and needs
+ * no step size. Directions follow the Henyey-Greenstein phase function (1941).
  */
 #ifndef FIRN_REFERENCE_VOLUME_SCATTERING_H
 #define FIRN_REFERENCE_VOLUME_SCATTERING_H
@@ -41,10 +41,10 @@ bool volume_scattering_sample_distance(const struct volume_scattering *volume_sc
 float volume_scattering_sun_depth(const struct volume_scattering *volume_scattering, vec3s point,
                                   vec3s to_sun);
 
-/* Returns the Henyey-Greenstein phase function of a cosine, relative to isotropic scattering. */
+/* Evaluates the Henyey-Greenstein phase function, relative to isotropic scattering. */
 float volume_scattering_phase(const struct volume_scattering *volume_scattering, float cosine);
 
-/* Samples a direction from the Henyey-Greenstein phase function; `at` is a random point. */
+/* Samples a direction from the Henyey-Greenstein phase function; `at` is random in 0..1. */
 vec3s volume_scattering_sample_direction(const struct volume_scattering *volume_scattering,
                                          vec3s dir, vec2s at);
 

@@ -49,7 +49,7 @@ static bool find_sunlight(const struct tracer *tracing, const struct embree_scen
     return tracing->photons || is_tile;
 }
 
-/* Multiplies direct sunlight by shadows of surroundings. Returns false if they cast none. */
+/* Applies the shadows of surroundings to direct sunlight. Returns false if they cast none. */
 static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_scene_hit *hit,
                              const struct ray_branch *b, bool is_affected, struct radiance_sun *sun)
 {
@@ -62,7 +62,7 @@ static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_s
     return true;
 }
 
-/* Returns the green refractive index of the medium around a ray's origin, relative to outside. */
+/* Returns the relative refractive index (green channel) of the medium around a ray's origin. */
 static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
 {
     const uint32_t top = nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE);
@@ -153,8 +153,8 @@ static void trace_tree(const struct tracer *tracing, struct ray_branch first, ui
     }
 }
 
-/* Follows the refracted path (which refracts wherever possible) from its entry to its first exit
- * from all objects, and fills the layers of that path. */
+/* Fills the layers of the refracted path: the path that refracts wherever possible, from the
+ * primary hit to its first exit from all objects. */
 static void fill_refracted_layers(const struct tracer *tracing, struct ray_branch b,
                                   struct reference_ray_values *values)
 {
@@ -185,8 +185,8 @@ static void fill_refracted_layers(const struct tracer *tracing, struct ray_branc
         bounces ? 1.0f : 0.0f;
 }
 
-/* Returns the object number of the last surface on the refracted path behind the first surface;
- * `last` if there is none. */
+/* Returns the object number of the last surface on the refracted path after the primary hit, or
+ * `last` if there is no such surface. */
 static float find_last_object(const struct tracer *tracing,
                               const struct primary_hit_layers *primary, const struct fork *fork,
                               float last)
@@ -211,7 +211,7 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
-/* Traces one colour channel, or all channels if the mask is 1, 1, 1, from a hit on an object. */
+/* Traces the colour channels of the mask `channels`, one or all, from a hit on an object. */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
                           const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
                           struct reference_ray_values *values)
@@ -262,7 +262,7 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
     }
 }
 
-/* Adds all light along a ray: for cameras in scattering media, and behind blended surfaces. */
+/* Adds the light along a ray to values->color, one colour channel at a time if dispersive. */
 static void trace_all_channels(const struct tracer *tracing, const struct ray_branch *from,
                                struct reference_ray_values *values)
 {
