@@ -269,7 +269,7 @@ static const struct setting rows[] = {
                 "hemisphere)"),
     ROW(slope, SETTING_CHOICE, .label = "Refraction law (caustics)", .max = CAUSTICS_PUBLISHED,
         .choices = slopes,
-        .help = "refraction with caustics.method=backtrace: Snell's law, or its deflection tripled"),
+        .help = "refraction with caustics.method=backtrace: Snell's law or a tripled deflection"),
     ROW(glow, SETTING_FLOAT, .label = "Sun glow (caustics)", .initial = 4, .min = 0.1, .max = 90,
         .unit = "degrees",
         .help = "angular radius of the sun's glow with caustics.method=backtrace"),
