@@ -1,8 +1,8 @@
 /*
  * deferred.c: deferred shading of boxes, with a shadow map and bloom. Usage: deferred PICTURE.ppm
  *
- * shadow -> shadow map; surfaces -> G-buffer (colour, normal, position); light -> lit image;
- * bright, down -> mip chain of bright areas for bloom; show -> tone-mapped 8-bit image.
+ * Passes: `shadow` draws the shadow map, `surfaces` the G-buffer (colour, normal, position),
+ * `light` the lit image, `bright` and `down` the bloom mip chain, and `show` the tone-mapped image.
  */
 #include <math.h>
 

@@ -25,7 +25,7 @@
         .name = title, .words = code, .word_count = sizeof(code) / 4 \
     }
 
-/* Creates a device from the first physical device, with its first queue family. */
+/* Creates a device with one queue, of queue family 0, on the first physical device. */
 static inline bool example_open(struct rg_vulkan *vulkan)
 {
     VkPhysicalDeviceVulkan12Features v12 = EXAMPLE_ZERO;
@@ -79,8 +79,8 @@ static inline bool example_write(const char *path, const unsigned char *rgba, Vk
     return fclose(file) == 0;
 }
 
-/* Renders `frame_count` frames and writes the content of `pixels` after the last one to a file.
- * `advance` updates the frame before each submit; it may be NULL. */
+/* Renders `frame_count` frames, then writes the buffer `pixels` of the last one to an image file.
+ * Calls `advance` with `frame` before each submit, unless `advance` is NULL. */
 static inline bool example_draw(struct rg_exec *exec, struct rg_frame *frame, uint32_t frame_count,
                                 void (*advance)(struct rg_frame *frame),
                                 const struct rg_buffer *pixels, VkExtent2D view, const char *path)

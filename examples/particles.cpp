@@ -1,5 +1,5 @@
-// particles.cpp: particle fountain that is simulated and drawn by the GPU alone: the number of live
-// particles is only known to an indirect draw's parameters. C++20. Usage: particles PICTURE.ppm
+// particles.cpp: particle fountain simulated and drawn by the GPU alone (C++20). The CPU never
+// reads the number of live particles, which controls an indirect draw. Usage: particles PICTURE.ppm
 #include "example.h"
 
 #include "particles.frag.h"

@@ -1,4 +1,4 @@
-/* particles_reset.comp: resets the indirect draw to one instance without vertices. */
+/* particles_reset.comp: resets the indirect draw command to one instance of zero vertices. */
 #version 460
 
 layout(local_size_x = 1) in;

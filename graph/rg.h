@@ -35,7 +35,7 @@
 extern "C" {
 #endif
 
-/* Limits of pass tables. Every device supports them (RG_COLOR_COUNT: desktop devices). */
+/* Limits of pass tables, supported by every device (RG_COLOR_COUNT: by desktop devices). */
 enum {
     RG_COLOR_COUNT = 8,        /* maximum colour attachments per pass */
     RG_ALL_MIPS = UINT16_MAX,  /* full mip chain, for rg_image.mips */
@@ -94,7 +94,7 @@ enum rg_kind {
     RG_TRANSFER, /* copies, blits, clears, acceleration structure builds */
 };
 
-/* Repetition of a pass, for the layers or mips of its first target (else first image written). */
+/* Repetition of a pass over the layers or mip levels of the first image that it writes. */
 enum rg_repeat {
     RG_ONCE,      /* a single pass */
     RG_PER_LAYER, /* one pass per layer */
@@ -115,12 +115,13 @@ struct rg_image {
     const char *name;       /* unique; shown in dumps and captures */
     VkFormat format;        /* required; one of compile/format_table.c */
     uint32_t width, height; /* texels; 0 means view times `scale` */
-    float scale;            /* factor on the view's size, rounded up to texels; `scale` 0 means 1 */
+    float scale;            /* `scale`: image size / view size, rounded up to texels; 0 means 1 */
     uint32_t layers;        /* array layers; default 1, cube 6 */
     uint32_t mips;          /* mip levels, or RG_ALL_MIPS; default 1 */
-    /* power of two up to 64, 0 means 1; multisampled: one mip level, no cube, read by texelFetch */
+    /* samples per texel: a power of two up to 64; 0 means 1. A multisampled image has one mip
+     * level, is no cube, and is read by texelFetch */
     uint32_t samples;
-    /* texels along z, 0 means 2D; a 3D image has one layer and sample and is no cube or target */
+    /* texels along z; 0 means 2D. A 3D image has one layer, one sample, and is no cube or target */
     uint32_t depth;
     bool cube;       /* sampled as cube map; 6n layers */
     bool array;      /* array view even with one layer */
@@ -145,11 +146,11 @@ struct rg_range {
     VkImageAspectFlags aspect;   /* 0 means all aspects */
     uint32_t mip, mip_count;     /* mip_count 0 means all remaining levels */
     uint32_t layer, layer_count; /* layer_count 0 means all remaining layers */
-    /* in a repeated pass: only the layer or mip level of the current repetition */
+    /* restricts a repeated pass to the layer or mip level of the current repetition */
     bool each;
 };
 
-/* Sampler state. {0}: the nearest texel of mip 0, clamped to the edge. */
+/* Sampler state; {0} samples the nearest texel of mip 0 and clamps to the edge. */
 struct rg_sampler {
     bool linear;      /* linear filter, also between mip levels */
     bool mips;        /* mip chain; otherwise only mip 0 */
@@ -161,7 +162,7 @@ struct rg_sampler {
 
 /* Colour of the 1x1 placeholder that a use samples if no pass and no import provides its image. */
 struct rg_fallback {
-    /* linear colour in the format's range; depth uses the first component, integers truncate */
+    /* linear colour in the format's range (integers truncate); depth formats only use color[0] */
     float color[4];
 };
 
@@ -170,8 +171,8 @@ struct rg_use {
     const struct rg_image *image;   /* set either this or `buffer` */
     const struct rg_buffer *buffer; /* set either this or `image` */
     enum rg_access access;          /* required; no attachment access */
-    /* descriptor in set 0, unique except in a descriptor array, whose elements (from 0) are
-     * consecutive uses with the same binding, descriptor type and stages */
+    /* binding in descriptor set 0. Consecutive uses with the same binding, descriptor type and
+     * stages form a descriptor array, with `element` from 0; otherwise each binding is unique. */
     uint16_t binding;
     uint16_t element;
     bool texels;  /* storage texel buffer, of rg_buffer.format */
@@ -179,9 +180,9 @@ struct rg_use {
     /* RG_SAMPLED: reads only the fragment's own texel, so rg_exec_set_region() can draw less */
     bool same_texel;
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    /* placeholder if no pass or import provides the (single-sample) image; NULL: a fault */
+    /* placeholder if nothing provides the single-sample image; if NULL, that is a fault */
     const struct rg_fallback *fallback;
-    /* shader stages that access it; 0 means fragment or compute, for RG_UNIFORM also vertex */
+    /* shader stages that access it; 0 means compute or fragment, plus vertex for RG_UNIFORM */
     VkPipelineStageFlags2 stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
 };
@@ -215,18 +216,18 @@ struct rg_set {
     const char *name; /* required; for messages and dumps */
 };
 
-/* Layout of a vertex buffer, in a linked list: binding 0 first, each `next` is the following. */
+/* Layout of one vertex buffer, and link to that of the next binding; the first is binding 0. */
 struct rg_vertex_layout {
     uint32_t stride;          /* bytes, at most RG_MAX_STRIDE */
     uint32_t attribute_count; /* number of `attributes` */
-    /* borrowed; each has its own location below RG_MAX_ATTRIBUTES, and this layout's binding */
+    /* borrowed; unique locations below RG_MAX_ATTRIBUTES, with the binding of this layout */
     const VkVertexInputAttributeDescription *attributes;
     VkVertexInputRate rate;              /* per vertex or per instance */
     const struct rg_vertex_layout *next; /* layout of the next binding */
 };
 
-/* Stencil test of a pass whose depth target has a stencil aspect. Stencil writes are stored with
- * the depth; rg_target.clear has the initial stencil value. */
+/* Stencil test of a pass whose depth target has a stencil aspect. Stencil values are stored in the
+ * depth target; rg_target.clear has the initial value. */
 struct rg_stencil {
     VkStencilOpState front, back; /* for front faces; for back faces */
 };
@@ -241,7 +242,7 @@ struct rg_cmd;   /* the pass being recorded (rg_cmd.h) */
 struct rg_frame; /* program-defined per-frame data for callbacks */
 
 /* Records the commands of one pass. The pass's pipeline, descriptor set 0, viewport, scissor and
- * targets are already bound. Called by rg_exec_submit(), in the thread that called it. */
+ * targets are already bound. Called by rg_exec_submit(), in the same thread. */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Returns true if a conditional pass runs in a frame; `repetition` is 0 unless the pass is
@@ -266,7 +267,7 @@ typedef VkRect2D rg_area_fn(const struct rg_cmd *cmd, const struct rg_frame *fra
  * between write what it reads. */
 typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct rg_frame *frame);
 
-/* A row of a pass table: one pass, or several repetitions of it. */
+/* Declaration of a pass in a table; expands to one pass or to several repetitions. */
 struct rg_pass {
     const char *name;                        /* unique; shown in dumps and captures */
     enum rg_kind kind;                       /* raster, compute or transfer */
@@ -327,8 +328,8 @@ struct rg_memory_requirements {
     uint32_t type_bits;           /* mask of allowed memory types; nonzero */
 };
 
-/* Device properties, queried only by rg_compile(); rg_exec_device() returns those of a VkDevice.
- * Each function receives `user`; a NULL function imposes no limit. */
+/* Callbacks by which rg_compile() queries a device; rg_exec_device() returns those of a VkDevice.
+ * Each one receives `user`; a NULL callback imposes no limit. */
 struct rg_device {
     const void *user; /* borrowed */
     /* Return the memory requirements of an image or buffer with this create info. */
@@ -341,7 +342,7 @@ struct rg_device {
     VkFormatFeatureFlags (*buffer_features)(const void *user, VkFormat format);
     /* Returns the sample counts supported for an image with this create info. */
     VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
-    /* maximum texels per side and layers, up to 65536 and 16384; 0 means these limits */
+    /* maximum texels per side and maximum layers; 0 means the upper limits 65536 and 16384 */
     uint32_t max_image_size, max_layers;
     uint32_t max_volume_size; /* texels per 3D side; default 16384 */
 };
@@ -379,10 +380,10 @@ struct rg_compile_params {
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
     bool skip_shaders;              /* no shader validation (5 us each) */
-    /* expected rg_exec_params.constants, each of which must exist in a shader; NULL: not checked */
+    /* rg_exec_params.constants, to check that each exists in a shader; if NULL, no check */
     const VkSpecializationInfo *constants;
-    /* Memory for compiling and for the plan, which it outlives; aligned for any type. If it is NULL
-     * or too small, malloc() provides the rest; rg_plan.arena_size bytes suffice. */
+    /* Memory for compiling and for the plan; must outlive the plan and be aligned for any type. If
+     * NULL or too small, malloc() provides the rest; rg_plan.arena_size bytes suffice. */
     void *memory;
     size_t memory_size; /* bytes */
 };
@@ -436,8 +437,8 @@ struct rg_fault {
 };
 
 /* Compiles the techniques of `params` in order. Returns a plan, which the caller destroys, or NULL
- * if out of memory; check its fault_count first. Any numbers and NULL pointers in the tables at
- * worst produce faults. Thread-safe. */
+ * if out of memory; check its fault_count first. Invalid numbers or NULL pointers in the tables
+ * only produce faults. Thread-safe. */
 RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
 /* Frees a plan. NULL is allowed. rg_compile_params.memory stays the caller's. */
@@ -457,7 +458,7 @@ RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out); /* one self-con
  * Writes at most `size` bytes; returns the length of the whole line, as snprintf() does. */
 RG_API int rg_fault_text(const struct rg_fault *fault, char *text, size_t size);
 
-/* Vulkan stages, accesses, layout and usage of an access. */
+/* Vulkan stages, accesses, layout and usage of an rg_access. */
 struct rg_access_info {
     const char *name;             /* as in dumps */
     VkPipelineStageFlags2 stages; /* 0 means the use's shader stages */

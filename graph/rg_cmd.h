@@ -19,7 +19,7 @@ extern "C" {
 /* Returns the declaration (table row) of the pass being recorded. */
 RG_API const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd);
 
-/* Returns the index of the repetition, from 0: the cube face if a pass is repeated per layer. */
+/* Returns the index of a pass's repetition, from 0; for example, the cube face (RG_PER_LAYER). */
 RG_API uint32_t rg_cmd_repetition(const struct rg_cmd *cmd);
 
 /* Returns the size of the pass's targets in texels; the view's size if it has no targets. */
@@ -37,7 +37,7 @@ RG_API void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
 /* Draws one instance of `vertex_count` vertices without vertex buffers. */
 RG_API void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count);
 
-/* Draws instances of `vertex_count` vertices without vertex buffers; gl_InstanceIndex is from 0. */
+/* Draws `instance_count` instances without vertex buffers; gl_InstanceIndex starts at 0. */
 RG_API void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count,
                                   uint32_t instance_count);
 
@@ -50,7 +50,7 @@ struct rg_mesh {
     const VkBuffer *more;    /* buffers for rg_vertex_layout.next; may be NULL */
 };
 
-/* Draws all indices of a mesh; does nothing if it has none. */
+/* Draws a whole mesh; does nothing if it has no indices. */
 RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 
 /* Draws `count` indices of a mesh, starting at index number `first`. */
@@ -85,7 +85,7 @@ struct rg_indirect_count {
     uint32_t max_count;            /* maximum number of draws */
 };
 
-/* Draw a number of times that a buffer holds. Without the feature drawIndirectCount,
+/* Record indirect draws whose number is read from a buffer. Without the feature drawIndirectCount,
  * rg_exec_submit() logs the error and fails with VK_ERROR_FEATURE_NOT_PRESENT. */
 RG_API void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws);
 RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
@@ -107,8 +107,8 @@ RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buff
 
 /* ---- acceleration structures ---- */
 
-/* Return the acceleration structure in a buffer that the pass declares (owned by the executor), and
- * the device address of a structure, RG_BUILD_INPUT or RG_BUILD_SCRATCH buffer. */
+/* Return a buffer's acceleration structure (owned by the executor), or the device address of a
+ * buffer with a structure, build input or build scratch. The pass must declare the buffer. */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
@@ -118,8 +118,8 @@ RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_
 /* Returns the command buffer being recorded, for direct Vulkan calls. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
-/* Return the image, or this frame slot's buffer, of a resource that the pass uses, owned by the
- * executor. A use that is bound to its fallback has no image. */
+/* Return the VkImage or VkBuffer (that of the frame slot) of a resource that the pass declares,
+ * owned by the executor. A use that is bound to its fallback has no image. */
 RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
 RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 

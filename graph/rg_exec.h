@@ -38,8 +38,8 @@ struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
     VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
-    /* instead of `image`: images of which each frame uses one, such as a swapchain's; all such
-     * imports have equally many images and use the same index */
+    /* alternative to `image`: several images, such as a swapchain's, of which a frame uses one; all
+     * such imports have equal image counts, and use the same index in a frame */
     const VkImage *images;
     uint32_t image_count;
 };
@@ -85,13 +85,13 @@ struct rg_exec_params {
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
-    /* VkRenderPass instead of dynamic rendering, for older synchronization validation layers */
+    /* uses VkRenderPass, not dynamic rendering; for old synchronization validation layers */
     bool render_passes;
-    /* for rg_exec_warm_up() only: ignores `imports`, has no content; not with render_passes */
+    /* only for rg_exec_warm_up(): without imports and content; excludes render_passes */
     bool warm_up_only;
     bool measured;   /* enables rg_time.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
-    /* specialization constants of all shaders, where declared; NULL: default values. Not kept. */
+    /* specialization constants for all shaders that declare them; NULL means defaults. Not kept. */
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn *replace_shader; /* called by rg_exec_create(); NULL: no replacement */
     /* features enabled on the device (pNext: Vulkan 1.2 and 1.3 features); NULL: all supported */
@@ -125,13 +125,13 @@ RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* ---- a frame ---- */
 
-/* Begins a frame in the next slot, after its previous frame has finished. Sets *slot. */
+/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
 /* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
-/* Synchronisation of a frame with work outside its queue. {0}: none. */
+/* Synchronisation of a frame with work outside its queue; {0} means none. */
 struct rg_exec_external_sync {
     uint32_t image_index;              /* index into rg_exec_import.images */
     VkSemaphore wait;                  /* binary semaphore, or VK_NULL_HANDLE */
@@ -153,7 +153,7 @@ RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer
 /* A region of the view, for tiled rendering of images that are too large to draw at once. */
 struct rg_exec_region {
     VkRect2D region; /* nonempty; at most max_region texels */
-    /* area of the view, of any size, that fragments sample besides their own texel */
+    /* area of the view, of any size, from which fragments sample texels other than their own */
     VkRect2D reach;
 };
 
@@ -166,10 +166,10 @@ RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region
 
 /* ---- objects ---- */
 
-/* Returns the executor's image of a declaration; VK_NULL_HANDLE if the plan does not use it. */
+/* Returns the VkImage of a declared image; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
-/* Returns the executor's memory of a block of the plan; content is undefined between frames. */
+/* Returns the VkDeviceMemory of a block of the plan; content is undefined between frames. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
 
 /* ---- pipeline warm-up ---- */
@@ -190,7 +190,7 @@ struct rg_vulkan {
     VkDevice device;
 };
 
-/* Returns a device's properties for rg_compile(). `vulkan` is borrowed and outlives the result. */
+/* Returns a device's properties for rg_compile(). `vulkan` is borrowed; it outlives the result. */
 RG_API struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
 
 #ifdef __cplusplus

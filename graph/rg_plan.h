@@ -79,7 +79,7 @@ struct rg_plan_use {
     VkImageLayout layout;          /* of an image, during the pass */
 };
 
-/* One pass to record: a row of a pass table, or one repetition of it. */
+/* One pass to record: a declared pass, or one repetition of it. */
 struct rg_plan_pass {
     const struct rg_pass *pass; /* the row */
     const struct rg_technique *technique;
@@ -113,8 +113,8 @@ struct rg_plan {
     const struct rg_plan_buffer *buffers;
     const struct rg_barrier *barriers;                 /* per frame, followed by initial ones */
     uint32_t first_final_barrier, final_barrier_count; /* one batch, after the last pass */
-    /* Barriers before the first frame: from TRANSFER_DST_OPTIMAL, after zero-filling of persistent
-     * resources, to the state between frames. In no batch. */
+    /* Barriers to record once, before the first frame and after zero-filling persistent resources
+     * (in TRANSFER_DST_OPTIMAL). Not counted in batch_count. */
     uint32_t first_initial_barrier, initial_barrier_count;
     const struct rg_plan_use *uses;        /* contiguous for each pass */
     const struct rg_use *const *fallbacks; /* uses bound to their placeholder */

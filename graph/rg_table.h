@@ -31,7 +31,7 @@
 
 #else
 
-/* Tables name only the fields that are not zero, which -Wextra reports in C++. */
+/* Tables omit fields that are zero; -Wextra would report this in C++. */
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif

@@ -101,7 +101,7 @@ VkDescriptorType rg_use_descriptor(const struct rg_use *use)
     return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
 }
 
-/* Bits of access.visibility; shader accesses also use the next two (vertex, fragment, compute). */
+/* First visibility bit of each access. Shader accesses have 3 bits: vertex, fragment, compute. */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
     [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
@@ -154,7 +154,7 @@ struct access rg_boundary_access(struct resource *r, enum rg_access kind)
 #define KIND_BIT(kind) (1u << (kind))
 #define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
 
-/* Bit masks of the kinds of pass that support each access. */
+/* Bit mask, for each access, of the kinds of pass that support it. */
 static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = BY_SHADERS,
     [RG_STORAGE_READ] = BY_SHADERS,

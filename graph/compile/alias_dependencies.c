@@ -1,15 +1,15 @@
-/* alias_dependencies.c: finds the accesses that must end before a transient resource may reuse
- * memory: in a frame, those of the previous owners of the same bytes; across frames, those of all
- * owners, including itself. Barriers in between do not count: each covers only its own resource. */
+/* alias_dependencies.c: finds the accesses that must finish before a transient resource may reuse
+ * memory: those of earlier owners of the same bytes in this frame, and of all owners in the
+ * previous frame. Earlier barriers do not help, since each covers only one resource. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
-    /* limit: beyond it, segments are no longer split, so barriers may wait longer than necessary */
+    /* maximum segments per block; then no more are split, and barriers may wait too long */
     MAX_SEGMENTS = 256
 };
 
-/* Bytes of a block from `begin` to the next segment, with the last accesses to them. */
+/* Byte range of a block, from `begin` to the next segment, and the last accesses to it. */
 struct segment {
     VkDeviceSize begin;
     struct previous_owner pending;
@@ -50,7 +50,7 @@ static bool covers(const struct previous_owner *a, const struct previous_owner *
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Adds an item's last accesses to the segments of its bytes; splits partly covered segments. */
+/* Adds an item's last accesses to the segments that it overlaps, splitting segments at its ends. */
 static void record_accesses(struct segments *s, const struct pack_item *item,
                             const struct previous_owner *pending)
 {
@@ -68,7 +68,7 @@ static void record_accesses(struct segments *s, const struct pack_item *item,
     }
 }
 
-/* Merges the last accesses to all bytes of an item into `all`. */
+/* Merges the last accesses to any byte of an item into `all`. */
 static void merge_owners(const struct segments *s, const struct pack_item *item,
                          struct previous_owner *all)
 {
@@ -82,7 +82,7 @@ static struct previous_owner *owner_of(const struct compiler *c, const struct pa
     return &c->owners[item->resource->item];
 }
 
-/* Finds for each item of a block the last pass that used its bytes before. */
+/* Finds, for each item of a block, the last earlier pass that used any of the same bytes. */
 static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
                       uint32_t count)
 {
@@ -90,7 +90,7 @@ static void find_ends(struct compiler *c, struct segments *s, const struct pack_
         const struct previous_owner pending = { .end = item->last + 1 };
         struct previous_owner *owner = owner_of(c, item);
         merge_owners(s, item, owner);
-        if (owner->end > item->first) /* an unsplit segment may report a later pass */
+        if (owner->end > item->first) /* clamped, as unsplit segments may report later passes */
             owner->end = item->first;
         record_accesses(s, item, &pending);
     }
@@ -107,7 +107,7 @@ static void find_pending(const struct resource *r, struct previous_owner *pendin
     }
 }
 
-/* Finds the previous owners of a block's items. Accesses that all items share need no segments. */
+/* Finds the previous owners of each item's bytes, with their accesses pending after a frame. */
 static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
                         uint32_t count)
 {

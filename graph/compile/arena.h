@@ -14,7 +14,7 @@ struct arena {
     bool failed;
 };
 
-/* `memory` is the caller's first chunk, or NULL. */
+/* Initialises an arena whose first chunk is the caller's `memory`, which may be NULL. */
 void rg_arena_init(struct arena *arena, void *memory, size_t size);
 void rg_arena_finish(struct arena *arena);
 
@@ -25,7 +25,7 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* Returns a copy of an array with twice the room, at least `min_room`; `array` if out of memory. */
+/* Returns a copy of `array` with doubled capacity (or `min_room`); `array` if out of memory. */
 void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t min_room,
                     size_t element_size);
 

@@ -13,7 +13,7 @@
 #include <assert.h>
 #include "graph/compile/subresource_state.h"
 
-/* Stores the range of the newest barrier batch in its pass, or in the plan after the last pass. */
+/* Stores the index range of the newest batch in its pass, or in the plan if it is the final one. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -57,7 +57,7 @@ static bool merge_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRan
     return true;
 }
 
-/* Merges the newest barrier into barrier `before` of the same batch, if possible. */
+/* Merges the newest barrier into barrier `before`. Returns false if they cannot be merged. */
 static bool merge(struct compiler *c, uint32_t before)
 {
     struct rg_barrier *a = &c->barriers[before];
@@ -69,15 +69,15 @@ static bool merge(struct compiler *c, uint32_t before)
     return true;
 }
 
-/* Merges the newest barriers of a resource, down to index `start`, as long as possible. */
+/* Merges the barriers of a resource from index `start` on, newest first, as far as possible. */
 static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
 {
     while (c->barrier_count >= start + 2 && merge(c, c->barrier_count - 2))
         r->last_barrier = c->barrier_count - 1;
 }
 
-/* Tries to extend an earlier barrier of this frame to cover a read of the same content, instead of
- * adding the barrier `next`. Returns false if there is no such barrier. */
+/* Tries to extend an earlier barrier of this frame to cover a read, so that the barrier `next` is
+ * not needed. Returns false if no earlier barrier can be extended. */
 static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
                   const struct rg_barrier *next)
 {
@@ -98,7 +98,7 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
-/* Appends the barrier at c->barrier_count to the newest batch or a new one before `deadline`. */
+/* Adds the barrier at c->barrier_count to the newest batch, or to a new one at pass `deadline`. */
 static void append_barrier(struct compiler *c, const struct cell_walk *w, struct resource *r,
                            uint32_t release, uint32_t deadline)
 {
@@ -199,7 +199,7 @@ static void end_resource(struct compiler *c, struct resource *r)
     rg_add_barriers(c, &a, c->plan->pass_count, restores_import);
 }
 
-/* Adds a persistent resource's initial barriers, from its zero fill to its state between frames. */
+/* Adds a persistent resource's barriers between its zero fill and the first frame. */
 static void begin_history(struct compiler *c, struct resource *r)
 {
     const struct access all = rg_boundary_access(r, RG_ACCESS_NONE);

@@ -1,7 +1,7 @@
 /* check_params.c: validates rg_compile_params, images and buffers. */
 #include "graph/compile/compiler.h"
 
-/* Returns true if an import or output (image, or buffer if NULL) supports an access. */
+/* Returns true if an import or output supports an access. `image` is NULL for a buffer. */
 static bool supports_access(const struct rg_image *image, enum rg_access access)
 {
     const struct rg_access_info *info = &rg_access_table[access];
@@ -130,7 +130,7 @@ static const char *buffer_problem(const struct resource *r, enum rg_error *error
     return NULL;
 }
 
-/* Checks a resource; faulty ones get a size that later stages can handle. */
+/* Checks a resource. A faulty one is reduced to one layer and mip level, safe for later stages. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     enum rg_error error;

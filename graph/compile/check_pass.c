@@ -1,4 +1,4 @@
-/* check_pass.c: validates a row (pass declaration) by itself, independently of other rows. */
+/* check_pass.c: validates one pass declaration, independently of other passes. */
 #include <float.h>
 #include "graph/compile/compiler.h"
 
@@ -7,7 +7,7 @@ static const char *use_name(const struct rg_use *use)
     return use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
 }
 
-/* Returns true if the fallback's colour is in the range of the image's format. */
+/* Returns true if the fallback colour of a use is in the range of its image's format. */
 static bool fits_format(const struct rg_use *use)
 {
     const struct rg_format_info *format = rg_format_info(use->image->format);
@@ -50,7 +50,7 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
                 RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");
 }
 
-/* Returns true if a use continues the descriptor array of the previous use, which may be NULL. */
+/* Returns true if `use` continues the descriptor array of the use `before`, which may be NULL. */
 static bool is_next_element(const struct rg_use *use, const struct rg_use *before)
 {
     return before && use->binding == before->binding && use->element == before->element + 1u &&
@@ -76,7 +76,7 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    /* a raster pass without targets has been reported already */
+    /* a raster pass without targets counts as writing, as it has been reported already */
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool ascending = true;

@@ -37,7 +37,7 @@ void rg_check_target(struct compiler *c, const struct rg_target *target)
         "blend_state: expected Vulkan constants without dual-source blending, and no .blend");
 }
 
-/* Returns true if a vertex layout is valid and its locations are unused; adds them to the set. */
+/* Returns true if a vertex layout is valid and has unused locations. Adds these to *locations. */
 static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32_t *locations)
 {
     bool fits = v->stride <= RG_MAX_STRIDE && (uint32_t)v->rate <= VK_VERTEX_INPUT_RATE_INSTANCE;

@@ -56,7 +56,7 @@ static void check_push(const struct shaders *s)
         }
     }
     uint32_t size = s->row->push_size;
-    /* a C struct may have trailing padding up to 16 bytes */
+    /* a C struct may have padding up to a multiple of 16 bytes */
     if (size < min_size || size > (max_size + 15) / 16 * 16)
         fault(s, RG_ERROR_SHADER_PUSH, block, "push_size: expected the %u bytes of %s, got %u",
               min_size ? min_size : max_size, shader, size);
@@ -120,7 +120,7 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
     return false;
 }
 
-/* Returns the index-th resource use that no shader reads; NULL if there are fewer. */
+/* Returns the index-th resource of the pass that no shader accesses; NULL if there are fewer. */
 static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
 {
     for (const struct rg_use *use = s->row->uses; use && rg_is_use(use); use++) {
@@ -180,7 +180,7 @@ static const char *format_name(VkFormat format)
     return info ? info->name : "an unknown format";
 }
 
-/* Returns the component type that shaders read from an aspect of a format; '?' if unknown. */
+/* Returns the type that shaders read from a format's aspect: 'f', 'i' or 'u'; '?' if unknown. */
 static char component_of(VkFormat of, VkImageAspectFlags aspect)
 {
     const struct rg_format_info *format = rg_format_info(of);
@@ -196,7 +196,7 @@ static const char *component_name(char component)
     return component == 'f' ? "float" : component == 'i' ? "int" : component == 'u' ? "uint" : "?";
 }
 
-/* Returns an image's number of layers; an import may differ from its declaration. */
+/* Returns an image's number of layers, which an import may override. */
 static uint32_t layer_count(const struct shaders *s, const struct rg_image *image)
 {
     const struct rg_compile_params *params = s->c->params;
@@ -301,7 +301,7 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
         check_uniform(s, stage, v, use);
 }
 
-/* Checks the use of a binding, or all uses of a descriptor array. */
+/* Checks the resource, or descriptor array of resources, bound to a shader variable. */
 static void check_elements(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, const struct rg_use *first,
                            VkPipelineStageFlags2 in)
@@ -317,7 +317,7 @@ static void check_elements(const struct shaders *s, const struct spirv *stage,
         check_use(s, stage, v, &first[i], in);
 }
 
-/* Reports a shader binding that the pass lacks; names an unused one, as the number may be wrong. */
+/* Reports a shader binding that a pass lacks, with a hint at a binding that no shader uses. */
 static void report_missing(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, uint32_t *missing)
 {
@@ -376,7 +376,7 @@ static void check_bindings(const struct shaders *s)
 
 /* ---- vertex inputs, colour outputs ---- */
 
-/* Consecutive formats of equal component count; `kinds` has each type: f, u, i (? if unknown). */
+/* Successive VkFormats of equal component count. kinds[i] is the type of `first` + i: f, u, i. */
 struct format_group {
     VkFormat first;
     uint32_t components;
@@ -445,7 +445,7 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
               component_name(kind));
 }
 
-/* Returns a bit mask of the locations of inputs or outputs; bit 31 is set for all from 31 on. */
+/* Returns a bit mask of the locations of inputs or outputs; bit 31 means location 31 or higher. */
 static uint32_t locations(const struct spirv *s, uint32_t storage)
 {
     uint32_t bits = 0;
@@ -491,7 +491,7 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
               component_name(component), component_name(expected));
 }
 
-/* Compares the fragment shader's inputs with the vertex shader, its outputs with the targets. */
+/* Checks fragment shader inputs against vertex shader outputs, and outputs against the targets. */
 static void check_fragments(const struct shaders *s)
 {
     const struct spirv *frag = s->stages[1];
@@ -516,7 +516,7 @@ static void check_fragments(const struct shaders *s)
 
 /* ---- specialization constants ---- */
 
-/* Checks the specialization constants in the params against shaders, and records which exist. */
+/* Checks the sizes of the params' specialization constants, and records which ones shaders have. */
 static void check_constants(const struct shaders *s)
 {
     const VkSpecializationInfo *given = s->c->params->constants;

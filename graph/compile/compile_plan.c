@@ -7,7 +7,7 @@ struct owned_plan {
     struct arena arena;
 };
 
-/* Reserves about as many entries as the tables need, to avoid copying as they grow. */
+/* Reserves hash table slots in advance, to avoid copying as the tables grow. */
 static void reserve(struct compiler *c)
 {
     rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);

@@ -100,7 +100,7 @@ struct pass {
     bool alive; /* not culled */
 };
 
-/* A transient resource (in tests: any byte range) to be packed into a memory block. */
+/* A transient resource to be packed into a memory block (in tests, any byte range). */
 struct pack_item {
     VkDeviceSize size, alignment; /* bytes; a power of two */
     VkDeviceSize offset;          /* result: bytes from the block's start */
@@ -111,7 +111,7 @@ struct pack_item {
     uint32_t block; /* index into the plan's blocks */
 };
 
-/* Pending accesses of the resources that occupied an item's bytes before it. */
+/* Pending accesses of the resources that previously occupied an item's memory. */
 struct previous_owner {
     VkPipelineStageFlags2 stages; /* stages of pending accesses */
     VkAccessFlags2 writes;        /* writes not yet made available */
@@ -134,7 +134,7 @@ struct compiler {
     struct string_set resource_names, pass_names;
     struct map provided; /* images written or imported; for fallbacks */
 
-    /* The pass declaration being processed; NULL and RG_NONE if there is none. */
+    /* Pass declaration being processed, as technique and row; NULL and RG_NONE if there is none. */
     const struct rg_technique *technique;
     uint32_t row;
     uint32_t row_first_fault;
@@ -173,7 +173,7 @@ struct compiler {
 
 /* ---- fault.c ---- */
 
-/* Adds a fault of the current row, unless it already has an equal one. `resource` may be NULL. */
+/* Reports a fault of the current pass declaration, but only once. `resource` may be NULL. */
 __attribute__((cold)) void rg_fault(struct compiler *c, enum rg_error error, const char *resource,
                                     const char *hint);
 
@@ -181,7 +181,7 @@ __attribute__((cold)) void rg_fault(struct compiler *c, enum rg_error error, con
 __attribute__((cold)) void rg_fault_of(struct compiler *c, enum rg_error error,
                                        const char *resource, const char *hint);
 
-/* Adds a fault of the current row if `wrong`. */
+/* Reports a fault of the current pass declaration if `wrong`. */
 static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error error,
                                const char *resource, const char *hint)
 {
@@ -194,13 +194,13 @@ static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error err
     rg_fault_if((c), (unsigned)(of)->field > (unsigned)(last), RG_ERROR_VALUE, (resource), \
                 #field ": expected a constant of " type)
 
-/* Returns true if a table is NULL despite its count, or its count exceeds `max`. */
+/* Returns true if a table is NULL despite a nonzero count, or its count exceeds `max`. */
 static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
 {
     return count && (!table || count > max);
 }
 
-/* Adds a fault if a table field is NULL despite its count, or too long. */
+/* Adds a fault if a table is NULL despite a nonzero count, or has more than `max` entries. */
 #define RG_CHECK_TABLE(c, of, table, count, max, resource) \
     rg_fault_if((c), rg_is_bad_table((of)->table, (of)->count, (max)), RG_ERROR_TABLE, (resource), \
                 #table ": expected " #count " entries, at most " #max)
@@ -209,13 +209,13 @@ static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
 
 extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
 
-/* Shader stages of all kinds of pass: assumed for imports and outputs that shaders access. */
+/* All shader stages; assumed for imports and outputs that shaders access. */
 #define RG_ANY_SHADER \
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
-/* Value of cell.visible if a write is visible to all reads: one bit per (stage, access) pair. Bit
- * 31, common to all other pairs, is never set there. */
+/* Value of cell.visible for a write that is visible to all reads: a bit per (stage, access) pair.
+ * Bit 31, for any other shader stage, is never set, so that its reads always get a barrier. */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
 /* Returns true for accesses by shaders through a descriptor. */
@@ -230,7 +230,7 @@ static inline bool rg_is_structure_access(enum rg_access kind)
     return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
 }
 
-/* Initialises an access to a whole resource, with all flags but ACCESS_OVERWRITES. Returns `a`. */
+/* Initialises and returns `a`, an access to a whole resource. Its flags follow from `kind`. */
 struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
                               VkPipelineStageFlags2 stages);
 
@@ -307,7 +307,7 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
 
 /* ---- check_params.c, check_pass.c ---- */
 
-/* Counts the rows and checks the tables of the params. Returns true if all tables can be read. */
+/* Counts the passes, and checks the arrays in the params. Returns true if all can be read. */
 bool rg_check_params(struct compiler *c);
 
 /* Checks an import (if `arrives`) or output. Returns true if it names exactly one resource. */
@@ -317,7 +317,7 @@ bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
 void rg_check_resource(struct compiler *c, struct resource *r);
 void rg_check_output_memory(struct compiler *c, const struct resource *r);
 
-/* Checks a pass declaration, except its name, as far as it does not depend on other passes. */
+/* Checks those fields of a pass declaration that do not depend on other passes. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
 
 /* ---- check_pipeline_state.c ---- */
@@ -326,7 +326,7 @@ enum {
     ALL_CHANNELS = 0xf /* all bits of VkColorComponentFlags */
 };
 
-/* Return true if blending reads the old colour, or if some old colour may remain, respectively. */
+/* Return true if blending reads the old colour, and (rg_keeps_color) if some of it may remain. */
 bool rg_is_blended(const struct rg_target *target);
 bool rg_keeps_color(const struct rg_target *target);
 
@@ -337,14 +337,14 @@ void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
 /* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 
-/* Find specialization constants that no shader has; called before and after all rows. */
+/* Report specialization constants that no shader has. Called before and after all passes. */
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
-/* find_fallbacks.c: binds a use's fallback if nothing provides its image. Returns true if bound. */
+/* find_fallbacks.c: binds a use to its fallback if its image is missing. Returns true if bound. */
 bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
-/* Returns true for a use, and false for the zero entry that ends a row's uses. */
+/* Returns true for a use, and false for the zero entry that ends an array of uses. */
 static inline bool rg_is_use(const struct rg_use *use)
 {
     return use->image || use->buffer || use->access;
@@ -393,7 +393,7 @@ struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image
 
 /* ---- compiler stages in execution order; each requires the previous ones ---- */
 
-/* expand_passes.c: expands rows to passes and accesses; reports the faults of rows. */
+/* expand_passes.c: expands pass declarations to passes and accesses, and reports their faults. */
 void rg_expand(struct compiler *c);
 
 /* cull_passes.c: decides which passes are alive. */
@@ -410,8 +410,8 @@ void rg_pack_blocks(struct compiler *c);
 /* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: find the last pass, then the last accesses, of the previous owners of each
- * item's memory. Both require item offsets; the second, also the final cell states. */
+/* alias_dependencies.c: find the last pass, and then the last accesses, of the earlier owners of
+ * each item's memory. Item offsets must be known; for the accesses, also the final cell states. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 
@@ -428,8 +428,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
 
 /* ---- barriers.c ---- */
 
-/* Adds the barriers that an access needs. With `restores_import`, which returns an import after the
- * frame, only subresources whose state has changed get one. */
+/* Adds the barriers that an access needs. If `restores_import` (return of an import to its initial
+ * state), subresources that are still in that state get no barrier. */
 void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
                      bool restores_import);
 
@@ -446,7 +446,7 @@ struct pack_result {
     VkDeviceSize alignment; /* the largest of all items */
 };
 
-/* Assigns offsets to items sorted by first use and ended by pass `end`; `apart`: no aliasing. */
+/* Assigns offsets to items that are sorted by first use and whose lifetimes end by pass `end`. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
                            uint32_t end, bool unaliased);
 

@@ -1,13 +1,13 @@
-/* cull_passes.c: removes passes whose results no output needs, by liveness analysis from the last
- * pass back. Whether the next frame reads persistent content is only known after the first pass has
- * been visited, so the analysis is repeated until nothing changes. */
+/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. Which
+ * persistent content the next frame reads is only known at the end of the analysis, which is
+ * therefore repeated until nothing changes. */
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* limit of the iteration; afterwards all persistent content counts as needed */
+    MAX_ROUNDS = 4 /* maximum iterations; then a last one treats all persistent content as needed */
 };
 
-/* Starts a backward pass: marks outputs, and persistent content that the next frame needs. */
+/* Starts an iteration: marks outputs, and persistent content that the next frame needs. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
     uint32_t count = round ? c->resource_count : c->boundary_count;
@@ -34,7 +34,7 @@ static bool writes_needed_content(const struct access *a)
     return false;
 }
 
-/* Marks the accesses of a pass whose result is needed. Returns true if there is any. */
+/* Marks those accesses of a pass whose results are needed. Returns true if any are. */
 static bool find_needed(struct access *first, const struct access *end)
 {
     bool any = false;
@@ -46,7 +46,7 @@ static bool find_needed(struct access *first, const struct access *end)
     return any;
 }
 
-/* Marks which content a live pass needs: what it reads, but not what it overwrites. */
+/* Marks content that a live pass reads as needed, and content that it overwrites as not needed. */
 static void mark_needed_content(const struct access *first, const struct access *end)
 {
     for (const struct access *a = first; a < end; a++) {

@@ -1,5 +1,4 @@
-/* expand_passes.c: expands rows to passes (one per repetition), and targets and uses to accesses.
- */
+/* expand_passes.c: expands pass declarations to passes (one per repetition) and their accesses. */
 #include "graph/compile/compiler.h"
 
 /* ---- subresources that an access reads and writes ---- */
@@ -42,7 +41,7 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
     return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Restricts an access to the cells of its range. Returns false, with a fault, if out of range. */
+/* Points an access at the cells of its range. Reports a fault and returns false if out of range. */
 static bool find_cells(struct compiler *c, struct access *a)
 {
     const VkImageSubresourceRange *range = &a->range;
@@ -60,7 +59,7 @@ static bool find_cells(struct compiler *c, struct access *a)
     return true;
 }
 
-/* Adds the prepared access to the pass. A conditional pass may not run, so it never overwrites. */
+/* Adds a prepared access to the pass. In a conditional pass it never discards earlier content. */
 static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
 {
     const char *name = a->resource->name;
@@ -262,8 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns a row's number of repetitions: the layers or mip levels, from the first used, of the
- * first image that it writes; 1 if the first is invalid (a range fault later), 0 without image. */
+/* Returns the number of repetitions of a pass: the mip levels or layers of the first image that it
+ * writes, from the first one used; 1 if that one is out of range, 0 if it writes no image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

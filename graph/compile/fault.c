@@ -59,7 +59,7 @@ int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
                     fault->resource ? " " : "", messages[fault->error], fault->hint);
 }
 
-/* Returns true if an equal fault is in the list; repetitions of a row would all report it again. */
+/* Returns true if an equal fault is listed already; repetitions of a pass report equal faults. */
 static bool is_known(const struct compiler *c, const struct rg_fault *fault)
 {
     for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {

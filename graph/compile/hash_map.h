@@ -4,7 +4,7 @@
 
 #include "graph/compile/arena.h"
 
-/* Open addressing, power-of-two capacity, at most 3/4 full. {0} is empty. Reserve before lookup. */
+/* Hash table with open addressing, at most 3/4 full. Reserve slots in an empty one ({0}) first. */
 
 struct map_slot {
     const void *key; /* NULL: empty slot */

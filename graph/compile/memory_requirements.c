@@ -169,7 +169,7 @@ static struct rg_memory_requirements combine_requirements(struct rg_memory_requi
     return a;
 }
 
-/* Records the memory requirements of a transient item or an unaliased persistent resource. */
+/* Records the memory requirements of a transient or persistent resource. */
 static void add_memory(struct compiler *c, struct resource *r,
                        const struct rg_memory_requirements *required)
 {

@@ -11,7 +11,7 @@ enum {
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     FEW_ITEMS = 256,         /* Shell sort up to this count */
-    /* limit of the mean number of items begun per lifetime; above it, only the time order */
+    /* mean lifetime, in passes that begin items, above which only apply_time_order() is used */
     LONG_LIFE = 32,
 };
 
@@ -36,15 +36,15 @@ struct span {
     VkDeviceSize begin, end;
 };
 
-/* Items that are alive at the same pass: a maximal clique of the interval graph, which forms at the
- * last pass where an item begins before another one ends. */
+/* Set of items alive at the same pass: a maximal clique of the interval graph of lifetimes. It is
+ * complete at the last pass where an item begins before another one ends. */
 struct live_set {
     struct span *spans;
     struct span *next; /* span above the current item's gap */
     uint32_t alive;    /* number of items */
 };
 
-/* Changes at a pass relative to the previous one; unsigned, so decreases wrap around. */
+/* Changes of live memory from the previous pass to this one. Unsigned; decreases wrap around. */
 struct change {
     VkDeviceSize taken;      /* live bytes */
     VkDeviceSize used;       /* live bytes counted from first use */
@@ -77,7 +77,7 @@ static VkDeviceSize end_of(const struct pack_item *item)
 
 /* ---- live sets ---- */
 
-/* Fills `changes`, and `offsets` with a packing without aliasing. */
+/* Fills p->changes, and p->offsets with a packing without aliasing. */
 static void find_changes(const struct packing *p, struct pack_result *result)
 {
     struct change *changes = p->changes;
@@ -97,7 +97,7 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     }
 }
 
-/* Fills the live sets and bounds. Returns an upper bound of the number of spans that they need. */
+/* Fills the live sets and size bounds. Returns an upper bound of the spans of all live sets. */
 static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
@@ -183,7 +183,7 @@ static void free_item(struct span *spans, const struct pack_item *item)
         remove_span(span);
 }
 
-/* Returns the lowest offset from `begin` on that is free in a live set, and sets set->next. */
+/* Returns the lowest offset >= `begin` where an item fits in a live set. Sets set->next. */
 static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item,
                               VkDeviceSize begin)
 {
@@ -200,7 +200,7 @@ static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item
 
 /* ---- orders of placement ---- */
 
-/* Returns the sort key of an item: the bits of a positive double sort like its value. */
+/* Returns an item's sort key: the bits of a positive double, which sort like its value. */
 static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
@@ -250,7 +250,7 @@ static void sort_few(uint64_t *order, uint32_t count)
     }
 }
 
-/* Fills p->order with items by descending keys (upper halves). No qsort(), which may allocate. */
+/* Sorts all items into p->order by descending key. Avoids qsort(), which may allocate memory. */
 static void sort(struct packing *p, const struct rule *rule)
 {
     for (uint32_t i = 0; i < p->count; i++)
@@ -263,7 +263,7 @@ static void sort(struct packing *p, const struct rule *rule)
         sort_by_byte(p, shift);
 }
 
-/* Moves the item with the highest end to half its position in the order. */
+/* Moves the item with the highest end offset to half its index in the order. */
 static void promote_highest(struct packing *p)
 {
     uint64_t *order = p->order;
@@ -277,7 +277,7 @@ static void promote_highest(struct packing *p)
     order[highest / 2] = key;
 }
 
-/* Assigns an item the lowest offset free in all its live sets: cycles until none raises it. */
+/* Assigns an item the lowest offset that is free in all its live sets, by fixed-point iteration. */
 static void place_item(const struct packing *p, struct pack_item *item)
 {
     struct live_set *first = p->changes[item->first].newest;
@@ -316,7 +316,7 @@ static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
     return size < limit ? size : UINT64_MAX;
 }
 
-/* Tries all orders. Returns the smallest block size; p->offsets has its offsets if below `size`. */
+/* Tries all orders. Returns the smallest block size; if it is below `size`, sets p->offsets. */
 static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
     uint32_t rule_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT;

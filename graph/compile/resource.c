@@ -85,8 +85,8 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* Allocates a resource's cells in their state at the start of a frame; subresource_state.c
- * completes those of imports, persistent resources and aliased memory. */
+/* Allocates the states of a resource's subresources, as at the start of a frame; those of imports,
+ * persistent resources and aliased memory are completed by subresource_state.c. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
@@ -125,7 +125,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* all fields set explicitly: the compiler clears omitted ones with a far slower instruction */
+    /* all fields are listed, as compilers clear omitted ones with a far slower instruction */
     *r = (struct resource){
         .name = NULL,
         .image = image,

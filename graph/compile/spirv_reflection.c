@@ -52,7 +52,7 @@ enum {
     MAX_DEPTH = 16,           /* nesting of types */
 };
 
-/* Parsed properties of a SPIR-V id. References are word indices; 0 if there is none. */
+/* Parsed properties of a SPIR-V id. `definition` and `name` are word indices; 0 means none. */
 struct spirv_id {
     uint32_t definition; /* word index of the defining instruction */
     uint32_t name;
@@ -68,7 +68,7 @@ struct instruction {
     const uint32_t *words;
 };
 
-/* Advances to the next instruction, starting from {0}. Returns false at the end or if malformed. */
+/* Advances `in`, initially {0}, to the next instruction. Returns false at the end or on errors. */
 static bool next(const struct rg_shader *shader, struct instruction *in)
 {
     const uint32_t *end = shader->words + shader->word_count;
@@ -85,7 +85,7 @@ static struct spirv_id *find_id(const struct spirv *s, uint32_t id)
     return id < s->shader->words[3] ? &s->ids[id] : NULL;
 }
 
-/* Returns the string at a word of an instruction; NULL if it is not terminated within it. */
+/* Returns the string at a word of an instruction; NULL if it is unterminated. */
 static const char *text_of(const struct instruction *in, uint32_t word)
 {
     if (in->count <= word || !memchr(&in->words[word], 0, (in->count - word) * sizeof(uint32_t)))
@@ -95,7 +95,7 @@ static const char *text_of(const struct instruction *in, uint32_t word)
 
 /* ---- types ---- */
 
-/* Returns the defining instruction of an id if it is `op` with `count` or more words, else NULL. */
+/* Returns the instruction that defines an id; NULL unless it is `op` with `count` words or more. */
 static const uint32_t *definition(const struct spirv *s, uint32_t id, uint32_t op, uint32_t count)
 {
     const struct spirv_id *i = find_id(s, id);
@@ -112,7 +112,7 @@ const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *memb
     return s->ids[type].name ? (const char *)&s->shader->words[s->ids[type].name] : "";
 }
 
-/* Returns the length and element type of an array type; 0 if it is no array, or unsized. */
+/* Returns the length and the element type of an array type; length 0 for all other types. */
 static uint32_t array_length(const struct spirv *s, uint32_t type, uint32_t *element)
 {
     const uint32_t *array = definition(s, type, OP_TYPE_ARRAY, 4);
@@ -153,7 +153,7 @@ static struct member_layout window_layout_of(const struct spirv *s, uint32_t typ
 
 static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth);
 
-/* Returns the size in bytes without trailing padding. May wrap around for malformed modules. */
+/* Returns a type's size in bytes without trailing padding. May wrap around if malformed. */
 static uint32_t size_of(const struct spirv *s, uint32_t type, const struct member_layout *layout,
                         uint32_t depth)
 {
@@ -177,7 +177,7 @@ static uint32_t size_of(const struct spirv *s, uint32_t type, const struct membe
     return struct_size(s, type, depth + 1);
 }
 
-/* Returns the index of the struct member with the largest offset, which ends the struct. */
+/* Returns the index of the struct member with the largest offset. */
 static uint32_t last_member(const struct spirv *s, uint32_t type)
 {
     uint32_t last = 0;
@@ -323,7 +323,7 @@ const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 
 /* ---- parsing ---- */
 
-/* Parses an entry point. Returns true if it is `main` of the stage. */
+/* Parses an entry point. Returns true if it is `main` of execution model `model`. */
 static bool is_main(struct spirv *s, const struct instruction *in, uint32_t model)
 {
     const char *name = text_of(in, 3);
@@ -367,7 +367,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
     }
 }
 
-/* Returns the index of the word with the result id; 0 if there is none, or it is not needed. */
+/* Returns which word of an instruction is its result id; 0 if it has none or it is not needed. */
 static uint32_t result_word(uint32_t op)
 {
     if (op == OP_VARIABLE || op == OP_CONSTANT ||
@@ -410,7 +410,7 @@ static void add_constant(struct spirv *s, struct arena *arena, const struct inst
         };
 }
 
-/* Parses an instruction of the module scope. */
+/* Parses an instruction outside functions. */
 static void declare(struct spirv *s, struct arena *arena, const struct instruction *in)
 {
     uint32_t result = result_word(in->op);
@@ -428,7 +428,7 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
         add_constant(s, arena, in, id);
 }
 
-/* Marks the variables that an instruction of a function refers to as used. */
+/* Marks as used the variables that an instruction accesses. */
 static void mark_used(struct spirv *s, const struct instruction *in, bool all_listed)
 {
     uint32_t first = 3, count = 1;

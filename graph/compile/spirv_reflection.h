@@ -49,7 +49,7 @@ struct spirv_image {
     bool arrayed, multisampled;
 };
 
-/* A parsed module. Initialise with {0}; reading another module reuses its arrays. */
+/* Parsed SPIR-V module. Initialise with {0}. Its arrays are reused when another module is read. */
 struct spirv {
     const struct rg_shader *shader;
     struct spirv_variable *variables;
@@ -59,13 +59,13 @@ struct spirv {
     uint32_t id_room, variable_room, constant_room;
 };
 
-/* Parses a module's entry point `main` of a stage and the variables that it reaches. Returns NULL,
- * or an error message; after an error, or if out of memory, no other function may be called. */
+/* Parses the entry point `main` of a stage, and the variables that it uses. Returns NULL, or an
+ * error message. After an error, or if out of memory, no other function may be called. */
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage);
 
-/* Returns the descriptor type of a variable, VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor.
- * *count gets the size of a descriptor array, 0 if the code does not define it. */
+/* Returns the descriptor type of a variable; VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor.
+ * *count gets the length of a descriptor array; 1 if it is no array, 0 if the length is unknown. */
 VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
                                      uint32_t *count);
 
@@ -76,10 +76,10 @@ const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
-/* Returns the unpadded size of a struct, or of an array's struct element, in bytes; else 0. */
+/* Returns the unpadded size in bytes of a struct, or of one element of a struct array; else 0. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
-/* Returns false for types that are neither images, sampled images, nor arrays of them. */
+/* Fills `image` for an image or sampled image type, or an array of these; else returns false. */
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
 /* Returns the component type of a scalar or vector: 'f' float, 'i' or 'u' integer of at most 32

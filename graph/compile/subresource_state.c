@@ -1,8 +1,8 @@
 /* subresource_state.c: synchronisation state of subresources at the start of a frame. */
 #include "graph/compile/subresource_state.h"
 
-/* Returns the state in which an import arrives (struct rg_import). Its other readers are unknown,
- * so a write waits for all commands. */
+/* Returns the initial state of an import's subresources (struct rg_import). Since earlier readers
+ * are unknown, the first write waits for all commands. */
 static struct cell import_state(const struct compiler *c, struct resource *r)
 {
     enum rg_access access = c->params->imports[r->import].access;
@@ -22,7 +22,7 @@ static struct cell import_state(const struct compiler *c, struct resource *r)
     return s;
 }
 
-/* ---- persistent resources: initial state = state after the previous frame ---- */
+/* ---- persistent resources begin a frame in the state in which the previous frame ended ---- */
 
 static void simulate_access(const struct access *a)
 {
@@ -77,8 +77,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit)
     }
 }
 
-/* Treats a read of the previous frame's content as synchronised if that frame has a barrier for
- * other reads of it, which barriers.c then extends to this read. */
+/* Treats a read of the previous frame's content as synchronised if the previous frame has a barrier
+ * for another read of that content; barriers.c extends that barrier to this read. */
 static void expect_history_read(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a)
 {

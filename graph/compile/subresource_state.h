@@ -28,7 +28,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     if (!changes && !(a->visibility & ~s->visible))
         return false;
     VkPipelineStageFlags2 readers = changes ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
-    /* earlier reads have already waited for the write, so waiting for them is enough */
+    /* the earlier readers have waited for the write, so waiting for the readers is enough */
     bool awaited = readers && s->flags & CELL_AWAITED;
     b->src_stages = awaited ? readers : readers | s->write_stages;
     b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
@@ -40,7 +40,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
 }
 
-/* Updates the state after an access of a pass; `made_visible` if a barrier precedes it. */
+/* Updates a subresource's state after an access; `made_visible`: a barrier precedes the access. */
 static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
                                    bool made_visible)
 {
@@ -60,8 +60,8 @@ static inline void rg_apply_access(struct cell *s, const struct access *a, uint3
         return;
     s->flags &= ~(uint32_t)CELL_FRESH;
     s->read_stages |= a->stages;
-    /* Some synchronization validation layers track that a read waited for a write only within one
-     * frame, so this is not relied on across frames. */
+    /* Only for writes of this frame, because some synchronization validation layers forget at the
+     * end of a frame that a read waited for a write. */
     if (s->flags & CELL_CERTAIN && !conditional)
         s->flags |= CELL_AWAITED;
     if (made_visible)

@@ -1,7 +1,7 @@
 /* dot_dump.c: dumps a plan as a Graphviz digraph. */
 #include "graph/dump/dump.h"
 
-/* Escapes a name for a quoted string. */
+/* Writes a name with escapes for a quoted string. */
 static void dot_name(FILE *out, const char *name)
 {
     while (*name) {

@@ -7,7 +7,7 @@
 /* Writes a resource or pass name, escaped for the output format. */
 typedef void rg_dump_name_fn(FILE *out, const char *name);
 
-/* Output of a plan in one format. */
+/* Destination and format of a dump. */
 struct rg_dump {
     const struct rg_plan *plan;
     FILE *out;
@@ -20,7 +20,7 @@ struct rg_dump {
  * MiB), %s a string as it is, and %n a name to escape. */
 void rg_dump_print(const struct rg_dump *d, const char *text, ...);
 
-/* Decodes the UTF-8 character at *text, which is not the end, and advances; U+FFFD if invalid. */
+/* Returns the UTF-8 character at *text, which must not be 0, and advances; U+FFFD if invalid. */
 uint32_t rg_dump_decode_utf8(const char **text);
 
 /* Returns the character, or U+FFFD for control characters and those that XML forbids. */
@@ -61,7 +61,7 @@ struct rg_dump_resource {
     VkDeviceSize offset, size; /* bytes; `offset` is within the block */
 };
 
-/* Returns an image or buffer of the plan; indices continue from images to buffers. */
+/* Returns an image or buffer of the plan; buffer indices follow those of the images. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
 /* ---- text_dump.c ---- */
@@ -73,7 +73,7 @@ void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first,
 void rg_dump_pass(const struct rg_dump *d, uint32_t index); /* without its barriers */
 void rg_dump_text(const struct rg_dump *d);
 
-/* html_chart.c: SVG chart of the HTML page: passes, memory blocks, other resources */
+/* html_chart.c: prints the SVG chart of passes, memory blocks and other resources */
 void rg_dump_chart(const struct rg_dump *d);
 
 #endif

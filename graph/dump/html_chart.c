@@ -47,7 +47,7 @@ static const char *style_of(const struct rg_plan *plan, uint32_t index)
                                                                  : "copy";
 }
 
-/* Returns the next resource of a group (and block unless RG_NONE) from `index` on, or RG_NONE. */
+/* Returns the first resource of a group and block (RG_NONE: any) from `index` on, else RG_NONE. */
 static uint32_t next_in_group(const struct rg_plan *plan, enum group group, uint32_t block,
                               uint32_t index)
 {
@@ -72,7 +72,7 @@ static void close_row(const struct chart *c)
     rg_dump_print(&c->d, "</svg>\n</div>\n");
 }
 
-/* Begins the plot of a row; x is 0 at the start of the first column. */
+/* Begins the plot of a chart row; x = 0 is the left edge of the first column. */
 static void open_plot(const struct chart *c, uint32_t height, const char *attributes)
 {
     uint32_t width = LEFT + c->columns * c->column;
@@ -120,7 +120,7 @@ static void print_pixels(FILE *out, const char *name, uint64_t thousandths)
             (unsigned)(thousandths % 1000));
 }
 
-/* Prints the name of a column: of a pass, or the end of the frame. */
+/* Prints the name of a column: that of its pass, or "end of frame". */
 static void print_column_name(const struct chart *c, uint32_t column)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -250,7 +250,7 @@ static void open_resource(const struct chart *c, uint32_t index, const struct rg
     rg_dump_print(&c->d, "</title>");
 }
 
-/* Converts bytes of a block to thousandths of a pixel. */
+/* Converts a size or offset in bytes to thousandths of a pixel. */
 static uint64_t scaled(VkDeviceSize size, const struct rg_block *block, uint32_t height)
 {
     return (uint64_t)((double)size / (double)block->size * height * 1000.0 + 0.5);

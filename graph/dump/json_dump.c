@@ -17,7 +17,7 @@ static void json_name(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* Prints a string member after the first one of an object; nothing if `text` is NULL. */
+/* Prints a string member that is not the first of its object; nothing if `text` is NULL. */
 static void string_member(const struct rg_dump *d, const char *key, const char *text)
 {
     if (text)
@@ -185,7 +185,7 @@ static void print_use(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, "}");
 }
 
-/* Prints the leading members of a pass, which culled passes also have. */
+/* Prints those members of a pass that culled passes have, too. */
 static void print_pass_name(const struct rg_dump *d, const struct rg_pass *pass,
                             uint32_t repetition)
 {

@@ -20,7 +20,7 @@ static void print_range(FILE *out, const struct rg_plan_image *image,
     print_span(out, "layer", range->baseArrayLayer, range->layerCount, image->layers);
 }
 
-/* Prints the memory of a resource and its lifetime in passes. */
+/* Prints a resource's memory location, and its lifetime as a range of passes. */
 static void print_placement(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_dump_resource r = rg_dump_resource(d->plan, index);

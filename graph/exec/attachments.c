@@ -1,5 +1,5 @@
 /* attachments.c: creates attachment views, and VkRenderPass objects if requested. A render pass has
- * one subpass, no dependencies and no layout transitions, as the plan's barriers synchronise. */
+ * one subpass, no dependencies and no layout transitions: the plan's barriers do that work. */
 #include "graph/exec/executor.h"
 
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
@@ -85,7 +85,7 @@ fail:
     return result;
 }
 
-/* Creates the views and the framebuffer of a pass for an image set. */
+/* Creates the attachment views and framebuffer of a pass, for one set of swapchain images. */
 static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t index)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[index];

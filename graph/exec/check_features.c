@@ -101,7 +101,7 @@ static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
 #define RAYS(number, field)                 NEEDS(number, field, queries.field)
 #define DESCRIPTORS(number, kind, indexing) V12(number, shader##kind##Array##indexing##Indexing)
 
-/* Features by SPIR-V capability (OpCapability; SPIR-V 1.6, section 3.31). */
+/* Device features that SPIR-V capabilities require (OpCapability; SPIR-V 1.6, section 3.31). */
 static const struct capability {
     uint32_t number;
     const char *name;

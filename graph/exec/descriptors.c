@@ -1,4 +1,4 @@
-/* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each row. */
+/* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
 #include "graph/exec/executor.h"
 
 static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
@@ -61,7 +61,7 @@ fail:
     return result;
 }
 
-/* Returns the number of descriptors of a pass: uses, followed by uses bound to their fallback. */
+/* Returns the number of uses of a pass, including those bound to their fallback. */
 static uint32_t descriptor_count(const struct rg_plan_pass *pass)
 {
     return pass->use_count + pass->fallback_count;
@@ -165,8 +165,8 @@ static bool is_texels(const struct exec_descriptor *d)
            d->type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
 }
 
-/* Fills exec->descriptors for a pass and hashes them into *key. The key is RG_NO_KEY if a program's
- * own buffer is bound, whose handle may later be reused for another one. */
+/* Fills exec->descriptors for a pass and hashes them into *key. Sets *key to RG_NO_KEY if one is an
+ * imported buffer, since the program may reuse its handle for another buffer. */
 static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
                                  const struct rg_plan_pass *plan, uint64_t *key)
 {

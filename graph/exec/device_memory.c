@@ -66,7 +66,7 @@ static VkResult make_blocks(struct rg_exec *exec)
     return result;
 }
 
-/* Where the plan places a resource in memory. */
+/* Location of a resource in memory, according to the plan. */
 struct placement {
     const char *name; /* of the resource */
     uint32_t block;   /* RG_NONE: dedicated memory */

@@ -219,7 +219,7 @@ static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineSta
     };
 }
 
-/* Returns the name of the pass if `count` is 1, otherwise NULL. */
+/* Returns the name of pass `first` if `count` is 1, otherwise NULL. */
 static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
 {
     return count == 1 ? exec->plan->passes[first].pass->name : NULL;

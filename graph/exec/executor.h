@@ -6,7 +6,7 @@
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 
-/* A buffer in one frame slot (frame in flight); only host memory has a separate one per slot. */
+/* Buffer of one frame in flight (slot). In device memory, all slots share one buffer. */
 struct exec_buffer {
     VkBuffer buffer;
     VkAccelerationStructureKHR acceleration; /* in the buffer, or VK_NULL_HANDLE */
@@ -125,7 +125,7 @@ struct rg_exec {
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL if created without `measured` */
     bool initialized; /* persistent resources, placeholders are initialised */
-    /* for each plan image, then buffer: true if it keeps content of the previous plan */
+    /* for each image, then each buffer, of the plan: true if it has content of the previous plan */
     bool *has_content;
     struct exec_transition *transitions;
     uint32_t transition_count;
@@ -149,7 +149,7 @@ struct rg_cmd {
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
 
-/* Logs a failed call with the name of its object (NULL: the whole frame). Returns `result`. */
+/* Logs a failed call and the name `of` its object; NULL means the frame. Returns `result`. */
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
                        const char *of);
 
@@ -175,8 +175,8 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 #define RG_KEY(key, value) \
     ((key) = rg_exec_key((key), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t)))
 
-/* Looks up an object by its key, or creates *handle by a Vulkan function and names it. The object
- * is freed with the plan. */
+/* Sets *handle to the cached object with this key; if there is none, creates an object with a
+ * Vulkan function, and names it. The object is freed with the plan. */
 #define RG_MAKE_KEYED(exec, of, key, type, function, handle, ...) \
     do { \
         RG_TRY(rg_exec_reserve_object(exec)); \
@@ -203,12 +203,12 @@ void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, u
 /* Frees objects of the previous plan that this plan does not use, except pipelines, which are kept
  * for one more plan, since programs often switch back and forth. */
 void rg_exec_free_former(struct rg_exec *exec);
-/* Takes the pipelines in rg_exec_params.pipelines for reuse, like those of a previous plan. */
+/* Moves the pipelines in rg_exec_params.pipelines to the executor, for reuse. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);
-/* Frees all objects, except pipelines that are moved to rg_exec_params.pipelines. */
+/* Frees all objects, but moves pipelines to rg_exec_params.pipelines unless that is NULL. */
 void rg_exec_free_objects(struct rg_exec *exec);
 
-/* ---- other files, in order of executor creation ---- */
+/* ---- other files ---- */
 
 /* device_memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
@@ -222,7 +222,7 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
-/* Returns true for an object of the program; its handle is no cache key, since it may be reused. */
+/* Returns true if the program owns an object. Its handle may be reused, so it is no cache key. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
@@ -232,7 +232,7 @@ VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory m
 VkResult rg_exec_make_fallbacks(struct rg_exec *exec);
 void rg_exec_record_fallbacks(struct rg_exec *exec, VkCommandBuffer commands);
 
-/* attachments.c: views of attachments, and VkRenderPass objects if requested */
+/* attachments.c: creates attachment views, and VkRenderPass objects if requested */
 VkResult rg_exec_make_targets(struct rg_exec *exec);
 /* Lists the attachments of a pass: colours, depth, then resolve targets. Returns their number. */
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
@@ -265,7 +265,7 @@ bool rg_exec_is_limited(const struct rg_cmd *cmd);
 VkRect2D rg_exec_area(const struct rg_cmd *cmd);            /* render area within the region */
 VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 
-/* pipeline_warm_up.c: vertex and index buffer for drawing one triangle with `warm_up_only` */
+/* pipeline_warm_up.c: creates the buffer of the triangle that `warm_up_only` draws */
 VkResult rg_exec_make_warm_up(struct rg_exec *exec);
 
 /* check_features.c: checks that the device has the features that the plan needs */
@@ -278,7 +278,7 @@ void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
 void rg_exec_record_transition(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                                const VkImageSubresourceRange *range, VkImageLayout from,
                                VkImageLayout to);
-/* Clears a new image and leaves it in TRANSFER_DST_OPTIMAL; depth is set to the first component. */
+/* Clears a new image and leaves it in TRANSFER_DST_OPTIMAL. Depth is set to color->float32[0]. */
 void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                                 const VkImageSubresourceRange *range,
                                 const VkClearColorValue *color);

@@ -123,7 +123,7 @@ void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, u
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
 
-/* Allocates at least one element, since NULL, which calloc() may return for none, means failure. */
+/* Allocates at least one element: calloc() may return NULL for zero, which would mean failure. */
 void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size)
 {
     void *array;

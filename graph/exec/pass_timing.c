@@ -1,6 +1,6 @@
-/* pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass.
- * Timestamps precede barriers: a tile-based software rasteriser may execute a later timestamp only
- * after the next pass. */
+/* pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass. A
+ * pass's timestamp precedes the next barriers, as a tile-based software rasteriser may execute a
+ * later one only after the next pass. */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/executor.h"
@@ -212,7 +212,7 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
     time->record = rg_time_now() - slot->times.start - time->record_begin;
 }
 
-/* Reads `count` queries of a pool, each of `values` numbers. */
+/* Reads the results of `count` queries, each of `values` 64-bit numbers. */
 static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first, uint32_t count,
                           uint32_t values)
 {

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "graph/exec/executor.h"
 
-/* bytes: sufficient for a vertex of any layout, and for three indices */
+/* buffer size in bytes, enough for a vertex of any layout and for three indices */
 static const VkDeviceSize blank_size = 1024;
 
 VkResult rg_exec_make_warm_up(struct rg_exec *exec)
@@ -19,13 +19,13 @@ VkResult rg_exec_make_warm_up(struct rg_exec *exec)
     RG_TRY(rg_exec_make_host_buffer(exec, &info, VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                                     "blank triangle", 0, &blank));
     exec->triangle = blank.buffer;
-    /* no flush: host buffers are in coherent memory, which every device has */
+    /* needs no flush, since host buffers are in coherent memory, which every device has */
     memset(blank.mapped, 0, blank_size);
 fail:
     return result;
 }
 
-/* Moves a range to a layout and discards its content, which is undefined anyway. */
+/* Transitions a subresource range to a layout, discarding its content. */
 static void prepare(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                     VkImageSubresourceRange range, VkImageLayout layout)
 {

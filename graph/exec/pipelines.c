@@ -50,7 +50,7 @@ const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg
     return params->replace_shader ? params->replace_shader(params->user, shader) : shader;
 }
 
-/* Fills a shader stage. Its module is temporary: destroyed once the pipeline exists. */
+/* Fills a shader stage. The caller destroys its module once the pipeline is created. */
 static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
@@ -282,7 +282,7 @@ static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
     RG_KEY(*key, RG_NONE);
 }
 
-/* Returns the cache key of a pipeline, which equal rows share. It covers all inputs but the
+/* Returns the cache key of a pipeline, so that equal passes share one. It covers all inputs but the
  * VkRenderPass, since equal targets make render passes compatible. */
 static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pass *plan,
                              const struct exec_pass *pass)

@@ -94,7 +94,7 @@ static void bind(const struct rg_cmd *cmd)
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
-/* Moves `cmd` to the pass of a later row with the same repetition index. */
+/* Advances `cmd` to a later pass: that of `row` with the same repetition index. */
 static void skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
 {
     const struct rg_plan *plan = cmd->exec->plan;
@@ -107,7 +107,7 @@ static void skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
     cmd->pass = &cmd->exec->passes[cmd->index];
 }
 
-/* Records merged rows (rg_more_fn), with their own descriptors, in the current render pass. */
+/* Records the passes merged into the current one (rg_more_fn), each with its own descriptors. */
 static void record_merged_rows(const struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     struct rg_cmd other = *cmd;

@@ -2,14 +2,14 @@
 #include <assert.h>
 #include "graph/exec/executor.h"
 
-/* Bit flags: which parts of the view later passes read from an image, or a pass draws. */
+/* Parts of the view that a pass draws, or that later passes read from an image (bit flags). */
 enum {
     COVER_REGION = 1, /* the requested region */
     COVER_REACH = 2,  /* where fragments sample other texels */
     COVER_ALL = 4,
 };
 
-/* Returns true if an image has the view's size, and no content visible outside the frame. */
+/* Returns true if an image has the view's size and is neither imported nor persistent. */
 static bool has_view_size(const struct rg_plan_image *image)
 {
     const struct rg_image *declared = image->image;
@@ -51,7 +51,7 @@ static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pas
     return coverage ? coverage : COVER_REGION;
 }
 
-/* Returns which part of an image a use reads in a pass that draws `coverage`. */
+/* Returns which part of an image a pass reads through `use` while it draws `coverage`. */
 static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
 {
     if (coverage & COVER_ALL)
@@ -61,7 +61,7 @@ static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
 
-/* Finds which part of the view a pass draws, and thus needs from earlier passes' images. */
+/* Finds which part of the view a pass draws, and which parts of images it therefore reads. */
 static void find_coverage(struct rg_exec *exec, uint32_t index, uint8_t *needs)
 {
     const struct rg_plan_pass *pass = &exec->plan->passes[index];

@@ -1,5 +1,5 @@
-/* vulkan_functions.h: table of the Vulkan functions that the executor calls, loaded through each
- * instance: no loader is linked, nothing is global, and no name collides. Private to graph/. */
+/* vulkan_functions.h: table of the Vulkan functions that the executor calls, loaded per instance,
+ * so that no loader is linked and no global names can collide. Private to graph/. */
 #ifndef RG_EXEC_VULKAN_FUNCTIONS_H
 #define RG_EXEC_VULKAN_FUNCTIONS_H
 
@@ -34,7 +34,7 @@
     row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(ResetFences) \
     row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
 
-/* NULL if the instance lacks VK_EXT_debug_utils or VK_KHR_acceleration_structure. */
+/* Functions that are NULL without VK_EXT_debug_utils or VK_KHR_acceleration_structure. */
 #define RG_FUNCTIONS_OPTIONAL(row) \
     row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT) \
     row(CreateAccelerationStructureKHR) row(DestroyAccelerationStructureKHR) \
