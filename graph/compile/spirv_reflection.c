@@ -130,7 +130,7 @@ struct member_layout {
     const char *name;
 };
 
-static struct member_layout window_layout_of(const struct spirv *s, uint32_t type, uint32_t index)
+static struct member_layout member_layout_of(const struct spirv *s, uint32_t type, uint32_t index)
 {
     struct member_layout layout = { .offset = SPIRV_NONE, .name = "" };
     struct instruction in = { 0 };
@@ -199,7 +199,7 @@ static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth
     uint32_t last = words ? last_member(s, type) : 0;
     if (!words || last >= (words[0] >> 16) - 2)
         return 0;
-    const struct member_layout layout = window_layout_of(s, type, last);
+    const struct member_layout layout = member_layout_of(s, type, last);
     return (layout.offset == SPIRV_NONE ? 0 : layout.offset) +
            size_of(s, words[2 + last], &layout, depth);
 }
@@ -223,7 +223,7 @@ struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32
     const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3 + index);
     if (!words)
         return (struct spirv_member){ .name = "", .offset = SPIRV_NONE };
-    const struct member_layout layout = window_layout_of(s, type, index);
+    const struct member_layout layout = member_layout_of(s, type, index);
     return (struct spirv_member){ layout.name, words[2 + index], layout.offset,
                                   size_of(s, words[2 + index], &layout, 0) };
 }

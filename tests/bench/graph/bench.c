@@ -129,7 +129,7 @@ int main(int argument_count, char **arguments)
         return EXIT_USAGE;
     if (options.help)
         return fputs(help, stdout) < 0;
-    if (!measure(&report, &options) || (options.json && !render_report_json(&report, options.json)))
+    if (!measure(&report, &options) || (options.json && !report_json(&report, options.json)))
         return EXIT_FAILURE;
     return ferror(stdout) || fclose(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
 }

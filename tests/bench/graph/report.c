@@ -210,7 +210,7 @@ static json_t *whole_json(const struct report *report)
     return NULL;
 }
 
-bool render_report_json(const struct report *report, const char *path)
+bool report_json(const struct report *report, const char *path)
 {
     json_t *whole = whole_json(report);
     bool done = whole && !json_dump_file(whole, path, JSON_INDENT(2) | JSON_REAL_PRECISION(9));

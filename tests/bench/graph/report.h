@@ -24,6 +24,6 @@ void report_plans(const struct report *report); /* with their heads */
 void report_packings(const struct report *report);
 
 /* False, with a line on stderr, if the file could not be written. */
-bool render_report_json(const struct report *report, const char *path);
+bool report_json(const struct report *report, const char *path);
 
 #endif
