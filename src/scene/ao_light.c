@@ -7,7 +7,7 @@
 
 enum {
     RAYS = 192,        /* number of rays traced through the body */
-    RAYS_TRIED = 4096, /* maximum candidates, to find rays that hit */
+    RAYS_TRIED = 4096, /* maximum number of rays tried, including misses */
     EVENTS_MAX = 24,   /* maximum scattering and reflection events */
 };
 
@@ -90,7 +90,7 @@ static void absorb(struct ray *ray, vec3s absorption, float distance)
         ray->weight.raw[c] *= expf(-absorption.raw[c] * distance);
 }
 
-/* Scatters a ray outwards with a cosine distribution, where the surface reflects diffusely. */
+/* Reflects a ray diffusely: into a cosine-distributed direction around the normal `n`. */
 static void scatter_outside(struct ray *ray, vec3s n, vec3s tint)
 {
     ray->dir = glms_vec3_normalize(glms_vec3_muladds(n, 1.001f, random_dir(&ray->seed)));

@@ -6,10 +6,10 @@
 #include "src/base/log.h"
 
 #define SLACK 0.02f /* tolerance of containment, in occluder diagonals */
-#define FLAT  0.15f /* height over width below which objects are flat */
+#define FLAT  0.15f /* objects with a smaller height-to-width ratio are flat */
 
 enum {
-    STEPS = 16 /* samples per axis, to estimate filled volume */
+    STEPS = 16 /* samples per axis, in volume estimates */
 };
 
 /* Extent of an object along each plane normal. */
@@ -20,7 +20,7 @@ struct extent {
     bool is_assigned;
 };
 
-/* Returns a plane's unit normal: face directions of a cube first, then edge directions. */
+/* Returns a plane's unit normal: towards a cube's face for planes 0 to 5, else towards an edge. */
 static vec3s direction(uint32_t plane)
 {
     const float side = plane & 1 ? 1.0f : -1.0f;
@@ -103,7 +103,7 @@ static bool contains(const struct extent *body, const struct extent *other)
     return true;
 }
 
-/* Makes an object a member of an occluder, and subtracts its volume from the enclosing object's. */
+/* Adds a member to an occluder, and subtracts `fraction` from the member that encloses it. */
 static void add_member(struct ao_shape *shape, const struct object *objects, uint32_t object,
                        float fraction)
 {

@@ -21,7 +21,7 @@ enum {
 struct ao_member {
     uint32_t object;
     float
-        /* fraction of the occluder's volume, excluding the member's inner objects */
+        /* fraction of the occluder's volume that the member fills, without objects inside it */
         volume_fraction;
 };
 
@@ -30,7 +30,7 @@ struct ao_member {
 struct ao_shape {
     vec4s planes[AO_PLANES]; /* unit normals */
     struct box box;
-    /* width of an equally high box of equal surface area, relative to the body's; at most 1 */
+    /* width of a box of equal height and volume, relative to the body's box; at most 1 */
     float relative_width;
     struct ao_member members[AO_MEMBERS];
     uint32_t member_count;
@@ -41,8 +41,8 @@ struct ao {
     uint32_t count;
 };
 
-/* Fits occluders to all objects; without objects, one to the whole mesh. Logs and returns
- * STATUS_TRY_AGAIN when out of memory. */
+/* Fits occluders to all objects, or one occluder to the whole mesh if there are no objects. Logs
+ * and returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status ao_find(struct ao *ao, const struct mesh *mesh, const struct object *objects,
                              uint32_t count);
 

@@ -30,9 +30,9 @@ static void to_sphere(const struct bubble *bubble, double v[static 3])
     add_axis(bubble, (radius / (radius + (double)bubble->stretch) - 1.0) * along, v);
 }
 
-/* Subtracts the nearest point of the bubble's core (a capsule's axis segment, an ellipsoid's
- * centre), and scales ellipsoids to spheres. The result of a surface point has the bubble's radius
- * as its length. Returns the core point's coordinate along the axis. */
+/* Maps a point relative to a bubble's centre to one relative to a sphere of the bubble's radius:
+ * scales an ellipsoid, or subtracts the nearest point of a capsule's axis segment. Returns that
+ * point's coordinate along the axis; 0 for an ellipsoid. */
 static double reduce(const struct bubble *bubble, double v[static 3])
 {
     const double half = (double)bubble->stretch;
@@ -72,7 +72,7 @@ bool bubble_contains(const struct bubble *bubble, vec3s point)
     return length_of(v) < (double)bubble->radius;
 }
 
-/* Ray relative to the bubble's centre; t is in lengths of `dir`. */
+/* Ray relative to the bubble's centre; distances are in lengths of `dir`. */
 struct ray {
     double from[3], dir[3];
 };

@@ -10,7 +10,7 @@ struct bubble {
     float radius; /* radius across the axis, metres */
     /* half-length along the axis minus radius, metres; negative for an oblate bubble */
     float stretch;
-    vec3s axis;      /* unit axis; may be {0} for a sphere */
+    vec3s axis;      /* unit axis; may be zero for a sphere */
     bool is_capsule; /* true for a capsule (stretch >= 0) */
 };
 

@@ -18,18 +18,18 @@ struct bump_maps {
     /* bump map, half RGBA: slopes along u and v with a root mean square of 1, surface smoothness,
      * frost thickness 0 to 1; all mip levels, in the layout of mip_levels.h */
     uint16_t *texels;
-    uint32_t size; /* texels per side; 0 without a texture */
+    uint32_t size; /* width and height in texels; 0 if there is no texture */
 };
 
 struct bump_maps_params {
     float smooth; /* smooth fraction of the surface */
     uint32_t seed;
-    /* heights that replace the procedural ones; BUMP_MAPS_SIZE rows and columns; or NULL */
+    /* heights that replace the procedural ones, BUMP_MAPS_SIZE rows and columns; may be NULL */
     const float *heights;
     const float *smoothness; /* smoothness map, 0 to 1, that replaces the procedural one; or NULL */
 };
 
-/* Generates the bump map. Returns false when out of memory; *maps is then {0}. */
+/* Generates the bump map. Returns false when out of memory; *maps is then zeroed. */
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params);
 
 void bump_maps_finish(struct bump_maps *maps);

@@ -13,7 +13,7 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
-    ASSET_SHEET, /* images of `firn sheet`, for the window */
+    ASSET_SHEET, /* images rendered by `firn sheet`, shown in the window */
 };
 
 enum {
@@ -31,7 +31,7 @@ struct asset {
 
 extern const struct asset assets[]; /* terminated by a zero entry */
 
-/* Returns true if the asset's file exists; false when out of memory. */
+/* Returns true if the asset's file exists, or false if it does not or when out of memory. */
 bool asset_exists(const struct asset *asset);
 
 /* Returns the asset of this name and kind, or NULL. */

@@ -15,7 +15,7 @@
 struct camera {
     vec3s eye;
     vec3s target;  /* must differ from eye */
-    vec3s up;      /* up vector; {0} for +Y; need not be perpendicular to the view direction */
+    vec3s up;      /* up vector, not necessarily perpendicular to the view; zero means +Y */
     float fov_deg; /* vertical field of view, degrees, in (0, 180) */
     float height;  /* height of an orthographic view, metres; 0 for perspective */
     float depth;   /* orthographic depth range from the eye, metres */
@@ -34,7 +34,7 @@ struct camera_basis camera_basis(const struct camera *camera);
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
 
-/* Returns half the height of the view at distance 1; of an orthographic view, at any distance. */
+/* Returns half the view's height: at distance 1 in perspective, at any distance if orthographic. */
 float camera_half_height(const struct camera *camera);
 
 /* Returns the matrix from world to camera space (+X right, +Y up, -Z forward), for column vectors.
@@ -54,8 +54,8 @@ struct camera_basis camera_cube_basis(uint32_t face);
 struct camera camera_orbit(float azimuth_deg, float elevation_deg, float distance, vec3s target,
                            float fov_deg);
 
-/* Returns the distance at which the bounding sphere of a box with this diagonal, metres, nearly
- * fills the smaller dimension of the image. */
+/* Returns the camera distance at which the bounding sphere of a box, `diagonal` metres across,
+ * nearly fills the smaller image dimension. */
 float camera_framing_distance(float diagonal, float fov_deg, uint32_t width, uint32_t height);
 
 #endif

@@ -57,7 +57,7 @@ enum material_wrap {
 
 /* Texture and its transform. Colour textures are sRGB, others linear. */
 struct material_texture {
-    uint32_t layer; /* texture layer + 1: of model.textures (colours) or model.numbers; 0: none */
+    uint32_t layer; /* layer + 1 in model.textures (colours) or model.numbers; 0 for no texture */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
     uint32_t uv_set;         /* texture coordinates: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
     vec3s u_row, v_row;      /* transform rows, multiplied by (u, v, 1) */
@@ -80,12 +80,12 @@ struct material {
     float
         /* scattering optical depth across the object, at maximum density; 0 if clear */
         scattering_optical_depth;
-    int32_t priority;   /* of overlapping media, that of the highest priority fills the space */
-    float metallic;     /* metallic factor, 0 to 1; glTF's default is 1 */
-    float alpha;        /* 0 to 1 */
-    float alpha_cutoff; /* alpha mask: alpha below the cutoff is a hole; 0 to 1 */
-    vec3s emission;     /* emitted radiance, strength included, 0 to 65504 */
-    float normal_scale; /* factor on the normal map's x and y, within 65504 */
+    int32_t priority;         /* where media overlap, the highest priority fills the space */
+    float metallic;           /* metallic factor, 0 to 1; glTF's default is 1 */
+    float alpha;              /* 0 to 1 */
+    float alpha_cutoff;       /* cutoff of alpha masks, 0 to 1; lower alpha is a hole */
+    vec3s emission;           /* emitted radiance, strength included, 0 to 65504 */
+    float normal_scale;       /* factor on the normal map's x and y, -65504 to 65504 */
     float occlusion_strength; /* 0 to 1 */
     float specular;           /* dielectric specular strength, 0 to 1 */
     vec3s specular_color;     /* colour of specular reflection at normal incidence, 0 to 65504 */

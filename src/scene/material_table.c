@@ -48,8 +48,7 @@ static int kind_of(const struct material *m)
     return m->flags & MATERIAL_IS_BLENDED ? MATERIAL_KIND_BLENDED : MATERIAL_KIND_OPAQUE;
 }
 
-/* Writes a texture's transform, layer and wrapping. Vertex uv include the base colour's transform.
- */
+/* Writes a texture's transform, layer and wrapping. Vertex uv include the base colour transform. */
 static void write_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);

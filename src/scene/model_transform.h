@@ -5,7 +5,7 @@
 #include "src/base/status.h"
 #include "src/scene/import/model.h"
 
-/* Transform about the model's origin, applied in the order of the members; {0} is the identity. */
+/* Transform about the model's origin, in the order of the members. All zeros is the identity. */
 struct model_transform {
     bool is_z_up; /* converts Z-up to Y-up: +Z becomes +Y, and +Y becomes -Z */
     /* rotation in degrees about X, then Y, then Z; counterclockwise seen from +axis */

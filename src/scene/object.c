@@ -15,7 +15,7 @@ struct ranked {
     int64_t priority;        /* priority from the file; INT64_MIN without one */
     uint32_t depth;          /* number of enclosing objects */
     uint32_t container_rank; /* index of the innermost enclosing object, + 1; 0 for none */
-    /* like container_rank, but also counts objects whose cavity contains this one */
+    /* like container_rank, but an object also encloses what is in its cavities */
     uint32_t enclosing_object;
 };
 
@@ -150,8 +150,8 @@ bool object_is_closed(const struct object *object, const struct mesh *mesh)
     return left <= 1e-4 * all;
 }
 
-/* Returns the signed solid angle, in steradians, of a triangle at the origin (van Oosterom and
- * Strackee 1983), positive from behind. */
+/* Returns the signed solid angle of a triangle seen from the origin, in steradians, positive if its
+ * back faces the origin (van Oosterom and Strackee 1983). */
 static double solid_angle(vec3s a, vec3s b, vec3s c)
 {
     const double x = (double)glms_vec3_norm(a), y = (double)glms_vec3_norm(b),

@@ -1,4 +1,4 @@
-/* object.h: refractive objects of a scene, and the rank that decides which fills an overlap. */
+/* object.h: a scene's refractive objects, and the ranks that decide which one fills an overlap. */
 #ifndef FIRN_SCENE_OBJECT_H
 #define FIRN_SCENE_OBJECT_H
 
@@ -14,9 +14,9 @@ struct object {
     uint32_t material; /* index into the model's materials */
     struct box box;    /* bounding box of the triangles; set with the rank */
     uint32_t rank;     /* unique medium priority, not 0: where objects overlap, the highest wins */
-    uint32_t container_rank; /* rank of the innermost object whose medium encloses it; or 0 */
+    uint32_t container_rank; /* rank of the innermost object whose medium encloses this one; or 0 */
     uint32_t
-        /* 1 + index of the innermost object around this one or its cavity; 0: none */
+        /* 1 + index of the innermost object around this one, cavities included; 0 for none */
         enclosing_object;
 };
 
@@ -27,8 +27,9 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
 /* Sets the boxes and ranks of all objects. An object with a priority from the file outranks one
- * without, and a higher priority a lower one. Otherwise, an enclosed object outranks the enclosing
- * one, and else the later object wins. Logs and returns STATUS_TRY_AGAIN when out of memory. */
+ * without, and higher priorities outrank lower ones. Otherwise, an enclosed object outranks the
+ * enclosing one; failing that, the later object wins. Logs and returns STATUS_TRY_AGAIN when out of
+ * memory. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);
 

@@ -13,9 +13,9 @@ enum {
 struct scattering_medium {
     uint32_t object; /* index of the object that contains the medium */
     float
-        /* optical depth from material.scattering_optical_depth; 0 for that of the settings */
+        /* material.scattering_optical_depth, or 0 to use the optical depth of the settings */
         density;
-    struct box box;    /* bounding box of the object, in mesh space, which the texels fill */
+    struct box box;    /* object's bounding box in mesh space, spanned by the texels */
     struct box filled; /* bounding box of non-zero density; set by scattering_media_fill() */
 };
 
@@ -23,13 +23,13 @@ struct scattering_media {
     struct scattering_medium all[SCATTERING_MEDIA_MAX];
     uint32_t count;
     uint32_t left_out; /* objects beyond SCATTERING_MEDIA_MAX, rendered as clear */
-    /* MEDIUM_SIZE texels per axis for each medium, x fastest: density, 0 to 255, and that of the
-     * next texel along z; owned; NULL before scattering_media_fill() */
+    /* MEDIUM_SIZE texels per axis for each medium, x fastest; each has a density, 0 to 255, and
+     * that of the next texel along z; owned; NULL before scattering_media_fill() */
     uint8_t (*texels)[2];
 };
 
-/* Finds the scattering media of a model, without texels: those of materials and, if `is_asked`, one
- * in the first object with the density of the settings. */
+/* Finds the scattering media of a model's materials, without texels. If `is_asked`, the first
+ * object always gets one, by default with the density of the settings. */
 struct scattering_media scattering_media_find(const struct model *model, bool is_asked);
 
 /* Generates the texels. Returns false when out of memory. */

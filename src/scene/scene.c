@@ -362,8 +362,8 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings: those of the parameters, else of the built-in scene, else, under the sky
- * and if the model has none, the landscape. */
+/* Loads the surroundings of the parameters, else those of the built-in scene, else the landscape if
+ * there is a sky and the model has no surroundings. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -375,8 +375,8 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
     return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
 }
 
-/* Sorts the surroundings front to back from the object's centre, where the environment cube is
- * rendered and near which cameras are. */
+/* Sorts the surroundings front to back from the object's centre, since cameras are near it and the
+ * environment cube is rendered there. */
 static enum status sort_surroundings(struct scene *scene)
 {
     struct mesh_order *sorted = scene->is_animated ? &scene->sorted : NULL;

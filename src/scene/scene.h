@@ -1,5 +1,5 @@
 /* scene.h: scene of refractive objects, their surroundings and a background. A scene owns its
- * members; scene_finish() frees them; a {0} scene is fine. */
+ * members, which scene_finish() frees; a zeroed scene is fine. */
 #ifndef FIRN_SCENE_SCENE_H
 #define FIRN_SCENE_SCENE_H
 
@@ -21,7 +21,7 @@ enum scene_background {
     SCENE_ENVIRONMENT,
 };
 
-/* Data read from files instead of generated; NULL or empty if it is generated. */
+/* Data read from files; members are NULL or empty for data that is generated. */
 struct scene_files {
     float *heights, *smoothness; /* bump map input, for bump_maps_params */
     float *air_opacity;          /* bubble opacity, for generate_air */
@@ -34,15 +34,15 @@ struct scene {
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
     bool is_hidden;         /* write alpha 0 for the background, which still lights surfaces */
     struct environment environment;
-    vec4s *material_table; /* GPU table (material_table.h); NULL if no material needs one */
-    /* GPU table of punctual lights; NULL if no surface is lit by any */
+    vec4s *material_table; /* GPU table of materials; NULL if no material needs one */
+    /* GPU table of punctual lights; NULL if they light no surface */
     vec4s *punctual_light_table;
     vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
     /* GGX split-sum table (image_based_lighting.h), if material_table exists */
     uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube; /* captured environment cube, used instead of rendering one; or {0} */
-    struct bump_maps bump;   /* bump map of the object's surface; {0} for none */
+    struct environment cube; /* captured environment cube, replaces the rendered one; or empty */
+    struct bump_maps bump;   /* bump map of the object's surface; may be empty */
     struct box box;          /* bounding box of the object or pool */
     struct box framing_box;  /* bounding box at time 0, for the default camera */
     float time;              /* animation time, seconds */
@@ -50,13 +50,13 @@ struct scene {
         /* vertex positions of the previous frame, objects first; NULL if unchanged */
         previous_positions;
     uint32_t previous_position_rows;
-    struct box floating_ice;      /* bounding box of floating ice in the pool; {0} for none */
-    struct box lookup_box;        /* proxy box for refract.lookup=box; {0} for none */
+    struct box floating_ice;      /* bounding box of floating ice in the pool; may be empty */
+    struct box lookup_box;        /* proxy box for refract.lookup=box; may be empty */
     struct mesh cracks;           /* cracks, in object space; may be empty */
     struct mesh air;              /* planes of air bubbles, in object space; may be empty */
     struct air_layers air_layers; /* textures of the air planes */
     struct scene_files files;
-    struct melted melted; /* result of melting; {0} if nothing has melted */
+    struct melted melted; /* result of melting; zeroed if nothing has melted */
     struct scattering_media
         scattering_media;   /* scattering media, in the space of the objects' mesh */
     struct ao ao;           /* ambient occlusion occluders, in object space */
@@ -100,7 +100,7 @@ struct scene_params {
      * one; NULL to load them */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
-    struct model_pose pose; /* `objects` is replaced by the names of material_overrides */
+    struct model_pose pose; /* pose; `objects` is set by scene_load() from material_overrides */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background; /* background colour; NULL for the sky */
@@ -117,11 +117,11 @@ struct scene_params {
     const struct bump_maps_params *bump; /* bump map of the object's surface; NULL for none */
     struct scene_cracks cracks;
     struct scene_image_files image_files;
-    const struct reader_params *decode; /* reader process for files; NULL for this process */
+    const struct reader_params *decode; /* sandboxed file reader; NULL to read in this process */
     struct generate_pool pool;          /* pool of the scene `pool` */
     bool defers_texels; /* leave bump and air texels to scene_fill(); only set their sizes */
-    /* Callback after the object is loaded, which may change inclusions and `bump`, since they
-     * depend on the object's materials. May be NULL. */
+    /* Called after the object is loaded; may change inclusion parameters and `bump`, which depend
+     * on the object's materials. May be NULL. */
     void (*on_object_loaded)(void *user, const struct scene *scene, struct scene_params *params);
     void *user;
 };
@@ -144,14 +144,14 @@ const struct scene_builtin *scene_find_builtin(const char *name);
 /* Returns true if the name is that of a built-in scene or an asset, not a file. */
 bool scene_is_known(const char *name);
 
-/* Returns true if the name is that of an environment, and not also of a scene, as `valley` is. */
+/* Returns true if the name is that of an environment but not, like `valley`, also of a scene. */
 bool scene_is_environment(const char *name);
 
 /* Returns the name of a scene by index, built-in ones before assets, or NULL beyond the last. */
 const char *scene_name(uint32_t index);
 
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
- * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */
+ * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then zeroed. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
 /* Generates the texels that params.defers_texels has deferred. Other threads may read the rest of

@@ -1,4 +1,4 @@
-/* bvh.c: builds a scene's BVHs, encodes them for the GPU, and keeps the rest pose. */
+/* bvh.c: builds and encodes a scene's BVHs for the GPU, and stores the rest pose for refitting. */
 #include "src/scene/bvh/bvh.h"
 #include <float.h>
 #include <math.h>
@@ -13,8 +13,8 @@
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
 
-/* Growth of SAH cost above which a deformed BVH is rebuilt. The limit is lower for a BVH of a whole
- * scene part, which all rays traverse. */
+/* Ratios of SAH cost, deformed to original, above which a BVH is rebuilt. The limit is lower for a
+ * BVH of a whole scene part, which all rays traverse. */
 static const double object_growth_max = 1.5, part_growth_max = 1.1;
 
 static uint32_t bits(float x)
@@ -98,7 +98,7 @@ static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
     return object->rank + BVH_OBJECT_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
-/* Returns the material of an object's triangle, or NULL for the material of the settings. */
+/* Returns the material of an object's triangle, or NULL if the settings define the material. */
 static const struct material *material_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -110,7 +110,7 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
-/* Returns a triangle's material bits. Settings may replace the material of the vertices. */
+/* Returns a triangle's material bits: its vertices' bits, with the object's material index. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t bits = bvh_corner(part, triangle, 0)->material;
@@ -237,8 +237,8 @@ static bool write_media(struct bvh *bvh, const struct model *model)
     return media;
 }
 
-/* Builds the BVHs of all scene parts. Those of poses are refitted from the rest pose, except
- * inclusions, which each pose generates anew. */
+/* Builds the BVHs of all scene parts. In an animated pose, refits those of the rest pose instead,
+ * except for inclusions, which are generated anew for each pose. */
 static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {
@@ -435,7 +435,7 @@ uint32_t bvh_node_count(const struct bvh *bvh)
 {
     uint32_t count = bvh->nodes.count / BVH_NODE_WORDS;
     for (uint32_t i = 0; i < BVH_COUNT && count; i++)
-        count -= bvh->roots[i] != BVH_NONE; /* excludes the node that holds the grid */
+        count -= bvh->roots[i] != BVH_NONE; /* excludes the node with the quantisation grid */
     return count;
 }
 

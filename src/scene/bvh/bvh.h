@@ -36,11 +36,11 @@ struct bvh {
     /* SAH costs, in ray-triangle tests; 0 for parts without triangles */
     double costs[BVH_COUNT];
     uint32_t depth;              /* maximum node depth from a root, at most BVH_DEPTH_MAX */
-    bool is_closed;              /* the objects' mesh is closed: each edge has an opposite */
-    bool surroundings_are_apart; /* bounding boxes of triangles do not overlap the objects' box */
-    bool is_disjoint_rotating;   /* boxes do not overlap at any rotation of the object about +Y */
-    bool is_stored;              /* exceeds the device's texel buffers; set by the caller */
-    double ms;                   /* duration of bvh_init(), milliseconds */
+    bool is_closed;              /* each edge of the objects' mesh has an opposite edge */
+    bool surroundings_are_apart; /* surroundings triangles' boxes do not overlap the objects' box */
+    bool is_disjoint_rotating; /* surroundings stay apart at any rotation of the object about +Y */
+    bool is_stored;            /* too large for the device's texel buffers; set by the caller */
+    double ms;                 /* duration of bvh_init(), milliseconds */
     /* numbers of object BVHs that were built, copied from similar objects, or refitted */
     uint32_t built, shared, refitted;
     uint32_t read; /* number of BVHs loaded from cache files */
@@ -53,10 +53,10 @@ struct bvh_two_level;
  * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose
  * (1.1 times for a BVH of a whole part). Rigid motion and uniform scaling never cause a rebuild. */
 struct bvh_rest_pose {
-    bool by_objects;    /* one BVH per object; else one per scene part, with horizons */
-    struct model model; /* model in rest pose: only its meshes, objects and surroundings_starts */
+    bool by_objects;    /* true: one BVH per object; false: one per scene part, with horizons */
+    struct model model; /* model in rest pose; only meshes, objects, surroundings_starts are set */
     struct mesh_order sorted; /* triangle order of the surroundings */
-    bool is_known; /* false before the first bvh_init(), whose model becomes the rest pose */
+    bool is_known;            /* true after the first bvh_init(), whose model is the rest pose */
     struct bvh_two_level *hierarchies; /* BVH topology of each part, set by the first bvh_init() */
 };
 
@@ -75,12 +75,12 @@ struct bvh_params {
     const struct bubbles *bubbles; /* bubbles inside the ice */
     struct bvh_rest_pose *rest;    /* rest pose; NULL without animation */
     uint32_t threads;              /* maximum threads; 0 for one per core */
-    bool is_cached; /* cache large BVHs in files; of an animated model, those of the rest pose */
+    bool is_cached; /* cache large BVHs in files; if animated, only those of the rest pose */
 };
 
 /* Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA
  * for more than BVH_TRIANGLES_MAX triangles, BVH_OBJECTS_MAX objects, or BVH_MEDIA_MAX object
- * materials; *bvh is then {0}. */
+ * materials; *bvh is then zeroed. */
 MUST_USE enum status bvh_init(struct bvh *bvh, const struct bvh_params *params);
 
 void bvh_finish(struct bvh *bvh);
@@ -95,7 +95,7 @@ size_t bvh_size(const struct bvh *bvh);
 
 struct bvh_ray {
     vec3s origin, dir;
-    double near;   /* minimum t of hits, exclusive, in lengths of `dir` */
+    double near;   /* hits must have a greater t, in lengths of `dir` */
     uint32_t from; /* triangle that the ray leaves and must not hit; BVH_NONE for none */
 };
 
@@ -107,7 +107,7 @@ struct bvh_hit {
     bool is_back;      /* the back face was hit */
 };
 
-/* Finds the nearest hit of a ray with a scene part, in the part's space; false if it misses. */
+/* Finds a ray's nearest hit with a scene part, in the part's space. Returns false if it misses. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 

@@ -12,7 +12,7 @@
 #include <stdbool.h>
 
 enum {
-    PARALLEL_MIN = 1 << 13, /* minimum triangles of a subtree built by its own thread */
+    PARALLEL_MIN = 1 << 13, /* minimum triangle count of a subtree built by its own thread */
 };
 
 static struct bvh_box empty_box(void)
@@ -208,7 +208,7 @@ static void *build_subtree(void *user)
 void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t depth_left,
                uint32_t threads)
 {
-    /* more than threads, since subtrees differ in size */
+    /* number of levels that fork; gives more subtrees than threads, since their sizes differ */
     const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5;
     struct subtree all = { builder, range->root, range->first, range->count, depth_left, forks };
     (void)build_subtree(&all);

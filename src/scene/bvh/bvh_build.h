@@ -31,7 +31,7 @@ struct bvh_builder {
     uint32_t leaf_max; /* triangles per leaf */
 };
 
-/* Range of triangles in `order` with a BVH of its own. */
+/* Range of triangles in `order` that has its own BVH. */
 struct bvh_range {
     uint32_t first, count; /* count is above 0 */
     uint32_t root;
@@ -59,7 +59,7 @@ void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint3
 /* Refits the boxes of the subtree at node `at` to its triangles, bottom-up. */
 void bvh_refit(struct bvh_builder *builder, uint32_t at);
 
-/* Returns the SAH cost of the subtree at `at`, in ray-triangle tests of a ray that hits its box. */
+/* Returns a subtree's SAH cost for a ray that hits its box, in units of one ray-triangle test. */
 double bvh_sah_cost(const struct bvh_builder *builder, uint32_t at);
 
 #endif

@@ -18,7 +18,7 @@ enum {
 /* Returns a hash of positions, groups and build parameters of a scene part without bubbles. */
 uint64_t bvh_cache_key(const struct bvh_part *part);
 
-/* Reads the topology with this key into a BVH whose groups have ranges. Returns false if there is
+/* Reads the topology with this key into a BVH whose group ranges are set. Returns false if there is
  * no valid file; nodes are then undefined, and the triangle order is unchanged. */
 bool bvh_cache_load(struct bvh_two_level *hierarchy, uint64_t key);
 

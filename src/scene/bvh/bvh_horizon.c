@@ -20,12 +20,11 @@
 enum {
     THREADS_MAX = 16,
     THREAD_MIN = 1 << 12, /* minimum triangles per thread */
-    BLOCK = 64,           /* triangles per block; its first one reuses no occluder */
+    BLOCK = 64,           /* triangles per block; occluders are reused only within a block */
     VISITS_MAX = 1024,    /* maximum node visits per triangle */
 };
 
-/* Tangents of horizon angles. Steeper ones cull too few rays; finding flatter ones costs too much.
- */
+/* Limits of horizon tangents: steeper ones cull too few rays, and flatter ones cost too much. */
 static const float steepest = 2.6f, flattest = 0.143f;
 
 /* Triangle whose horizon is computed. */
@@ -62,7 +61,7 @@ static bool normalize(float v[static 3])
 struct search {
     const struct bvh_two_level *hierarchy;
     const struct bvh_part *part;
-    float epsilon; /* maximum height that is a rounding error */
+    float epsilon; /* heights up to this count as rounding errors */
     uint8_t *horizons;
 };
 
@@ -108,8 +107,8 @@ static float extent_along(const struct receiver *from, const float dir[static 3]
                  fmaxf(dot(dir, from->corners[1]), dot(dir, from->corners[2])));
 }
 
-/* Returns an upper bound of the tangent of a box's elevation: its height over the minimum in-plane
- * distance, along the direction to its centre. */
+/* Returns an upper bound of the tangent of a box's elevation angle above a triangle: the box's
+ * maximum height divided by its minimum in-plane distance. */
 static float box_elevation(const struct receiver *from, const struct bvh_box *box, float epsilon)
 {
     const float *normal = from->plane;
@@ -132,8 +131,8 @@ static float box_elevation(const struct receiver *from, const struct bvh_box *bo
     return nearest > 0.0f ? (up + half_height) * sqrtf(square) / nearest : FLT_MAX;
 }
 
-/* Returns the tangent of a triangle's elevation, with distances measured along an in-plane
- * direction. Shared corners have distance 0 and height 0. */
+/* Returns the tangent of a triangle's elevation angle, with distances measured along the in-plane
+ * direction `dir`. Corners shared with the receiver have distance 0 and height 0. */
 static float elevation_along(const struct receiver *from, float corners[static 3][3],
                              const float dir[static 3], float epsilon)
 {
@@ -150,7 +149,7 @@ static float elevation_along(const struct receiver *from, float corners[static 3
     return most;
 }
 
-/* Returns the minimum elevation bound of several directions, or the first that is <= `enough`. */
+/* Returns the lowest elevation tangent of several directions, or the first that is <= `enough`. */
 static float triangle_elevation(const struct receiver *from, const struct search *search,
                                 uint32_t at, float enough)
 {
@@ -177,8 +176,8 @@ struct candidate {
     uint32_t node;
 };
 
-/* Returns the tangent of a triangle's horizon, or a value above `steepest`. *highest is the
- * occluder to test first, the previous triangle's, and receives the highest occluder. */
+/* Returns the tangent of a triangle's horizon angle, or a value above `steepest` if it is unknown.
+ * *highest is the first occluder to test, and receives the triangle's highest occluder. */
 static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
     const struct bvh_node *nodes = search->hierarchy->builder.nodes;
@@ -280,7 +279,7 @@ bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *obj
     return objects->horizons && bvh->object_count == 1;
 }
 
-/* Returns a triangle's quantised horizon, valid also above the planes of interpolated normals. */
+/* Returns a triangle's quantised horizon, widened to be valid for its interpolated normals. */
 static uint8_t widened_horizon(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                uint32_t at)
 {
@@ -324,7 +323,7 @@ static void widen_cells(struct grid *grid, const int first[static 3], const int 
 void bvh_horizon_grid_write(struct bvh *bvh, const struct bvh_two_level *objects,
                             const struct bvh_part *part)
 {
-    /* tolerance of hit points beside their triangle, in cells */
+    /* distance by which a hit point may be off its triangle, in cells */
     static const float tolerance = 0.1f;
     const struct bvh_box *all = &objects->builder.nodes[objects->root].box;
     struct grid grid = { 0 };

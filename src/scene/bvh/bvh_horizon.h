@@ -12,7 +12,7 @@
 #include "src/scene/bvh/bvh_scene_parts.h"
 
 enum {
-    BVH_HORIZON_TRIANGLES_MAX = 1 << 16, /* maximum triangles of a part with horizons */
+    BVH_HORIZON_TRIANGLES_MAX = 1 << 16, /* maximum triangle count of a part with horizons */
 };
 
 /* Computes the sine of each triangle's horizon angle in leaf order, in steps of 1 /
@@ -21,7 +21,7 @@ enum {
 uint8_t *bvh_horizons_compute(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                               uint32_t threads);
 
-/* Returns true if the BVH has a horizon grid, as for a single object with known horizons. */
+/* Returns true if the BVH gets a horizon grid, which needs a single object with known horizons. */
 bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *objects);
 
 /* Writes the horizon grid (shaders/trace/bvh_layout.h) to the reserved end of the corner array. */

@@ -26,7 +26,7 @@ static float number(uint32_t word)
     return x;
 }
 
-/* Cone of normals: unit axis, and half-angle in radians; negative for an empty cone. */
+/* Cone of normals: unit axis, and half-angle in radians, which is negative for an empty cone. */
 struct cone {
     double axis[3], angle;
 };
@@ -112,7 +112,7 @@ static float rounding_of(const struct bvh_box *box)
 
 /* Fixed-point grid of box planes. */
 struct grid {
-    float low[3], scale[3]; /* position of plane 0; steps per metre */
+    float low[3], scale[3]; /* position of plane 0, and grid steps per metre */
     uint32_t plane_bits;
 };
 

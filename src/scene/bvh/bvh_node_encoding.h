@@ -4,15 +4,15 @@
 
 #include "src/scene/bvh/bvh_two_level.h"
 
-/* Returns the number of 16-byte words of the nodes and the grid of a part with triangles. */
+/* Returns the number of 16-byte words that a non-empty part's nodes and grid occupy. */
 uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy);
 
 /* Encodes a part's nodes and returns the root's index. `first` is the BVH index of its first
- * triangle; triangles must have been written. Normal cones leave fewer bits for box planes. */
+ * triangle; triangles must have been written. Normal cones reduce the precision of child boxes. */
 uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones);
 
-/* Returns the dequantised bounding box of a child; `grid` are the words of the part's grid. */
+/* Returns a child's dequantised bounding box. `grid` is the part's encoded quantisation grid. */
 struct bvh_box bvh_nodes_child_box(const uint32_t grid[static BVH_NODE_WORDS][4],
                                    const uint32_t child[static 4]);
 

@@ -53,7 +53,7 @@ static uint32_t *inverse_order(const struct bvh_part *part, const struct mesh_or
     return inverse;
 }
 
-/* Returns an index of the object that owns a triangle. */
+/* Returns the index of the object that owns a triangle; 0 for inclusions or without objects. */
 static uint32_t owner_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;

@@ -1,4 +1,4 @@
-/* bvh_scene_parts.h: triangle lists of a scene's parts (shaders/trace/bvh_layout.h), in groups. */
+/* bvh_scene_parts.h: grouped triangle lists of a scene's parts (shaders/trace/bvh_layout.h). */
 #ifndef FIRN_SCENE_BVH_BVH_SCENE_PARTS_H
 #define FIRN_SCENE_BVH_BVH_SCENE_PARTS_H
 
@@ -17,7 +17,7 @@ struct bvh_part {
 };
 
 /* Lists the triangles of all parts: one group per object if `by_objects`, else one group per part.
- * Returns false when out of memory; the caller must finish the parts in any case. */
+ * Returns false when out of memory; call bvh_parts_finish() in any case. */
 MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT],
                              const struct bvh_params *params, bool by_objects);
 void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT]);
@@ -29,8 +29,8 @@ const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t trian
 
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
-/* Returns true if no triangle's box in the surroundings overlaps the objects' bounding box or, with
- * `rotates`, its rotations about the vertical axis; moving surroundings then always overlap. */
+/* Returns true if no triangle's box in the surroundings overlaps the objects' bounding box. With
+ * `rotates`, the box covers all rotations about +Y, and moving surroundings always overlap. */
 bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */

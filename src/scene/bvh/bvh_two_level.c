@@ -14,7 +14,7 @@
 
 enum {
     LEVELS_FREE = 4, /* extra depth of the top-level BVH */
-    KNOWN_MAX = 64,  /* recent groups compared with a new one */
+    KNOWN_MAX = 64,  /* maximum number of recent groups to compare a new group with */
 };
 
 /* Triangles of a group, in file order. */
@@ -150,8 +150,8 @@ static bool build_top_level(struct bvh_two_level *hierarchy)
     return done;
 }
 
-/* Returns the maximum depth of a group's BVH, and the number of groups: 1 (all triangles in one) if
- * the BVH would get too deep. */
+/* Returns the maximum depth of a group's BVH. *group_count receives the number of groups, or 1 for
+ * all triangles together if the BVH would get too deep. */
 static uint32_t decide_depth(const struct bvh_part *part, uint32_t *group_count)
 {
     const uint32_t above =

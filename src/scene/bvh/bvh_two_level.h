@@ -12,7 +12,7 @@
 /* Options and statistics of BVH builds. */
 struct bvh_build_stats {
     uint32_t threads;
-    double cost_growth_max; /* growth of the SAH cost above which BVHs are rebuilt */
+    double cost_growth_max; /* rebuild BVHs whose SAH cost grows by more than this factor */
     bool is_cached;         /* store large BVHs in cache files */
     /* numbers of groups that were built, copied from similar groups, or refitted */
     uint32_t built, shared, refitted;
@@ -23,9 +23,9 @@ struct bvh_build_stats {
 MUST_USE bool bvh_two_level_build(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                   struct bvh_build_stats *work);
 
-/* Builds the BVH of a pose from the topology of the rest pose. Groups are refitted, except those
- * that have deformed and cost more than work->cost_growth_max times the rest pose, which are
- * rebuilt. All are rebuilt if the groups differ. Returns false when out of memory. */
+/* Builds the BVH of a pose by refitting that of the rest pose. A deformed group is rebuilt if its
+ * SAH cost exceeds work->cost_growth_max times that at rest; all groups are rebuilt if their
+ * triangle ranges differ. Returns false when out of memory. */
 MUST_USE bool bvh_two_level_refit(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                   const struct bvh_two_level *rest,
                                   const struct bvh_part *rest_part, struct bvh_build_stats *work);

@@ -80,7 +80,7 @@ static float distance_to_ground(float radius, float cosine)
 }
 
 /* Maps (u, v) of the transmittance table to radius and cosine, by Bruneton's parametrisation: u is
- * the distance to the top of the atmosphere, between the minimum and maximum at this height. */
+ * the distance to the top of the atmosphere, normalised to its range at this height. */
 static void transmittance_params(float u, float v, float *radius, float *cosine)
 {
     const float whole = sqrtf(air_radius * air_radius - ground_radius * ground_radius);
@@ -181,7 +181,7 @@ static vec3s ground_radiance(const struct atmosphere *a, const struct ray *ray, 
     return glms_vec3_scale(transmittance(a, at.radius, at.sun), fraction);
 }
 
-/* Integrates uniform emission `source` over a step, with the step's own extinction. */
+/* Integrates uniform emission `source` over a step, attenuated by extinction within the step. */
 static vec3s integrate_step(vec3s source, vec3s extinction, float step)
 {
     const vec3s kept = exp_minus(glms_vec3_scale(extinction, step));

@@ -27,8 +27,8 @@ struct atmosphere {
                              [ATMOSPHERE_MULTIPLE_SCATTERING_SIZE];
 };
 
-/* Computes the tables. `turbidity` is the extinction by air and haze over that by air alone: 1
- * without haze, 2 in the mountains, 3 in summer, 5 where it is hazy. `albedo` is 0 to 1. */
+/* Computes the tables. `turbidity` is the ratio of extinction by air and haze to that by air alone:
+ * 1 without haze, 2 in the mountains, 3 in summer, 5 when hazy. `albedo` is 0 to 1. */
 void atmosphere_make(struct atmosphere *atmosphere, float turbidity, float albedo);
 
 /* Returns the transmittance from `height` (kilometres above the ground) to the top of the

@@ -23,7 +23,7 @@ struct environment {
     uint32_t width, height; /* texels */
     float turn;             /* rotation about +Y of an equirectangular image, in turns, 0 to 1 */
     struct environment_sun sun;
-    bool is_cube; /* captured cube map, whose alpha is 1 / distance from its centre in metres */
+    bool is_cube; /* captured cube map with alpha = 1 / (distance from its centre in metres) */
 };
 
 /* Loads an .exr file (channels R, G, B or Y; a captured cube also needs A, without which everything
@@ -47,7 +47,7 @@ vec3s environment_direction(float azimuth_deg, float elevation_deg);
 /* Multiplies all radiances, the sun's included, by 2^stops. */
 void environment_apply_exposure(struct environment *environment, float stops);
 
-/* Frees the texels; *environment is then {0}. */
+/* Frees the texels; *environment is then zeroed. */
 void environment_finish(struct environment *environment);
 
 #endif

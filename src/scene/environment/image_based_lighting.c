@@ -19,7 +19,7 @@ enum {
     DIFFUSE_WIDTH = 32, /* width of the level for diffuse lobes */
     SAMPLE_COUNT = 64,  /* samples per glossy lobe */
     SPLIT_SAMPLE_COUNT = 256,
-    OVERLAP = 4, /* solid angle of a texel relative to a sample, to choose a mip level */
+    OVERLAP = 4, /* texel-to-sample ratio of solid angles, to choose mip levels */
 };
 
 static const float pi = 3.14159265358979f;
@@ -110,7 +110,7 @@ static vec3s sample_level(const struct levels *levels, int level, vec3s dir)
     return glms_vec3_lerp(upper, lower, down);
 }
 
-/* Returns the finest level whose texels subtend at least a solid angle, or the last level. */
+/* Returns the coarsest level whose texels subtend at most `solid_angle`, or level 0. */
 static int level_of(const struct levels *levels, float solid_angle)
 {
     int level = 0;
@@ -232,7 +232,7 @@ uint16_t *image_based_lighting_prefilter(const struct environment *environment)
     return texels;
 }
 
-/* Returns Smith's masking function of GGX (Walter et al. 2007); `square` is the squared width. */
+/* Returns Smith's masking function of GGX (Walter et al. 2007); `square` is alpha squared. */
 static float smith_masking(float cosine, float square)
 {
     return 2.0f * cosine / (cosine + sqrtf(square + (1.0f - square) * cosine * cosine));
@@ -278,11 +278,11 @@ uint16_t *image_based_lighting_brdf_table(void)
     return texels;
 }
 
-/* Limits for a dominant light: the brightness above which a texel belongs to it, relative to the
- * maximum, and the minimum ratio of maximum to mean. */
+/* Limits for a dominant light: the minimum brightness of its texels relative to the maximum, and
+ * the minimum ratio of maximum to mean brightness. */
 #define DOMINANT_FRACTION 0.35f
 #define DOMINANT_RATIO    4.0f
-#define DOMINANT_COSINE   0.75f /* minimum cosine to the brightest texel's direction */
+#define DOMINANT_COSINE   0.75f /* minimum cosine of the angle to the brightest texel */
 #define DOMINANT_MARGIN   0.02f /* margin of the cone's cosine */
 
 /* Returns the brightness and the direction of a texel of the least rough layer. */

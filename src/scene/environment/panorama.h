@@ -10,7 +10,7 @@ enum panorama {
     PANORAMA_NONE,    /* not a cube map */
     PANORAMA_OPENEXR, /* vertical strip with OpenEXR's attribute `envmap` */
     PANORAMA_ROW,     /* horizontal strip +X -X +Y -Y +Z -Z in Vulkan's orientation */
-    /* 4:3 cross: left, front (-Z), right, back; up and down above and below the front */
+    /* 4:3 cross: left, front (-Z), right and back faces; up above the front, down below it */
     PANORAMA_CROSS,
     PANORAMA_TALL_CROSS /* 3:4 cross: the back face is below the down face, upside down */
 };

@@ -14,7 +14,7 @@ enum {
     OCTAVES = 3,
 };
 
-static const float off_center = 0.1f; /* maximum offset of planes from the centre, object radii */
+static const float off_center = 0.1f; /* maximum plane offset from the centre, in object radii */
 
 /* Adds the two triangles of a plane. */
 static void make_plane(struct mesh *mesh, uint32_t plane, mat3s axes, vec3s center, float side)

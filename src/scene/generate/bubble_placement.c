@@ -85,8 +85,8 @@ static bool is_unoccupied(const struct bubbles *bubbles, vec3s center, float rad
     return true;
 }
 
-/* Returns a bubble of the requested shape inside a bounding sphere. Its axis is the freezing
- * direction, towards the centre, within about 11 degrees. */
+/* Returns a bubble of the requested shape inside a bounding sphere. Its axis is within about 11
+ * degrees of the freezing direction, which points towards the centre. */
 static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
                                   vec3s middle, struct random *random)
 {
@@ -104,7 +104,7 @@ static struct bubble shape_bubble(struct bubble bubble, const struct generate_bu
     return bubble;
 }
 
-/* Adds a bubble at a random position. Returns false if none is free. In a convex object, the
+/* Adds a bubble at a random free position. Returns false if none is found. In a convex object, the
  * octahedron whose half diagonals are the clearance is inside, and so is its inscribed sphere. */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        const struct generate_bubbles *params, struct box box, float radius,

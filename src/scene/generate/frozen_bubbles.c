@@ -28,7 +28,7 @@ struct group {
     uint32_t count;
     /* `along` is the freezing direction, and `aside` is perpendicular to it */
     vec3s position, along, aside;
-    float length; /* length of a worm or the group */
+    float length; /* maximum half-length of the group's worms */
 };
 
 struct growth_params {

@@ -27,8 +27,8 @@ enum {
     GENERATE_AIR_MAX = 64,
 };
 
-/* Generates a sphere of longitudes and latitudes with the unit sphere's volume: its vertices are
- * slightly outside the unit sphere. Normals are exact. */
+/* Generates a UV sphere with the unit sphere's volume, so that its vertices are slightly outside
+ * the unit sphere. Normals are exact. */
 bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 
 /* Generates a rounded cube, about 1.6 m wide: six grids of quads displaced by smooth noise. */
@@ -94,13 +94,13 @@ struct air_layers {
  * Texture coordinates span each square; a vertex's `material` is the layer + 1. */
 bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
 
-/* Clips air planes to a k-DOP of the object. Returns false, *planes unchanged, when out of memory.
- */
+/* Clips air planes to a k-DOP of the object. Returns false when out of memory; *planes is then
+ * unchanged. */
 bool generate_air_clip(struct mesh *planes, const struct mesh *object);
 
 /* Generates the textures of air planes: bubbles of three sizes, each half as large and twice as
  * frequent as the previous one, and haze that fades towards the edges. Returns false when out of
- * memory; *layers is then {0}. */
+ * memory; *layers is then zeroed. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
 
 enum generate_bubbles_shape {
@@ -117,7 +117,7 @@ struct generate_bubbles {
     uint32_t count, seed; /* number of bubbles, 1 to BUBBLES_COUNT_MAX */
     float size;           /* longest diameter of the largest bubble, in box diagonals */
     enum generate_bubbles_shape shape;
-    float stretch; /* longest over shortest diameter, at least 1; unused by spheres */
+    float stretch; /* ratio of longest to shortest diameter, at least 1; unused by spheres */
     float rim; /* minimum distance of bubbles to the surface, relative to the box's shortest side */
 };
 

@@ -27,8 +27,8 @@ vec3s random_box(struct random *random)
     return v;
 }
 
-/* Normalises a point of the 4D unit ball to a quaternion. Sines would differ between C libraries.
- */
+/* Normalises a random point of the 4D unit ball to a quaternion. Avoids sines, which differ between
+ * C libraries. */
 mat3s random_rotation(struct random *random)
 {
     versors q;

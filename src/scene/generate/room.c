@@ -22,7 +22,7 @@ enum {
 /* Area light that covers whole tiles of one side of the room. */
 struct light {
     int axis;
-    bool high; /* on the side with the greater coordinate */
+    bool high; /* true for the side with the greater coordinate */
     struct box box;
     vec3s radiance;
 };
@@ -264,7 +264,7 @@ static struct box box_between(float x0, float y0, float z0, float x1, float y1, 
     return (struct box){ { { x0, y0, z0 } }, { { x1, y1, z1 } } };
 }
 
-/* Places the furniture; the parts of the table come first. */
+/* Fills the list of furniture boxes; the parts of the table come first. */
 static void furnish(struct room *room, float table)
 {
     const struct box top = box_between(-1.7F, table - 0.14F, -1.7F, 2.6F, table, 1.5F);

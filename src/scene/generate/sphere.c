@@ -1,10 +1,10 @@
-/* sphere.c: generates a unit sphere of longitudes and latitudes. */
+/* sphere.c: generates a unit UV sphere (longitudes and latitudes). */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
 #include <math.h>
 
-/* Latitude-longitude grid: `rows` bands of `columns` quads; those at the poles are triangles. */
+/* Latitude-longitude grid: `rows` bands of `columns` quads, which are triangles at the poles. */
 struct grid {
     uint32_t rows, columns;
 };
@@ -49,9 +49,9 @@ static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
     return 1 + (row - 1) * grid.columns + column % grid.columns;
 }
 
-/* Scales the sphere until its facets enclose the unit sphere's volume, so that they are about as
- * far outside as inside of it; vertices on the unit sphere would leave all facets inside. This
- * reduces the error of refracted directions, relative to an exact sphere, to a third. */
+/* Scales the sphere until its facets enclose the unit sphere's volume. They are then about as far
+ * outside the unit sphere as inside, instead of entirely inside, which reduces the error of
+ * refracted directions to a third. */
 static void fill_volume(struct mesh *mesh)
 {
     double volume = 0;

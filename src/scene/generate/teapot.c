@@ -36,8 +36,7 @@ static const float profile[PROFILE_PIECES][4][2] = {
     { { 1.5F, 0.15F }, { 1.5F, 0.075F }, { 1.425F, 0 }, { 0, 0 } },
 };
 
-/* Cross-sections of a tube: x and y at the start of both halves, x and y at their end, half width.
- */
+/* Cross-sections of a tube: two points (x, y) where its halves meet, and its half width. */
 static const float spout_sections[7][5] = {
     { 1.7F, 1.425F, 1.7F, 0.6F, 0.66F },       { 2.6F, 1.425F, 3.1F, 0.825F, 0.66F },
     { 2.3F, 2.1F, 2.4F, 2.025F, 0.25F },       { 2.7F, 2.4F, 3.3F, 2.4F, 0.25F },
@@ -186,9 +185,9 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
     return (n * percent + 99) / 100;
 }
 
-/* Plans the grid. Holes are given in percent of a patch, and contain the joints with a margin. In
- * rows of the body, counted from its rim, the spout's joint covers 0.62..1.20, the handle's
- * 0.10..0.24 and 1.00..1.24; in columns they reach 0.153, 0.085 and 0.070 to both sides. */
+/* Plans the grid. Hole sizes are percentages of a patch, with a margin around the joints. In
+ * patches below the rim, the spout joins the body at 0.62..1.20, and the handle at 0.10..0.24 and
+ * 1.00..1.24; the joints' half widths are 0.153, 0.085 and 0.070. */
 static struct teapot plan(uint32_t n)
 {
     struct teapot t = { .n = n, .columns = 4 * n, .lines = PROFILE_PIECES * n + 2 };
@@ -254,10 +253,10 @@ static void add_triangle(struct teapot *t, uint32_t a, uint32_t b, uint32_t c)
     t->index_count += 3;
 }
 
-/* Returns a body vertex position. Columns run from +X over -Z to -X and on. */
+/* Returns a body vertex position. Columns run around from +X to -Z and -X. */
 static vec3s body_point(const struct teapot *t, uint32_t line, uint32_t column)
 {
-    /* the ring between lid and rim uses two lines at its edges */
+    /* the ring between lid and rim adds one line of vertices */
     uint32_t cell = line <= 2 * t->n ? line : line - 1;
     uint32_t piece = line == 2 * t->n ? 1 : cell / t->n;
     piece = piece < PROFILE_PIECES ? piece : PROFILE_PIECES - 1;
@@ -335,8 +334,8 @@ static void add_body(struct teapot *t)
     }
 }
 
-/* Lists the vertices around a hole, the half with +Z first, from the centre of its upper edge, or
- * of its lower edge for a tube that starts there. */
+/* Lists the vertices around a hole, the half with +Z first. Starts at the centre of the hole's
+ * upper edge, or, if `from_bottom`, of its lower edge. */
 static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bottom, uint32_t *loop)
 {
     uint32_t size = loop_size(hole);
@@ -357,7 +356,7 @@ static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bott
     }
 }
 
-/* Joins two loops of vertices with triangles; the second loop is farther along the tube. */
+/* Joins two loops of vertices with triangles; `to` is farther along the tube. */
 static void bridge(struct teapot *t, const uint32_t *from, const uint32_t *to, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
@@ -404,7 +403,7 @@ static void advance(struct teapot *t, uint32_t size)
     t->next_loop = done;
 }
 
-/* Joins a tube's rings to t->loop, which becomes the last ring. */
+/* Joins t->loop and a tube's rings with triangles; the last ring becomes t->loop. */
 static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
 {
     for (uint32_t ring = 0; ring < tube->rings; ring++) {
@@ -414,8 +413,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
     }
 }
 
-/* Adds a ring on the body's surface to t->next_loop, between a hole's edge and the tube's first
- * ring, close to the latter, so that normal smoothing affects the body only near the joint. */
+/* Adds a ring on the body's surface just outside a tube's first ring, so that normal smoothing
+ * affects the body only near the joint. Stores its vertices in t->next_loop. */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
@@ -449,7 +448,7 @@ static void add_spout(struct teapot *t)
 static void add_handle(struct teapot *t)
 {
     uint32_t size = loop_size(&t->handle_top);
-    /* extends the lower end beyond u = 2, since it is just outside the body */
+    /* u ends beyond 2, since the point at u = 2 is just outside the body */
     const struct tube tube = {
         handle_sections, size, t->handle_rows - 3, 0, 0.5F, 2.12F, 1.5F,
     };

@@ -46,7 +46,7 @@ static void add_tiles(struct mesh *mesh, vec3s corner, float side)
     }
 }
 
-/* Adds four rectangles around the tiles, whose half width is `inner`. */
+/* Adds four rectangles around the square of tiles, which has the half width `inner`. */
 static void add_border(struct mesh *mesh, vec3s center, float inner, float outer)
 {
     const float x = center.x;

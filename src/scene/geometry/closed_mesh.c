@@ -39,8 +39,8 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts the triangles that overlap each column; on a second call, with s->triangles allocated,
- * stores them, filling each column from its end. */
+/* Counts the triangles that overlap each column. On a second call, when s->triangles is allocated,
+ * stores them instead, filling each column from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {

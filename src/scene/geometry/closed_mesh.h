@@ -2,8 +2,8 @@
  * closed_mesh.h: tests whether points are inside a closed mesh.
  *
  * Ownership: closed_mesh_init() borrows the mesh, which must stay unchanged; closed_mesh_finish()
- * frees the rest. A {0} struct is fine, and contains nothing. Thread-safety: several threads may
- * call functions with a const struct at the same time.
+ * frees the rest. A zeroed struct is valid and empty. Thread-safety: several threads may call
+ * functions with a const struct at the same time.
  */
 #ifndef FIRN_SCENE_GEOMETRY_CLOSED_MESH_H
 #define FIRN_SCENE_GEOMETRY_CLOSED_MESH_H
@@ -19,7 +19,7 @@ struct closed_mesh {
     uint32_t *triangles; /* index of each triangle's first corner in mesh->indices */
 };
 
-/* Builds the grid. Returns false when out of memory; *closed_mesh is then {0}. */
+/* Builds the grid. Returns false when out of memory; *closed_mesh is then zeroed. */
 bool closed_mesh_init(struct closed_mesh *closed_mesh, const struct mesh *mesh);
 
 void closed_mesh_finish(struct closed_mesh *closed_mesh);

@@ -16,7 +16,7 @@ struct kdop {
     vec4s planes[KDOP_PLANE_COUNT];
 };
 
-/* Returns the k-DOP of a mesh; that of an empty mesh is empty. */
+/* Returns the k-DOP of a mesh, which is empty for an empty mesh. */
 struct kdop kdop_of(const struct mesh *mesh);
 
 /* Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, which is

@@ -141,7 +141,7 @@ void mesh_fit(struct mesh *mesh, float width)
     }
 }
 
-/* Returns the normalised vector, or {0} if it has no direction. */
+/* Returns the normalised vector, or a zero vector if it has no direction. */
 static vec3s unit(vec3s v)
 {
     /* squares of floats neither underflow nor overflow in double */
@@ -189,7 +189,7 @@ static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
                            glms_vec3_sub(mesh->vertices[corners[2]].position, a));
 }
 
-/* Returns true if no vertex is more than `tolerance` in front of a plane with any normal length. */
+/* Returns true if no vertex is over `tolerance` in front of a plane; `normal` need not be unit. */
 static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float tolerance)
 {
     const float most = glms_vec3_dot(normal, point) + tolerance * glms_vec3_norm(normal);
@@ -221,8 +221,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* Returns a triangle's shell index, a quantised distance: exponent and top mantissa bit of the
- * squared distance, so that there are four shells per octave of the squared distance. */
+/* Returns a triangle's shell index: exponent and top mantissa bit of its squared distance from a
+ * point. There are thus four shells per octave of distance. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;

@@ -23,8 +23,8 @@ struct mesh_vertex {
 
 /* Optional attributes, which few meshes have. */
 struct mesh_extra {
-    vec3s tangent; /* unit tangent along u; {0} to derive it from texture coordinates */
-    float side;    /* 1, -1 or 0; bitangent (opposite to v): cross(normal, tangent) * side */
+    vec3s tangent; /* unit tangent along u; zero to derive it from texture coordinates */
+    float side;    /* 1, -1 or 0: the bitangent, opposite to v, is cross(normal, tangent) * side */
     vec2s uv;      /* second set of texture coordinates */
 };
 
@@ -36,21 +36,21 @@ struct mesh {
     uint32_t index_count;
 };
 
-/* Axis-aligned bounding box. An empty mesh's box is {0}. */
+/* Axis-aligned bounding box; all zeros for an empty mesh. */
 struct box {
     vec3s min, max;
 };
 
-/* Allocates zeroed arrays. Returns false when out of memory or on overflow; *mesh is then {0}. */
+/* Allocates zeroed arrays. Returns false on overflow or out of memory; *mesh is then zeroed. */
 bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count);
 
 /* Allocates zeroed vertex extras, unless they exist. Returns false when out of memory. */
 bool mesh_add_extras(struct mesh *mesh);
 
-/* Frees the arrays; *mesh is then {0}. A {0} mesh is fine. */
+/* Frees the arrays and zeroes the mesh. Does nothing to a zeroed mesh. */
 void mesh_finish(struct mesh *mesh);
 
-/* Appends a copy of another mesh. Returns false, *mesh unchanged, on overflow or out of memory. */
+/* Appends a copy of a mesh. Returns false on overflow or out of memory; *mesh is then unchanged. */
 bool mesh_append(struct mesh *mesh, const struct mesh *other);
 
 /* Returns the number of rows of MESH_EXTRA_WIDTH texels in the GPU table of vertex extras. */
@@ -78,8 +78,8 @@ void mesh_fit(struct mesh *mesh, float width);
  * a non-degenerate triangle get +Y. */
 void mesh_make_normals(struct mesh *mesh);
 
-/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal, so that
- * rays are inside in at most one interval; false above MESH_CONVEX_MAX triangle-vertex pairs. */
+/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal: a ray is
+ * then inside at most once. Returns false above MESH_CONVEX_MAX triangle-vertex pairs. */
 #define MESH_CONVEX_MAX (1u << 24)
 bool mesh_is_convex(const struct mesh *mesh);
 

@@ -1,6 +1,6 @@
 /* similarity_transform.h: instancing detection: finds a similarity transform that maps triangles to
- * others. It follows from an anchor, three corners that are far apart, without a search; the caller
- * then checks that all corners match. */
+ * others. The transform is computed from an anchor (three corners that are far apart) without a
+ * search; the caller then checks that all corners match. */
 #ifndef FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 #define FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 
@@ -29,7 +29,7 @@ struct similarity_transform {
 struct similarity_transform_anchor
 similarity_transform_anchor_find(const struct similarity_transform_corners *corners);
 
-/* Finds the transform of the anchor from `before` to `after`. Returns false if it is collinear. */
+/* Finds the transform of the anchor from `before` to `after`. Returns false if collinear. */
 bool similarity_transform_find(struct similarity_transform *motion,
                                const struct similarity_transform_anchor *anchor,
                                const struct similarity_transform_corners *before,

@@ -181,7 +181,7 @@ static void write_back(const struct ice *ice, const vec3s *normals, struct mesh 
     }
 }
 
-/* Melts a mesh by a fraction of its volume, then by `further` (melt_curvature_flow_run()). */
+/* Melts a mesh by a volume fraction, then moves its faces inwards by `further` half widths. */
 static bool melt_closed_mesh(struct ice *ice, struct mesh *mesh, struct mesh *unmelted,
                              float lost_fraction, float further)
 {
@@ -341,7 +341,7 @@ static void shorten_capsule(const struct distance_field *depth, struct bubble *b
     const bool is_second =
         melt_air_and_water_depth(depth, ends[1]) > melt_air_and_water_depth(depth, ends[0]);
     const vec3s deep = ends[is_second], shallow = ends[!is_second];
-    /* fractions of the length: one whose capsule is inside, one outside */
+    /* fractions of the length at which the capsule is inside the ice, and outside */
     float whole = 0.0f, cut = 1.0f;
     if (melt_air_and_water_depth(depth, shallow) >= bubble->radius)
         return;

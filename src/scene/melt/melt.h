@@ -22,7 +22,7 @@
 
 struct melting {
     float lost_fraction; /* volume fraction lost at time 0, 0 to 1 */
-    float speed;         /* retreat of the faces from time 0 on, half widths per second */
+    float speed;         /* speed at which faces retreat after time 0, half widths per second */
     bool is_all;         /* treat every object as ice */
     bool is_none;
 };
@@ -34,15 +34,15 @@ struct melted {
 };
 
 /* Melts the ice of a model for `time` seconds. Logs a warning at time 0 if there is no ice. Logs
- * and returns STATUS_TRY_AGAIN when out of memory; *melted is {0} if nothing melts. */
+ * and returns STATUS_TRY_AGAIN when out of memory; *melted is zeroed if nothing melts. */
 MUST_USE enum status melt_model(struct model *model, const struct melting *melting, float time,
                                 struct melted *melted);
 
-/* Shrinks bubbles near a melted surface, and removes those outside; false when out of memory. */
+/* Shrinks or removes bubbles near a melted surface. Returns false when out of memory. */
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
 
-/* Opens cracks near the surface of ice that has lost a volume fraction; false when out of memory.
- */
+/* Opens cracks near the surface of ice that has lost a volume fraction. Returns false when out of
+ * memory. */
 bool melt_cracks(struct mesh *cracks, const struct mesh *object, float lost_fraction);
 
 void melted_finish(struct melted *melted); /* {0} is fine */

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include "src/scene/geometry/vertex_weld.h"
 
-/* Depth of a component's centre, in half widths of the ice, at which it starts to shrink. Small
- * components start at half their radius. */
+/* Maximum depth of a component's centre, in half widths of the ice, at which the component shrinks.
+ * It is limited to half the component's radius. */
 #define SHRINKS_AT 0.06f
 
 #define SCALE_MIN 1e-3f /* minimum scale of a component, to keep its normals valid */
@@ -288,7 +288,7 @@ static bool is_water_layer(const struct model *model, const struct mesh_vertex *
     return index && model->materials[index - 1].flags & MATERIAL_IS_WATER_LAYER;
 }
 
-/* Selects the surroundings' water layer triangles, or the others. *selected borrows vertices. */
+/* Selects the surroundings' triangles in water layers, or all others. Borrows the vertices. */
 static bool select_triangles(struct mesh *selected, const struct model *model,
                              bool are_water_layers)
 {
@@ -360,7 +360,8 @@ static struct uv_gradient uv_gradient_of(const struct mesh *mesh)
     };
 }
 
-/* Rotates water layers' normals with their triangles; `rotated` has the old geometric normals. */
+/* Rotates the normals of moved water layers; `rotated` has the geometric normals before the move.
+ */
 static void rotate_normals(const struct model *model, struct mesh *layers, struct mesh *rotated)
 {
     for (uint32_t i = 0; i < layers->vertex_count; i++) {
@@ -378,10 +379,9 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
     }
 }
 
-/* Moves texture coordinates and heights of water layers with the moved vertices. `level` is the
- * ground height below the ice, so that protruding stone does not make the layer thinner elsewhere.
- * Hollows of the ground are filled in proportion to the water's depth: the surface stays level
- * except at its rim. */
+/* Moves the texture coordinates of water layers with the moved vertices, and lowers vertices over
+ * deep hollows; elsewhere the surface stays level. `level` is the ground height below the ice, so
+ * that protruding stone does not make the layer thinner elsewhere. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

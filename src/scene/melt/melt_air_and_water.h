@@ -6,29 +6,29 @@
 #include "src/scene/geometry/distance_field.h"
 #include "src/scene/import/model.h"
 
-/* Ice that has melted, and its state before. */
+/* Melted ice, and its state before melting. */
 struct melt_air_and_water_ice {
-    const struct object *object; /* ice after melting, but with its unmelted box */
+    const struct object *object; /* melted ice, but with the bounding box from before melting */
     const struct mesh *unmelted; /* all objects before melting, displaced with the ice */
     float half;                  /* half the ice's initial width, metres */
     float rise;                  /* vertical displacement of the ice, metres */
     float spread;                /* radius of the area that the meltwater covers, metres */
-    /* distance fields, computed on demand; {0} until then */
+    /* distance fields after and before melting, computed on demand; else zeroed */
     struct distance_field depth, depth_before;
 };
 
-/* Moves components inside the ice with it, shrinks those near its surface, and collapses those
- * outside. Returns false when out of memory. */
+/* Moves connected components inside the ice along with it, shrinks those near its surface, and
+ * collapses those outside. Returns false when out of memory. */
 bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);
 
-/* Spreads an object's components that carry the ice. Returns false when out of memory. */
+/* Spreads an object's components that are below the ice. Returns false when out of memory. */
 bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
                                           const struct melt_air_and_water_ice *ice);
 
-/* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. They follow the
- * ground downwards, but stay level where it rises, so that it emerges from them. Textures stay
- * where they are. Returns false when out of memory. */
+/* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. Layers follow
+ * the ground downwards, but stay level where the ground rises and emerges from them. Textures stay
+ * in place. Returns false when out of memory. */
 bool melt_air_and_water_spread_layers(struct model *model,
                                       const struct melt_air_and_water_ice *ice);
 

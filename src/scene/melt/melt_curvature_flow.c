@@ -27,7 +27,7 @@ enum {
     ITERATIONS_MAX = 60,
     HALVINGS = 30,
     SPREADS = 4,
-    TRIES = 5, /* maximum attempts per step, until no triangle is inverted */
+    TRIES = 5, /* maximum attempts per step while triangles are inverted */
 };
 
 typedef double point[3];
@@ -43,7 +43,7 @@ struct work {
     uint32_t *starts; /* start of each point's row in `neighbours`; count + 1 elements */
     struct neighbour *neighbours;
     double *sums;  /* sum of each row's weights */
-    double *areas; /* a third of the adjacent triangles' area; 0 for points after a collision */
+    double *areas; /* a third of the adjacent triangles' area; 0 once the point has collided */
     bool *is_collided;
     point *normals, *next, *goal, *residual, *direction, *product_vector;
 };
@@ -234,7 +234,7 @@ static void solve(struct work *work, double t)
     }
 }
 
-/* Smooths the next state tangentially, lest edge points crowd where two faces approach. */
+/* Smooths the next state tangentially, to keep points from crowding where two faces approach. */
 static void smooth_tangentially(struct work *work)
 {
     for (uint32_t i = 0; i < work->flow->count; i++) {
@@ -333,8 +333,7 @@ static double run(struct work *work, double fraction, double further)
 {
     const double first = volume_of(work->flow, work->flow->points);
     const double half = melt_curvature_flow_half_width(work->flow);
-    double volume = first,
-           left = -1; /* remaining steps after the loss of `fraction`; negative before */
+    double volume = first, left = -1; /* steps left once `fraction` is lost; negative until then */
     for (int stage = 0; stage < STAGES_MAX && volume > 0 && !(left >= 0 && left <= 0); stage++) {
         const double after = compute_next(work, half, volume);
         double part = 1;
