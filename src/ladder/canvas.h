@@ -22,7 +22,7 @@ bool canvas_init(struct canvas *canvas, uint32_t width, uint32_t height, uint8_t
 void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint8_t rgb[static 3]);
 void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *source);
 
-/* Draws light ASCII text, top left corner at (x, y), with font pixels of scale * scale pixels. */
+/* Draws light ASCII text with its top left corner at (x, y), magnified by the integer `scale`. */
 void canvas_draw_text(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,
                       const char *text);
 

@@ -22,8 +22,8 @@ void ladder_table(const struct ladder_report *report, FILE *out);
 
 MUST_USE enum status ladder_json(const struct ladder_report *report, char **text, size_t *size);
 
-/* Encodes a plot of FLIP over cost, both logarithmic, as SVG for a file or for HTML. Models without
- * measured cost are omitted. */
+/* Draws a log-log plot of FLIP error over cost as SVG, for a file or for embedding in HTML. Models
+ * without measured cost are omitted. */
 MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text, size_t *size);
 
 /* Encodes a PNG contact sheet: the reference, then each model's image and FLIP heat map. */
@@ -32,7 +32,7 @@ MUST_USE enum status ladder_sheet(const struct ladder_report *report, void **dat
 /* Writes one HTML file with table, plot, contact sheet and an image slider per model. */
 MUST_USE enum status ladder_page(const struct ladder_report *report, char **text, size_t *size);
 
-/* Encodes an EXR file: reference in R, G, B; each model in a layer with R, G, B and flip.Z. */
+/* Encodes an EXR file: the reference as R, G, B, and per model a layer of R, G, B, flip.Z. */
 MUST_USE enum status ladder_exr(const struct ladder_report *report, void **data, size_t *size);
 
 #endif

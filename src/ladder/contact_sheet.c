@@ -13,7 +13,7 @@
 enum {
     COLUMNS = 2,    /* cells per row */
     MARGIN = 8,     /* pixels */
-    LABEL = 330,    /* minimum cell width: width of a label at scale 1 */
+    LABEL = 330,    /* label width at scale 1, pixels */
     TEXT_SCALE = 2, /* text scale in wide cells */
     GREY = 34,
 };

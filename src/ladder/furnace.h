@@ -26,7 +26,7 @@ struct furnace {
     uint64_t pixel_count;
 };
 
-/* Evaluates the furnace test on a comparison rendered in a white environment. Borrows names. */
+/* Evaluates the furnace test on a comparison in a white environment; borrows the model names. */
 struct furnace furnace_measure(const struct ladder *ladder);
 
 /* Returns true if every pixel passes the furnace test. */

@@ -43,7 +43,7 @@ static const char script[] =
     "rung.addEventListener(\"input\", show);\n"
     "show();\n</script>\n";
 
-/* PNG file in memory, of the reference or of a refraction model. */
+/* In-memory PNG of the reference or of a refraction model. */
 struct encoded {
     void *data;
     size_t size;

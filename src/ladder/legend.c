@@ -7,7 +7,7 @@ enum {
     TICKS = 5,
     TICK_LENGTH = 8,    /* pixels */
     NUMBER_COLUMNS = 4, /* characters of a number, "0.25" */
-    LETTER = 7,         /* maximum character width at scale 1, pixels */
+    LETTER = 7,         /* character width at scale 1, pixels */
 };
 
 uint32_t legend_numbers(uint32_t scale)

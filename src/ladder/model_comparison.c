@@ -254,7 +254,7 @@ static struct difference measure_colors(const struct image *a, const struct imag
     return difference;
 }
 
-/* Returns the MAE against another renderer's image; NaN if there is none. */
+/* Returns the MAE against another renderer's image `truth`; NaN if `truth` is NULL. */
 static double measure_truth(const struct image *image, const struct image *truth,
                             const struct masks *masks)
 {

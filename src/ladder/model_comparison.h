@@ -89,23 +89,23 @@ struct ladder_params {
     enum rg_sharing sharing;
 };
 
-/* Callback with the current stage, below ladder_stages(), and its progress. If it returns false,
- * ladder_run() stops with STATUS_FAILED and logs nothing. */
+/* Progress callback: `done` of `all` steps of stage `stage`, 0 to ladder_stages() - 1. If it
+ * returns false, ladder_run() returns STATUS_FAILED and logs nothing. */
 typedef bool ladder_progress_fn(void *user, uint32_t stage, uint32_t done, uint32_t all);
 
-/* Returns the number of progress stages: the reference, the refraction models, the costs. */
+/* Returns the number of progress stages: reference, each refraction model, and costs if timed. */
 uint32_t ladder_stages(const struct ladder_params *params);
 
-/* Renders and measures everything. `progress` may be NULL. On failure *ladder is {0}. */
+/* Renders and measures everything; `progress` may be NULL. On failure *ladder is zeroed. */
 MUST_USE enum status ladder_run(struct ladder *ladder, const struct ladder_params *params,
                                 ladder_progress_fn *progress, void *user);
 
 void ladder_finish(struct ladder *ladder);
 
-/* Returns the refraction model whose cost is the unit: `paper`, else the first one. */
+/* Returns the refraction model to which costs are relative: `paper`, else the first one. */
 const struct ladder_model *ladder_base(const struct ladder *ladder);
 
-/* Returns a model's cost over that of ladder_base(); NaN without measured costs. */
+/* Returns a model's cost relative to ladder_base(); NaN without measured costs. */
 double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_model *refraction);
 
 #endif

@@ -36,7 +36,7 @@ static void print_head(const struct ladder_report *report, FILE *out)
         fprintf(out, "device     %s\n", report->device);
 }
 
-/* Prints a refraction model's line; `ratio` is its cost relative to ladder_base(). */
+/* Prints the table line of a refraction model; `ratio` is its cost relative to ladder_base(). */
 static void print_row(const char *name, const struct ladder_error *e, double ms, double ratio,
                       FILE *out)
 {

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Direction layer of two images. A pixel has a direction if it is finite and longer than 0.5. */
+/* Direction layer of two images. Vectors that are not finite, or shorter than 0.5, are ignored. */
 struct angle_pair {
     const float *reference[3], *test[3];
     const bool *counted; /* mask of pixels; NULL for all */
@@ -22,8 +22,8 @@ struct angle {
 bool angle_is_there(const float *const direction[static 3], size_t pixel);
 
 /*
- * Measures the angles of all pixels in the mask. degrees[], pixel_count elements or NULL, receives
- * the angles, 0 where a direction is missing. Returns false when out of memory.
+ * Measures the angles at all pixels in the mask. `degrees`, unless NULL, receives pixel_count
+ * angles, 0 where either direction is missing. Returns false when out of memory.
  */
 bool angle_measure(struct angle *angle, const struct angle_pair *pair, float *degrees);
 

@@ -48,7 +48,7 @@ static struct comparison_layer *add_layer(struct comparison *c, const char *name
             return layer;
     }
     struct comparison_layer *layer = &c->layers[c->layer_count++];
-    /* the name fits and the struct is zeroed */
+    /* `name` fits; `layer` is zero-initialised */
     memcpy(layer->name, name, length);
     return layer;
 }
@@ -127,8 +127,8 @@ static bool measure_exit(struct comparison *c, const struct comparison_params *p
     return c->degrees && angle_measure(&c->angle, &pair, c->degrees);
 }
 
-/* Counts pixels whose total internal reflection differs: all, or only those with an exit direction
- * if both images have the layer `exit`. */
+/* Counts pixels whose layer `tir` differs. If both images have the layer `exit`, considers only
+ * pixels with an exit direction in at least one image. */
 static void measure_tir(struct comparison *c, const struct comparison_params *params)
 {
     static const char *const names[3] = { "exit.X", "exit.Y", "exit.Z" };

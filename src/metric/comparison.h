@@ -56,7 +56,7 @@ struct comparison {
     uint32_t only_reference_count, only_test_count;
 };
 
-/* Compares two images. Returns false when out of memory; *comparison is then {0}. */
+/* Compares two images. When out of memory, returns false and zeroes *comparison. */
 bool comparison_init(struct comparison *comparison, const struct comparison_params *params);
 
 void comparison_finish(struct comparison *comparison);

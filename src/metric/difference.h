@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Sums over all planes added so far; initialise with {0}. */
+/* Error sums over all planes added so far; initialise with {0}. */
 struct difference {
     double absolutes; /* of values clamped to 0..1 */
     double squares, relative_squares;
@@ -15,11 +15,11 @@ struct difference {
     uint64_t not_finite; /* excluded pairs with NaN or infinity */
 };
 
-/* Adds a plane of `count` texels; `counted` masks the texels to add, NULL adds all. */
+/* Adds a plane of `count` texels. `counted` is a mask of the texels to add, or NULL for all. */
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count);
 
-/* Returns the root mean square error. All three metrics are NaN if no values were added. */
+/* Returns the root mean square error. Like MAE and relMSE, it is NaN if no values were added. */
 double difference_rmse(const struct difference *difference);
 
 /* Returns the mean of |test - reference|, both clamped to the display range 0..1. */

@@ -81,7 +81,7 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     return true;
 }
 
-/* Loads a pixel, clamped to HDR-FLIP's range. init_errors() handles non-finite pixels. */
+/* Loads a pixel, clamped to 0..65536. Non-finite pixels are handled by init_errors(). */
 static vec3s load(const float *const planes[static 3], size_t i)
 {
     vec3s v;
@@ -226,7 +226,7 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
 
 /*
  * Computes HDR-FLIP's exposure range from the reference. If at least half of the pixels are black
- * (below the smallest half float), where the paper defines none, the others' median is used.
+ * (below the smallest half float), which the paper leaves undefined, ignores black pixels.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)

@@ -13,10 +13,10 @@
 #include <stdint.h>
 #include "src/metric/flip_tone.h"
 
-/* Pixels per degree in the authors' setup: a screen 0.7 m wide, 3840 columns, seen from 0.7 m. */
+/* Pixels per degree in the FLIP paper: a 0.7 m wide, 3840-pixel screen at a distance of 0.7 m. */
 #define FLIP_PPD 67.0206432765823
 
-/* Linear R, G and B planes of two images. A pixel that is not finite in either has the error 1. */
+/* Linear R, G, B planes of two images. Pixels that are not finite in either image have error 1. */
 struct flip_pair {
     uint32_t width, height;
     const float *reference[3], *test[3];
@@ -24,7 +24,7 @@ struct flip_pair {
 };
 
 /*
- * Computes the LDR-FLIP error map of both images times 2^exposure, clamped to the display range.
+ * Computes the LDR-FLIP error map of two images, multiplied by 2^exposure and clamped to 0..1.
  * errors[] receives width * height values, 0 to 1. Returns false when out of memory.
  */
 bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors);

@@ -2,7 +2,7 @@
 #include "src/metric/flip_color.h"
 #include <math.h>
 
-/* Matrix from linear Rec.709 to XYZ relative to the D65 white point, by rows. */
+/* Row-major matrix from linear Rec.709 to XYZ relative to the D65 white point. */
 static const float white_from_linear[3][3] = {
     { 0.433895389f, 0.376242373f, 0.189862239f },
     { 0.212636822f, 0.715182982f, 0.072180196f },
@@ -71,7 +71,7 @@ float flip_color_distance(vec3s a, vec3s b)
 
 float flip_color_error(float distance)
 {
-    const float distance_max = 41.2760984f; /* HyAB distance of green and blue, ^0.7 */
+    const float distance_max = 41.2760984f; /* (HyAB distance green to blue)^0.7 */
     const float knee = 0.4f * distance_max, error_at_knee = 0.95f;
     const float power = powf(distance, 0.7f);
     if (power < knee)

@@ -11,7 +11,7 @@ enum {
 
 static const double pi = 3.14159265358979323846;
 
-/* Coefficients a_i and b_i of contrast sensitivity, table 1 of the paper. */
+/* Coefficients of the contrast sensitivity functions, table 1 of the FLIP paper. */
 static const struct {
     uint32_t count;
     double a[2], b[2];

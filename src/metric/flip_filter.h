@@ -56,7 +56,7 @@ struct flip_plane {
     float *texels;
 };
 
-/* Returns the row stride of an image; flip_line_size() returns the floats of flip_filter.line. */
+/* Returns the row stride in texels; flip_line_size() returns the length of flip_filter.line. */
 size_t flip_stride(uint32_t width);
 size_t flip_line_size(uint32_t width);
 

@@ -9,7 +9,7 @@ const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
     [FLIP_REINHARD] = "reinhard",
 };
 
-/* Coefficients of Hable's filmic curve with a doubled argument, normalised at white point 11.2. */
+/* Coefficients of Hable's filmic tone curve, with white point W. */
 #define HABLE_A  0.15
 #define HABLE_B  0.50
 #define HABLE_C  0.10
@@ -30,7 +30,7 @@ const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
 static const struct {
     double n2, n1, d2, d1, d0;
 } curves[FLIP_CURVE_COUNT] = {
-    /* premultiplied with the curve's exposure of 0.6 */
+    /* x is premultiplied by 0.6 */
     [FLIP_ACES] = { 0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14 },
     [FLIP_HABLE] = { 4 * HABLE_N2 / HABLE_MAX, 2 * HABLE_N1 / HABLE_MAX, 4 * HABLE_D2, 2 * HABLE_D1,
                      HABLE_D0 },

@@ -27,7 +27,7 @@ float flip_tone_luminance(vec3s linear);
 /* Tone-maps a nonnegative linear colour to a linear colour from 0 to 1. */
 vec3s flip_tone(enum flip_curve curve, vec3s linear);
 
-/* Returns the scene value that the tone curve maps to `shown`, between 0 and 1. */
+/* Returns the scene value that the tone curve maps to the display value `shown`, 0 to 1. */
 double flip_tone_inverse(enum flip_curve curve, double shown);
 
 struct flip_exposures {
@@ -36,8 +36,8 @@ struct flip_exposures {
 };
 
 /*
- * Returns HDR-FLIP's exposure range. At the first exposure the tone curve maps the reference's
- * maximum luminance to 0.85, at the last one the median. For a black reference both are 0 stops.
+ * Returns HDR-FLIP's exposure range. The tone curve maps the maximum luminance to 0.85 at the first
+ * exposure, and the median luminance at the last. Both are 0 stops for a black reference.
  */
 struct flip_exposures flip_tone_exposures(enum flip_curve curve, double luminance_max,
                                           double median);

@@ -4,10 +4,10 @@
 
 #include <stddef.h>
 
-/* Sorts values in ascending order, for the functions below. */
+/* Sorts values in ascending order, as quantile_median() and quantile_at() require. */
 void quantile_sort(float *values, size_t count);
 
-/* Returns the median of at least one sorted value. */
+/* Returns the median of sorted values; `count` must be at least 1. */
 double quantile_median(const float *sorted, size_t count);
 
 /* Returns the nearest-rank quantile, which `fraction` (0 to 1) of all values do not exceed. */

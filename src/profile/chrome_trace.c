@@ -65,7 +65,7 @@ static json_t *add_event(struct trace *trace, json_t *json, int64_t begin, int64
     return json;
 }
 
-/* Adds a span of time. Returns its end. */
+/* Adds a time span to a track. Returns its end time. */
 static int64_t add_span(struct trace *trace, const char *name, int track, int64_t begin,
                         int64_t duration)
 {
@@ -93,7 +93,7 @@ static void name_row(const struct profile_row *row, char name[static PROFILE_TAB
     profile_table_row_name(&(struct profile_table_row){ .row = row, .row_count = 1 }, name);
 }
 
-/* Adds a run's CPU spans, with children clamped to their parents. Returns the submit's end. */
+/* Adds a run's CPU spans, clamped to their parent spans. Returns the end time of the submit. */
 static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;

@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include "src/profile/profile.h"
 
-/* Writes the trace. Ownership and errors as for profile_write_json(). */
+/* Writes the trace to *text. Ownership and errors are those of profile_write_json(). */
 MUST_USE enum status profile_write_trace(const struct profile *profile, char **text, size_t *size);
 
 #endif

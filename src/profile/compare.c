@@ -17,7 +17,7 @@ enum {
 
 static const double significance = 0.01;
 
-/* Line of the comparison table, for a name in either or both profiles. */
+/* Line of the comparison table; its name occurs in one or both profiles. */
 struct pair {
     char name[PROFILE_TABLE_ROW_NAME_SIZE];
     double *base, *now; /* ascending samples, owned; may be NULL */
@@ -95,7 +95,7 @@ static double *sorted_copy(const double *samples, uint32_t count)
     return copy;
 }
 
-/* Adds a line to the comparison; the samples of one profile may be NULL. */
+/* Adds a line to the table; `base` or `now` is NULL if that profile has no such line. */
 static bool add_pair(struct comparison *c, const char *name, const double *base, const double *now)
 {
     struct pair *pair = &c->pairs[c->count++];
@@ -120,7 +120,7 @@ static const struct profile_table_row *find_line(const struct profile_table_rows
     return NULL;
 }
 
-/* Adds the lines of `now` in order, then those only in `base`, then the frame. */
+/* Adds all lines of `now` in order, then lines that only `base` has, then the frame time. */
 static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
                       const struct profile_table_rows *now, bool each)
 {

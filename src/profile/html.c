@@ -20,8 +20,7 @@ static char *put(char *at, const char *text, size_t size)
     return at + size;
 }
 
-/* Copies JSON with '<', which occurs only in strings, escaped: "</script>" would end the element.
- */
+/* Copies JSON and escapes '<' in its strings, because "</script>" would end the HTML element. */
 static char *write_data(char *at, const char *json)
 {
     for (; *json; json++)

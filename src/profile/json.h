@@ -17,7 +17,7 @@ MUST_USE enum status profile_write_json(const struct profile *profile, char **te
 /*
  * Reads a file of profile_write_json() except `summary` and `overhead`, which can be derived. The
  * file is untrusted: missing keys, wrong types, values out of range and wrong counts are logged and
- * return STATUS_DATA. On failure *profile is {0}.
+ * return STATUS_DATA. On failure *profile is zeroed.
  */
 MUST_USE enum status profile_read_json(const char *path, struct profile *profile);
 

@@ -8,7 +8,7 @@
 enum {
     PROFILE_JSON_FORMAT = 1,
     PROFILE_JSON_DIGITS = 17, /* significant digits, exact for doubles */
-    PROFILE_TRACE_DIGITS = 15 /* microseconds: three decimals up to 11 days */
+    PROFILE_TRACE_DIGITS = 15 /* nanosecond precision up to 11 days */
 };
 
 enum profile_field_kind {
@@ -39,19 +39,19 @@ extern const struct profile_fields profile_fields, profile_setting_fields, profi
 
 extern const char *const profile_kind_names[PROFILE_KIND_COUNT];
 
-/* Adds all keys of docs/profile.md except `format` and `type`; without samples, also omits
- * `settings` and `residents`. Returns false when out of memory. */
+/* Adds all keys of docs/profile.md except `format` and `type`. If `with_samples` is false, omits
+ * samples, `settings` and `residents`. Returns false when out of memory. */
 bool profile_json_add_all(json_t *json, const struct profile *profile, bool with_samples);
 
-/* Moves ownership of a new value to a key of an object, or appends it to an array if `key` is NULL,
- * and returns it. Returns NULL if `json` or `value` is NULL, or when out of memory. */
+/* Takes ownership of `value` and sets it as `key` of an object, or appends it to an array if `key`
+ * is NULL. Returns `value`; NULL when out of memory, or if `json` or `value` is NULL. */
 json_t *profile_json_put(json_t *json, const char *key, json_t *value);
 
 /* Returns a JSON string; bytes that are not UTF-8 become '?'. */
 json_t *profile_json_string(const char *text);
 
-/* Writes a JSON value (may be NULL, is released) and a newline to *text, which the caller frees. If
- * `is_whole` is false or memory is exhausted, logs and returns STATUS_TRY_AGAIN. */
+/* Writes JSON and a newline to *text, which the caller frees; releases `root`, which may be NULL.
+ * If `is_whole` is false or memory is exhausted, logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_json_end(json_t *root, bool is_whole, size_t digits, char **text,
                                       size_t *size);
 

@@ -15,9 +15,9 @@ enum {
     JSON_PATH_SIZE = 64
 };
 
-static const double max_number = 1e8; /* limit of numbers: 27 hours in ms */
+static const double max_number = 1e8; /* 27 hours in ms */
 
-/* File being read, and the JSON path that error messages name: "rows[3]", or "" at top level. */
+/* File being read, and the JSON path for error messages: "rows[3]", or "" at top level. */
 struct reader {
     const char *path;
     char json_path[JSON_PATH_SIZE];
@@ -148,7 +148,7 @@ static enum status read_samples(const struct reader *reader, const json_t *json,
     return STATUS_OK;
 }
 
-/* Finds a JSON array of objects and allocates one element for each. */
+/* Finds a JSON array of objects and allocates *elements, one zeroed struct per object. */
 static enum status read_array(const struct reader *reader, const json_t *root, const char *key,
                               uint32_t *count, void **elements, size_t element_size)
 {

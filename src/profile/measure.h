@@ -16,7 +16,7 @@ enum {
 };
 
 struct profile_request {
-    /* Renderer; only gpu, scene, settings, rung, width, height and sharing are used. */
+    /* Renderer parameters; samples, layers, linear, display, keep and measured are overridden. */
     struct renderer_params renderer;
     struct camera camera;
     const struct profile_clock *clock;
@@ -39,8 +39,8 @@ struct profile_run {
 
 /*
  * Creates a renderer for each request and fills the profiles. Runs are interleaved between the
- * renderers, so that other load on the machine affects all of them equally. The caller fills
- * command, scene, material and settings. On failure all profiles are {0}.
+ * renderers, so that other load on the machine affects all of them equally. Afterwards the caller
+ * fills command, scene, material and settings. On failure all profiles are zeroed.
  */
 MUST_USE enum status profile_measure(const struct profile_run *run);
 

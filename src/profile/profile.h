@@ -28,21 +28,21 @@ enum profile_kind {
     PROFILE_KIND_COUNT,
 };
 
-/* Row of a profile: a pass, in execution order, or one of the rows after the passes. */
+/* Row of a profile: a GPU pass, or `record`, `submit` or `unattributed` after all passes. */
 struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
     char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for other rows */
     enum profile_kind kind;
-    /* Index and number of a pass's repetitions, one per cube face or object; else 0 of 1. */
+    /* Index and number of repetitions of a pass drawn per cube face or object; else 0 and 1. */
     uint32_t repetition, repetition_count;
     uint32_t width, height; /* of the render targets; else 0 */
     uint64_t target_bytes;  /* total size of the render targets */
-    /* Pipeline statistics of one frame, from a separate run; 0 unless has_statistics. */
+    /* Pipeline statistics, counted in a separate frame; 0 unless has_statistics. */
     uint64_t vertices, triangles, fragments, invocations; /* rg_time.h */
     uint64_t covered;  /* samples passing depth tests, with overdraw */
     double *ms;        /* per run */
     double *begin_ms;  /* per run, after the first pass */
-    double *record_ms; /* CPU recording time per run, or 0 */
+    double *record_ms; /* CPU recording time per run */
 };
 
 /* Lifetime and memory block of a transient image or buffer, for the memory aliasing plot. */
@@ -69,10 +69,10 @@ struct profile {
     char host[256];                /* CPU name and thread count */
     char clock[32];                /* "timestamps" or "submits" */
     char clock_reason[256];        /* why the timestamp check chose it */
-    double submit_cost;       /* cost of an empty submit, included in passes timed by submits */
-    bool has_statistics;      /* the device has pipeline statistics */
-    bool fragments_are_exact; /* false if drivers count whole blocks */
-    uint32_t warmup;          /* warm-up runs */
+    double submit_cost;            /* part of passes timed by submits */
+    bool has_statistics;           /* the device has pipeline statistics */
+    bool fragments_are_exact;      /* false if drivers count whole blocks */
+    uint32_t warmup;               /* warm-up runs */
     uint32_t run_count;
     double time, time_step; /* seconds: first run's scene time, step */
     uint32_t bvh_triangles; /* BVH triangles; 0 without a BVH */
@@ -80,7 +80,7 @@ struct profile {
     double bvh_ms;          /* BVH build, milliseconds */
     uint64_t rays_size;     /* acceleration structures, bytes; 0 without */
     double rays;            /* acceleration structure build, milliseconds */
-    /* One-time costs, ms: scene upload, graph, pipelines, first frame (compiles shaders). */
+    /* One-time costs, ms: scene upload, graph, pipelines, first frame with shader compilation. */
     double upload, compile, realise, first_frame;
     uint64_t memory_used, memory_without_aliasing, memory_bound, memory_persistent;
     struct profile_resource *residents;
@@ -89,11 +89,11 @@ struct profile {
     uint32_t row_count, pass_count;
     double *frame; /* measured frame per run, CPU clock */
     double *plain; /* unmeasured frame per run, CPU clock */
-    double *wait;  /* CPU wait for the GPU, per run */
+    double *wait;  /* CPU wait for GPU, per run */
 };
 
-/* Allocates rows and samples, all 0, for pass_count passes and run_count runs, and adds the rows
- * record, submit and unattributed. The caller names the passes. */
+/* Allocates zeroed rows and samples for pass_count passes and run_count runs, and adds the rows
+ * record, submit and unattributed. The caller names the rows of the passes. */
 MUST_USE enum status profile_make_rows(struct profile *profile);
 
 void profile_finish(struct profile *profile);

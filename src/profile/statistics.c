@@ -20,8 +20,8 @@ static double from_key(uint64_t key)
 /* Callback that returns how many items are at most `value`. */
 typedef uint64_t count_fn(const void *items, double value);
 
-/* Returns the item with this index in ascending order by bisection over the bits of a double.
- * Without a sorted list, it also works on all pairs of two samples, without allocation. */
+/* Returns item `index` in ascending order, by bisection over the bits of a double. Needs no sorted
+ * list, so that it can select among all pairs of two samples without allocation. */
 static double find_nth(count_fn *count, const void *items, uint64_t index)
 {
     uint64_t key = 0;
@@ -104,11 +104,11 @@ void profile_sort(double *samples, uint32_t count)
 
 /* Mann-Whitney U statistic and the tie term of its variance. */
 struct ranks {
-    double u;    /* U: pairs with b > a, ties counting one half */
+    double u;    /* U statistic: number of pairs with b > a; ties count as 1/2 */
     double ties; /* tie term: sum of t^3 - t over groups of t equal samples */
 };
 
-/* Returns how many of the sorted samples equal `value`, from index `first` on. */
+/* Returns the number of sorted samples from index `first` on that equal `value`. */
 static uint32_t count_equal(const double *samples, uint32_t first, uint32_t count, double value)
 {
     uint32_t end = first;
@@ -137,8 +137,8 @@ static struct ranks rank(const struct profile_pair *pair)
 }
 
 /*
- * Returns the exact two-sided p-value 2 * P(U <= u). The number of permutations of a + b samples
- * with a given U is a coefficient of the product over i = 1..a of (1 - q^(b + i)) / (1 - q^i).
+ * Returns the exact two-sided p-value 2 * P(U <= u). The number of orders of a + b samples with a
+ * given U is the coefficient of q^U in the product over i = 1..a of (1 - q^(b + i)) / (1 - q^i).
  */
 static double exact_probability(uint32_t a, uint32_t b, uint32_t u)
 {

@@ -18,7 +18,7 @@ struct profile_summary {
 
 struct profile_summary profile_summarize(const double *samples, uint32_t count);
 
-/* Returns a quantile of at least one sample: `portion` 0 is the minimum, 0.5 the median. */
+/* Returns a quantile of at least one sample: the minimum for `portion` 0, the median for 0.5. */
 double profile_quantile(const double *samples, uint32_t count, double portion);
 
 /* Limits beyond which a sample is an outlier: 1.5 interquartile ranges outside the quartiles (J. W.

@@ -1,7 +1,7 @@
 /*
  * sweep.h: parameter sweeps: profiles for all combinations of parameter values, with power-law fits
  * of the costs, as table or JSON. A sweep owns its data and profiles, but not contrasts and
- * figures. {0} and half-built sweeps may be finished.
+ * figures. profile_sweep_finish() accepts {0} and half-built sweeps.
  */
 #ifndef FIRN_PROFILE_SWEEP_H
 #define FIRN_PROFILE_SWEEP_H
@@ -22,7 +22,7 @@ struct profile_parameter {
     uint32_t value_count;
 };
 
-/* Planned comparison of two points of a sweep with a published claim. */
+/* Comparison of two points of a sweep, to check a published claim. */
 struct profile_contrast {
     const char *where, *what, *claim; /* "figure 6", difference, published claim */
     uint32_t before, after;           /* indices of the points */
@@ -56,13 +56,13 @@ struct profile_sweep {
     uint32_t figure_count;
 };
 
-/* Computes `rate` and `p` of all contrasts from frames without measurement of passes. When out of
+/* Computes `rate` and `p` of all contrasts from unmeasured frames (profile.plain). When out of
  * memory logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_contrast_all(struct profile_sweep *sweep);
 
 /*
- * Adds a parameter "name=a,b,c", whose name is a setting or "size", and allocates all points as
- * {0}. Names and values are not validated. Logs and returns STATUS_USAGE if a name or value is
+ * Adds a parameter "name=a,b,c", whose name is a setting or "size", and reallocates all points,
+ * zeroed. Names and values are not validated. Logs and returns STATUS_USAGE if a name or value is
  * missing, a name occurs twice, a text is too long, or there are too many parameters or points.
  */
 MUST_USE enum status profile_sweep_add(struct profile_sweep *sweep, const char *text);
@@ -84,18 +84,18 @@ struct profile_growth {
 };
 
 /*
- * Fits power laws to the frame and to all rows above 2 % of it at some point. All points must have
- * been measured. The caller frees *growths. It is NULL, and *count 0, with several parameters, a
- * value that is not a number, or nothing to fit.
+ * Fits power laws to the frame time and to all rows above 2 % of it at some point. All points must
+ * have been measured. The caller frees *growths. *growths is NULL and *count 0 if there are several
+ * parameters, values that are not numbers, or no valid fits.
  */
 MUST_USE enum status profile_sweep_fit(const struct profile_sweep *sweep,
                                        struct profile_growth **growths, uint32_t *count);
 
-/* Prints the sweep in PROFILE_COLUMNS columns: for each point its parameters, median and standard
- * deviation of the frame, and most expensive passes; then the fits. */
+/* Prints each point's parameters, median and standard deviation of the frame time, and most
+ * expensive passes, then the power-law fits, in lines of at most PROFILE_COLUMNS characters. */
 MUST_USE enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out);
 
-/* Writes the sweep as JSON (docs/profile.md), like profile_write_json(). */
+/* Writes the sweep as JSON (docs/profile.md). Ownership as for profile_write_json(). */
 MUST_USE enum status profile_write_sweep_json(const struct profile_sweep *sweep, char **text,
                                               size_t *size);
 

@@ -122,7 +122,7 @@ static double excess(const struct outlier *outlier)
     return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
 }
 
-/* Inserts an outlier into the sorted list of the largest ones. Returns their new number. */
+/* Inserts an outlier into the list of the largest ones, if large enough. Returns count + 1. */
 static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
 {
     uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;
@@ -148,7 +148,7 @@ static void print_outlier(const struct outlier *outlier, FILE *out)
     profile_print_wrapped(text, 2, out);
 }
 
-/* Prints outliers that deviate from their median by more than 1 % of the frame time. */
+/* Prints outliers that deviate from the line's median by more than 1 % of the frame time. */
 static void print_outliers(const struct profile_table_rows *lines, uint32_t run_count, FILE *out)
 {
     struct outlier worst[MAX_OUTLIERS];

@@ -25,12 +25,12 @@ struct profile_table_rows {
     struct profile_summary frame, plain;
 };
 
-/* Creates one line per name or, if `each`, per row. When out of memory logs it. */
+/* Creates one table line per pass name or, if `each`, per row. Logs when out of memory. */
 MUST_USE enum status profile_table_rows_init(struct profile_table_rows *lines,
                                              const struct profile *profile, bool each);
 void profile_table_rows_finish(struct profile_table_rows *lines);
 
-/* Maximum bytes of a line's name: "env_cube.objects x6", "env_cube.objects [2]". */
+/* Maximum size of a line's name, such as "env_cube.objects x6" or "env_cube.objects [2]". */
 enum {
     PROFILE_TABLE_ROW_NAME_SIZE = PROFILE_NAME_SIZE + 24
 };

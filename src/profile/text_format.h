@@ -13,8 +13,8 @@ enum {
 /* Replaces bytes that are not valid UTF-8 by '?', in place. */
 void profile_clean_text(char *text);
 
-/* Prints text padded with spaces to `columns`, one per character. The middle of longer text becomes
- * "…"; invalid UTF-8 and control characters, a risk in terminals, become '?'. */
+/* Prints text padded with spaces to `columns` characters. Shortens longer text in the middle by
+ * "…"; replaces invalid UTF-8 and control characters, a risk in terminals, by '?'. */
 void profile_print_name(const char *name, uint32_t columns, FILE *out);
 
 /* Prints text wrapped to PROFILE_COLUMNS, at word boundaries if possible, and a newline.

@@ -31,16 +31,16 @@ struct timestamp_check_times {
     double alone[TIMESTAMP_CHECK_PASS_COUNT];   /* submitted alone, by the CPU's clock */
 };
 
-/* Returns the maximum relative difference of both times over all passes but the last, without a
- * submit's cost. The denominator is at least a tenth of the total, because of short passes. */
+/* Returns the maximum relative difference between `stamped` and `alone` less the submit cost. The
+ * denominator is at least a tenth of the total time, so that short passes do not dominate. */
 double timestamp_check_error(const struct timestamp_check_times *times);
 
 /* Maximum relative error at which timestamps are used. */
 #define TIMESTAMP_CHECK_TOLERANCE 0.1
 
-/* Runs the test and fills *clock: in 0.2 s on two idle cores, a few seconds on a busy machine.
- * `chosen`, unless RG_CLOCK_NONE, overrides the clock; with RG_CLOCK_SUBMITS, which works on every
- * device, the test is not repeated. Missing timestamps are not an error. */
+/* Runs the test and fills *clock. Takes 0.2 s on two idle cores, a few seconds on a busy machine.
+ * `chosen` is the user's clock: RG_CLOCK_SUBMITS works on every device, so that the test need not
+ * be repeated for it. Missing timestamps are not an error. */
 MUST_USE enum status timestamp_check_run(struct gpu *gpu, enum rg_clock chosen,
                                          struct profile_clock *clock);
 

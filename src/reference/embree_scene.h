@@ -66,8 +66,8 @@ struct embree_scene {
 };
 
 /*
- * Builds the Embree scene; borrows `radiance`. Fails when out of memory, or if the build would need
- * more than `memory` bytes: logs the error, returns STATUS_TRY_AGAIN, zeroes *embree_scene.
+ * Builds the Embree scene; borrows `radiance`. When out of memory, or if the build would need more
+ * than `memory` bytes, logs, returns STATUS_TRY_AGAIN and zeroes *embree_scene.
  */
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);

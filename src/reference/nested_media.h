@@ -1,5 +1,5 @@
 /*
- * nested_media.h: nested dielectrics with priorities: the objects that contain a ray, its medium.
+ * nested_media.h: nested dielectrics with priorities: tracks the objects and medium around a ray.
  *
  * Touching objects must overlap a little, because coincident surfaces cannot be intersected
  * robustly. In the overlap the medium of highest priority (`rank`) applies, and surfaces inside it

@@ -184,8 +184,8 @@ static uint32_t bucket_of(const struct photons *photons, struct cell cell)
     return microfacet_hash(across, (uint32_t)cell.at[1]) & (photons->bucket_count - 1);
 }
 
-/* Counting-sorts the photons of all chunks into the hash grid. Buckets stay in emission order,
- * whatever the number of threads. Returns false when out of memory. */
+/* Counting-sorts the photons of all chunks into the hash grid. Photons in a bucket are in emission
+ * order, for any number of threads. Returns false when out of memory. */
 static bool sort(struct photons *photons, const struct job *job)
 {
     bool done = true;

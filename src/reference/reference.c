@@ -222,8 +222,8 @@ static uint32_t tiles_done(const struct job *job)
     return (uint32_t)((before + now) / all);
 }
 
-/* Renders one round of samples of all tiles on several threads, fewer if thread creation fails. The
- * calling thread also renders, and reports the overall progress. */
+/* Renders one round of samples for all tiles on several threads, or fewer if thread creation fails.
+ * The calling thread also renders, and reports the overall progress. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];

@@ -67,7 +67,7 @@ enum {
 /* Maximum mean throughput of a pixel's terminated rays; pixels above it cause a warning. */
 #define REFERENCE_REMAINING_MAX 0.05
 
-/* Result of a run: samples, noise, and light lost by truncation. */
+/* Result of a run: samples, noise, and light lost in terminated rays. */
 struct reference_outcome {
     uint32_t samples;       /* per pixel */
     double noise;           /* mean standard error, or REFERENCE_ERROR_UNKNOWN */

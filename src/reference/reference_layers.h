@@ -19,8 +19,8 @@ struct reference_ray_values {
     float alpha; /* 1; 0 for a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* Refracted path: exit direction, `path` length inside the object in metres, `bounces`: number
-     * of total internal reflections, `tir`: 1 if there are any, else 0. */
+    /* Layers of the refracted path: `exit` direction, `path` length inside the object in metres,
+     * number `bounces` of total internal reflections, and `tir`, 1 if there are any. */
     vec3s exit;
     float path, bounces, tir;
     float inclusion_bits;         /* inclusions hit by the refracted path */
