@@ -1,4 +1,4 @@
-/* clipboard.h: PNG images in the desktop's clipboard; GLFW can copy only text. */
+/* clipboard.h: copies PNG images to the desktop's clipboard, as GLFW supports only text. */
 #ifndef FIRN_VIEW_CLIPBOARD_H
 #define FIRN_VIEW_CLIPBOARD_H
 

@@ -1,5 +1,5 @@
-/* comparison_image.h: fixed image to compare with, from a file or path-traced; it does not follow
- * the camera. Errors are logged once where found. */
+/* comparison_image.h: fixed image for the A/B comparison: an image file, the path-traced reference
+ * or an error map. Errors are logged once where found. */
 #ifndef FIRN_VIEW_COMPARISON_IMAGE_H
 #define FIRN_VIEW_COMPARISON_IMAGE_H
 
@@ -16,7 +16,7 @@ struct comparison_image {
     uint32_t curve;
 };
 
-/* Encodes and uploads `image` if outdated; `gain` and `curve` as in tonemap_encode(). */
+/* Tone-maps `linear` like tonemap_encode() and uploads it to `image` unless that is up to date. */
 MUST_USE enum status comparison_image_show(struct comparison_image *comparison, struct gpu *gpu,
                                            float gain, uint32_t curve);
 

@@ -6,14 +6,13 @@
 #include "src/settings/quality.h"
 #include "src/settings/scene_settings.h"
 
-/* Limits on settings that apply from a quality level on, in addition to `--quality draft`. */
+/* Upper limits that drafts apply to settings, with the lowest draft level that uses each. */
 static const struct {
     const char *setting;
     double value;
     enum draft_renderer_level level;
 } rows[] = {
-    { "ice_interval.count", 1.0,
-      DRAFT_RENDERER_FULL }, /* clips cracks behind the first segment of a ray */
+    { "ice_interval.count", 1.0, DRAFT_RENDERER_FULL }, /* one ray interval for crack clipping */
     { "refract_bounce.margin", 0.0, DRAFT_RENDERER_FULL },
     { "refract_bounce.nested", 0.0, DRAFT_RENDERER_FULL },
     { "refract_bounce.reflections", 2.0, DRAFT_RENDERER_FULL },
@@ -89,7 +88,7 @@ static enum status fit_all(struct draft_renderer *q, const struct draft_renderer
     return status;
 }
 
-/* Recomputes the draft settings. Returns true if they need another plan. */
+/* Recomputes the draft settings. Returns true if the plans must be recompiled for them. */
 static bool take_settings(struct draft_renderer *q, const struct draft_renderer_params *p)
 {
     const struct settings left = q->settings;

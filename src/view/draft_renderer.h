@@ -15,7 +15,7 @@
 
 #include "src/render/renderer.h"
 
-/* Parameters of the full renderers, from which the draft's are derived. */
+/* Parameters of the full renderers, from which those of the draft renderers are derived. */
 struct draft_renderer_params {
     struct renderer_params left, right;
     bool is_split;    /* there is a right side (B) */
@@ -41,8 +41,8 @@ struct draft_renderer {
     bool failed;    /* there was not enough memory */
 };
 
-/* Returns the settings of a draft: settings controlled by quality levels get the value of `draft`,
- * unless the user has chosen a value that no level has. */
+/* Returns the settings of a draft. A setting controlled by quality levels gets its value at quality
+ * `draft`, unless its current value is that of no quality level. */
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level);
 
@@ -52,7 +52,7 @@ MUST_USE enum status draft_renderer_create(struct draft_renderer *draft,
                                            const struct draft_renderer_params *params,
                                            const struct renderer_shot *shot);
 
-/* Updates existing draft renderers to the viewport's current state. On failure there are none. */
+/* Updates existing draft renderers to the viewport's current state. On failure, destroys them. */
 MUST_USE enum status draft_renderer_update(struct draft_renderer *draft,
                                            const struct draft_renderer_params *params);
 

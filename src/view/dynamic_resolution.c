@@ -1,13 +1,13 @@
-/* dynamic_resolution.c: dynamic resolution: controller of the render size while something moves. */
+/* dynamic_resolution.c: adapts the render size to the measured frame times during interaction. */
 #include "src/view/dynamic_resolution.h"
 #include <math.h>
 
 static const double target = 0.028;   /* target frame time, seconds */
-static const double early = 0.024;    /* limit of the predicted time for an increase, seconds */
-static const double late = 0.033;     /* two frames longer than this reduce the size */
-static const double very_late = 0.05; /* one frame longer than this reduces the size */
+static const double early = 0.024;    /* size grows up to this predicted frame time, seconds */
+static const double late = 0.033;     /* frame time in seconds; two slower frames shrink the size */
+static const double very_late = 0.05; /* frame time in seconds; one slower frame shrinks the size */
 static const double first_rest = 0.006;
-static const double smoothing = 0.1; /* weight of the newest frame in the running means */
+static const double smoothing = 0.1; /* weight of the newest frame */
 
 enum {
     RISE_INTERVAL = 8, /* minimum frames between size increases */
@@ -45,7 +45,7 @@ static void use(struct dynamic_resolution *m, uint32_t k)
 
 void dynamic_resolution_add(struct dynamic_resolution *m, double frame, double passes)
 {
-    /* without GPU timestamps the whole frame counts as passes */
+    /* without GPU timestamps, the whole frame time counts as pass time */
     passes = passes > 0.0 ? passes : frame;
     const double whole = passes / area(m->k);
     const double rest = fmax(frame - passes, 0.0);

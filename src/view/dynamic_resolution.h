@@ -20,16 +20,16 @@ struct dynamic_resolution {
     uint32_t k;          /* size in sixteenths; 0 if unknown */
     uint32_t late;       /* consecutive frames longer than 33 ms */
     uint32_t since;      /* frames since k changed last */
-    double passes, rest; /* V and F in seconds, exponentially smoothed */
+    double passes, rest; /* smoothed V and F in seconds */
 };
 
-/* Restarts the controller; `passes`: seconds of the passes at full size; 0 if unknown. */
+/* Restarts the controller. `passes`: pass time at full size, seconds; 0 if unknown. */
 void dynamic_resolution_begin(struct dynamic_resolution *resolution, double passes);
 
-/* Adds a frame drawn at size moving->k: its time and that of the image's passes, seconds. */
+/* Adds the frame time and pass time, in seconds, of a frame that was drawn at size k. */
 void dynamic_resolution_add(struct dynamic_resolution *resolution, double frame, double passes);
 
-/* Returns k sixteenths of a length in pixels, rounded to even; at least min(2, length). */
+/* Returns length * k / 16, rounded down to an even number; `length` if that is 0 or k is 16. */
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k);
 
 #endif

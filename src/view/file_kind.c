@@ -35,7 +35,7 @@ static enum status detect_cross(const char *path, const struct reader_params *re
     return status;
 }
 
-/* Classifies a PNG file: a preset if firn stored its settings in it, otherwise an image. */
+/* Classifies a PNG file as a preset if it contains settings written by firn, else as an image. */
 static enum status classify_png(const char *path, const struct reader_params *reader,
                                 enum file_kind *kind)
 {

@@ -5,7 +5,7 @@
 #include "src/reader/reader.h"
 
 enum file_kind {
-    FILE_KIND_MODEL,       /* model file or scene name; the default */
+    FILE_KIND_MODEL,       /* model file or scene name (default) */
     FILE_KIND_ENVIRONMENT, /* panorama file or built-in environment */
     FILE_KIND_IMAGE,       /* an image to compare with */
     /* settings file, or firn's PNG */

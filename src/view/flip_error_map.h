@@ -13,7 +13,7 @@
 /* One of the compared images: planes R, G and B. */
 struct flip_error_map_image {
     const struct image *image;
-    float scale;         /* factor on the texels, such as 1 / sample count */
+    float scale;         /* factor that scales the texels, such as 1 / sample count */
     bool is_tone_mapped; /* the planes are tone-mapped already */
 };
 
@@ -41,7 +41,7 @@ bool flip_error_map_begin(struct flip_error_map *map,
                           const struct flip_error_map_image sides[static 2], float gain,
                           uint32_t curve);
 
-/* Returns true once when the worker is done and has set `rgba` (unless failed) and statistics. */
+/* Returns true, once, when the worker has finished; its results are valid unless `failed`. */
 bool flip_error_map_take(struct flip_error_map *map);
 
 #endif

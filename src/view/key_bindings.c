@@ -398,7 +398,7 @@ const char *key_bindings_button(enum view_action action)
     return actions[action].button ? actions[action].button : actions[action].label;
 }
 
-/* Finds row i of the key list: `help` is the label or, with `all`, the whole help text. */
+/* Finds entry i of the shortcut list. `help` is its label, or its full help text if `all`. */
 static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;

@@ -66,7 +66,7 @@ enum view_action {
     VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
-    VIEW_DRAG = VIEW_ACTION_COUNT, /* VIEW_DRAG and later inputs have no button */
+    VIEW_DRAG = VIEW_ACTION_COUNT, /* first input that is not an executable action */
     VIEW_PAN,
     VIEW_ROTATE_LIGHT,
     VIEW_MOVE_SUN,
@@ -78,7 +78,7 @@ enum view_action {
     VIEW_INPUT_COUNT,
 };
 
-/* A key press, as GLFW reports it. */
+/* Key press as reported by GLFW. */
 struct key_press {
     int key;            /* GLFW key code, or 0 */
     unsigned character; /* typed character; 0 if none */
@@ -93,7 +93,7 @@ const char *key_bindings_label(enum view_action action);  /* a few words */
 const char *key_bindings_help(enum view_action action);   /* one sentence without full stop */
 const char *key_bindings_button(enum view_action action); /* one word if possible */
 
-/* Returns row i of the F1 list: a shortcut and what it does. Returns false after the last row. */
+/* Finds shortcut i of the F1 list and its description. Returns false after the last shortcut. */
 bool key_bindings_row(uint32_t i, const char **name, const char **help);
 
 /* Prints one line per shortcut or mouse gesture, with its help; docs/view.md has a copy. */

@@ -30,7 +30,7 @@ static void begin(struct noise_estimate *n, const struct image *sums)
     n->count = 0;
 }
 
-/* Returns the mean of one block of the accumulated sums, over all channels. */
+/* Returns the mean of the accumulated sums over the pixels and channels of one block. */
 static double mean_of(const struct image *sums, const float *const planes[3], uint32_t column,
                       uint32_t row)
 {

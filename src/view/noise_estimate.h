@@ -18,8 +18,8 @@ struct noise_estimate {
 
 void noise_estimate_finish(struct noise_estimate *noise); /* {0} is fine */
 
-/* Adds sample number `sample`, after which the accumulated planes R, G and B have the values
- * `sums`; sample 0 restarts the estimate. Without memory there is no estimate. */
+/* Updates the estimate after sample `sample`, counted from 0; `sums` contains the accumulated
+ * planes R, G and B. Sample 0 restarts the estimate. If out of memory, there is no estimate. */
 void noise_estimate_add(struct noise_estimate *noise, const struct image *sums, uint32_t sample);
 
 /* Returns the standard error in the image's units; negative with fewer than two samples. */

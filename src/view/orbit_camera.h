@@ -6,17 +6,17 @@
 
 #include "src/scene/camera.h"
 
-/* Rotates around the target, in degrees: to the right and up, up to just short of the poles. */
+/* Orbits the target by angles to the right and up, stopping just short of the poles. */
 void orbit_camera_rotate(struct camera *camera, float azimuth_deg, float elevation_deg);
 
-/* Looks at the target from these angles, degrees, at the current distance. */
+/* Moves the camera to azimuth and elevation around the target, keeping its distance. */
 void orbit_camera_look_from(struct camera *camera, float azimuth_deg, float elevation_deg);
 
 /* Toggles between perspective and orthographic projection; objects at the target's distance keep
  * their size. An orthographic camera shows objects up to `depth` metres away. */
 void orbit_camera_toggle_projection(struct camera *camera, float depth);
 
-/* Moves camera and target in the image plane by fractions of the image height at the target. */
+/* Pans camera and target by fractions of the image height, measured at the target's distance. */
 void orbit_camera_pan(struct camera *camera, float right, float up);
 
 /* Moves towards the target (steps > 0) or away, by a tenth of the distance per step, between the

@@ -13,7 +13,7 @@ enum {
     OVERLAY_PASS_COUNT,
 };
 
-/* Render-graph tables for a given window format. Contain pointers to themselves: must not move. */
+/* Render-graph tables for one window format. The struct must not move, as it points into itself. */
 struct overlay_tables {
     struct rg_image panels;
     struct rg_use copy_uses[3];
@@ -22,8 +22,8 @@ struct overlay_tables {
     struct rg_technique technique;
 };
 
-/* Initialises the tables. `copies`: the window's images support transfer writes, so docked panels
- * can be cached; otherwise everything is drawn in each frame. */
+/* Initialises the tables. `copies` is true if window images support transfer writes, so that docked
+ * panels can be cached; otherwise all panels are drawn in each frame. */
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies);
 
 extern const struct rg_image overlay_font;      /* font atlas and thumbnails */

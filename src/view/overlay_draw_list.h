@@ -13,7 +13,7 @@ enum {
 struct overlay_vertex {
     float x, y;     /* pixels from the top left corner */
     float u, v;     /* texture coordinates in the font atlas */
-    uint32_t color; /* vertex colour, RGBA8, R in the lowest byte; sRGB-encoded, straight alpha */
+    uint32_t color; /* RGBA8 vertex colour, R in the lowest byte; sRGB-encoded, straight alpha */
 };
 
 /* One draw command: a range of triangles and its scissor rectangle. */

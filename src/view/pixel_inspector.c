@@ -1,4 +1,4 @@
-/* pixel_inspector.c: layers of the image as displayable pixels, histogram and pixel values. */
+/* pixel_inspector.c: converts layers to displayable pixels, reads pixels, computes histograms. */
 #include "src/view/pixel_inspector.h"
 #include <math.h>
 #include <stdio.h>
@@ -15,8 +15,8 @@ static const char *const always[] = { "Z", "N", "P", "object", NULL };
 static const float darkest_stops = -12.0f; /* histogram range, stops */
 static const float brightest_stops = 8.0f;
 
-/* Retires the current image and keeps it alive until the next change: the window's plan detects a
- * new image by its handle, so consecutive images must not share one. */
+/* Retires the current image but keeps it alive until the next change, so that the next image gets
+ * another handle: the window's plan detects a new image by its handle. */
 static void forget(struct pixel_inspector *inspector, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &inspector->previous);
@@ -35,7 +35,7 @@ void pixel_inspector_finish(struct pixel_inspector *inspector, struct gpu *gpu)
     inspector->names = NULL;
 }
 
-/* Skips layers that only the reference has. */
+/* Skips layers specific to the reference. */
 const struct frame_layer *pixel_inspector_layer(uint32_t i)
 {
     const struct frame_layer *layer;
@@ -130,7 +130,7 @@ static void find_range(struct pixel_inspector *inspector, const struct planes *p
         inspector->min = inspector->max = 0.0f;
 }
 
-/* Fills the histogram: in stops for the rendered image, from minimum to maximum for a layer. */
+/* Fills the histogram, in stops for the rendered image or over the value range of a layer. */
 static void count_bins(struct pixel_inspector *inspector, const struct planes *planes)
 {
     const bool is_log = !inspector->choice.layer;
@@ -178,7 +178,7 @@ static void write_color(const struct pixel_inspector *inspector, const struct pl
         rgb[k] = to_byte(shown.raw[k]);
 }
 
-/* Writes one channel as grey, or a value in false colours. */
+/* Writes the grey value or false colour of one pixel. */
 static void write_value(const struct pixel_inspector *inspector, const struct planes *planes,
                         float min, float max, size_t i, uint8_t rgb[static 3])
 {
@@ -260,7 +260,7 @@ static uint32_t take(const struct image *image, const struct frame_layer *layer,
     return count;
 }
 
-/* Copies the name of object `number` from the lines "NUMBER NAME"; "" if it has none. */
+/* Finds an object's name in `names`, lines of "NUMBER NAME"; `name` is "" if there is none. */
 static void find_name(const char *names, uint32_t number, char *name, size_t size)
 {
     const char *line = names;

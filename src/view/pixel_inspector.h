@@ -11,7 +11,7 @@ enum {
     PIXEL_INSPECTOR_BIN_COUNT = 64,
 };
 
-/* What the user has chosen to inspect. */
+/* User's choice of what to inspect. */
 struct pixel_inspector_choice {
     uint32_t layer;   /* layer index; 0 is the rendered image */
     uint32_t channel; /* channel number, from 1; 0 for all channels */
@@ -36,7 +36,7 @@ struct pixel_inspector {
 
 void pixel_inspector_finish(struct pixel_inspector *inspector, struct gpu *gpu); /* {0} is fine */
 
-/* Returns selectable layer i; NULL for 0, which is the rendered image, and after the last. */
+/* Returns selectable layer i, from 1; NULL for 0 (the rendered image) and after the last. */
 const struct frame_layer *pixel_inspector_layer(uint32_t i);
 
 /* Returns true if the choice shows something other than the unmodified rendered image. */
@@ -47,12 +47,12 @@ MUST_USE enum status pixel_inspector_draw(struct pixel_inspector *inspector,
                                           struct viewport *viewport,
                                           const struct renderer_shot *shot);
 
-/* Computes `rgba`, `image` and the histogram for an image of `sample_count` samples. No frame may
- * still use the previous `image`, although it stays valid until the next call. */
+/* Computes `rgba`, `image` and the histogram for an image of `sample_count` samples. Call
+ * presenter_wait() first. The previous `image` stays valid until the next call. */
 MUST_USE enum status pixel_inspector_show(struct pixel_inspector *inspector,
                                           const struct viewport *viewport, uint32_t sample_count);
 
-/* ---- the pixel under the cursor ---- */
+/* ---- pixel under the cursor ---- */
 
 struct pixel_inspector_values {
     float color[4];                         /* linear; mean of all samples */

@@ -88,7 +88,7 @@ static void push(struct rg_cmd *cmd, const struct present_area *area)
     rg_cmd_push(cmd, &pushed, sizeof(pushed));
 }
 
-/* Returns the rectangle of a range of columns of the displayed image. */
+/* Returns the window rectangle of columns `from` to `to` of the displayed image. */
 static VkRect2D columns(const struct present_area *area, uint32_t from, uint32_t to)
 {
     to = to < area->width ? to : area->width;
@@ -105,7 +105,7 @@ static void draw(struct rg_cmd *cmd, const struct present_area *area, VkRect2D p
     rg_cmd_draw(cmd, 3);
 }
 
-/* Fills a rectangle of the window with a colour, 0xRRGGBB, sRGB-encoded. */
+/* Fills a rectangle of the window with a colour 0xRRGGBB, which is sRGB-encoded. */
 static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part, uint32_t color)
 {
     VkClearAttachment clear = { .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT };
@@ -127,7 +127,7 @@ static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, area, columns(area, 0, area->line));
 }
 
-/* Fills the margins around the image if its aspect ratio differs from that of its area. */
+/* Fills the margins that remain around the image if its aspect ratio differs from the area's. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_area *p = &frame->window->present;

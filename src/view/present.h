@@ -19,7 +19,7 @@ struct present_area {
     uint32_t surround;                  /* colour of the margins, 0xRRGGBB, sRGB-encoded */
 };
 
-/* Frame data of the window's techniques: rg_frame.window. */
+/* Per-frame data of the techniques that draw the window, passed as rg_frame.window. */
 struct window_frame {
     struct present_area present;
     struct window_layout layout;
@@ -35,7 +35,7 @@ enum {
     PRESENT_PASS_COUNT = 4,
 };
 
-/* Tables for a given window format. Contain pointers to themselves: must not move. */
+/* Tables for one window format. The struct must not move, as it points into itself. */
 struct present_tables {
     struct rg_image window;
     struct rg_target targets[PRESENT_PASS_COUNT];
@@ -44,7 +44,7 @@ struct present_tables {
 };
 
 /* Fits an image of size `image` into the non-empty rectangle `view`, keeping its aspect ratio.
- * `divider` is its position as a fraction of the width; negative if not split. */
+ * `divider` is a fraction of the image width, or negative if the view is not split. */
 struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);

@@ -36,7 +36,7 @@ void presenter_finish(struct presenter *s)
 
 enum status presenter_fit(struct presenter *s, VkExtent2D size, bool *remade)
 {
-    /* the surface may choose another extent than requested, so the requested size is compared */
+    /* compare requested sizes, because the surface may choose another extent */
     *remade = s->swapchain.stale || s->size.width != size.width || s->size.height != size.height;
     if (!*remade)
         return STATUS_OK;
@@ -116,7 +116,7 @@ struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct 
         .queue = gpu->queue,
         .queue_family = gpu->queue_family,
         .pipeline_cache = gpu->pipeline_cache,
-        .render_passes = gpu->validated, /* needed by the validation layer; see rg_exec.h */
+        .render_passes = gpu->validated, /* for older synchronization validation; see rg_exec.h */
         .log = log_exec,
     };
 }

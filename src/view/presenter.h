@@ -41,38 +41,38 @@ struct presenter {
     double wait_seconds;  /* seconds the host waited to acquire and present this frame's image */
 };
 
-/* Initialises a presenter, which must not move. The caller owns surface and canvas (or NULL). */
+/* Initialises a presenter, which must not move. Borrows `surface` and `canvas` (may be NULL). */
 MUST_USE enum status presenter_init(struct presenter *presenter, struct gpu *gpu,
                                     VkSurfaceKHR surface, VkPresentModeKHR mode,
                                     const struct gpu_shared_window *canvas);
 void presenter_finish(struct presenter *presenter); /* {0} and half-built are fine */
 
-/* Recreates the swapchain if it does not match this window size and sets *remade; the presenter is
- * then disconnected. If swapchain.stale is still true, nothing can be presented. */
+/* Recreates the swapchain if it does not have this window size; *remade is then true and the
+ * presenter is disconnected. Nothing can be presented while swapchain.stale is still true. */
 MUST_USE enum status presenter_fit(struct presenter *presenter, VkExtent2D size, bool *remade);
 
 /* Sets the font atlas of the user interface; NULL if there is none. Disconnects the presenter. */
 void presenter_set_font(struct presenter *presenter, const struct gpu_image *font);
 
 /* Sets the images to present, which must be ready for sampling. Without a divider, `right` equals
- * `left`. Not between presenter_begin() and presenter_end(). */
+ * `left`. Must not be called between presenter_begin() and presenter_end(). */
 MUST_USE enum status presenter_connect(struct presenter *presenter,
                                        const struct presenter_images *images);
 
 /* Waits for the frames in flight and releases the images. */
 void presenter_disconnect(struct presenter *presenter);
 
-/* Acquires an image. *ready is false if there is none: call presenter_fit() and try again. */
+/* Acquires a swapchain image. If *ready is false, call presenter_fit() and try again. */
 MUST_USE enum status presenter_begin(struct presenter *presenter, bool *ready);
 
-/* Draws and presents a frame. `frame->overlay` refers to overlay_vertices and overlay_indices in
- * the presenter's buffers; right_columns and right_rows are filled in here. */
+/* Draws and presents a frame. `frame->overlay` indexes the presenter's buffers overlay_vertices and
+ * overlay_indices. Members of `frame` that depend on the swapchain are set by this function. */
 MUST_USE enum status presenter_end(struct presenter *presenter, const struct window_frame *frame);
 
 /* Waits until no frame reads the source images. */
 MUST_USE enum status presenter_wait(struct presenter *presenter);
 
-/* ---- shared with the plan of screenshots ---- */
+/* ---- shared with screenshots ---- */
 
 struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct rg_plan *plan);
 MUST_USE enum status presenter_report_faults(const struct rg_plan *plan); /* logs them */

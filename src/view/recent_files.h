@@ -10,10 +10,10 @@ enum {
 };
 
 /* Puts a file at the top of the list. Ignores names that are not files, and does nothing without
- * HOME. A list that cannot be written is logged. */
+ * HOME. Logs if the list cannot be written. */
 void recent_files_add(const char *path);
 
-/* Returns entry i of the files that still exist, malloc'd; NULL after the last. */
+/* Returns the path of recent file i, malloc'd, skipping missing files; NULL after the last. */
 char *recent_files_at(uint32_t i);
 
 #endif

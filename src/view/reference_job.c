@@ -90,7 +90,7 @@ static void *run(void *user)
     return NULL;
 }
 
-/* Leaves one core to the window's thread. */
+/* Returns the number of threads to use; leaves one core to the window's thread. */
 static uint32_t thread_count(void)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);

@@ -29,10 +29,10 @@ struct reference_job {
 bool reference_job_begin(struct reference_job *job, const struct reference_request *request,
                          const struct renderer_shot *shot);
 
-/* Stops the thread and discards its result; {0} is fine. */
+/* Stops the thread, if one is running, and discards its result. */
 void reference_job_stop(struct reference_job *job);
 
-/* Moves the newest mean to *mean, freeing the old one. Returns false if there is no new one. */
+/* Moves the newest mean image to *mean and frees the old one. Returns false if none is new. */
 bool reference_job_take(struct reference_job *job, struct image *mean);
 
 #endif

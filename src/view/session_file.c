@@ -122,7 +122,7 @@ static bool parse_side_b(const char *value, enum view_side_b *other)
     return false;
 }
 
-/* Numeric entries: limit of the magnitude, and the expected range for error messages. */
+/* Numeric entries, with their largest magnitude and the range named in error messages. */
 static const struct {
     const char *name;
     size_t offset; /* in struct session_file */

@@ -30,8 +30,8 @@ struct session_file {
     float time; /* scene time, seconds */
 };
 
-/* Parses lines, of which it takes ownership; `path` is for messages. On failure it logs, returns
- * STATUS_DATA and *session is {0}. */
+/* Parses `lines` and takes ownership of them; `path` is for messages. On failure, logs, returns
+ * STATUS_DATA and zeroes *session. */
 MUST_USE enum status session_file_parse(struct session_file *session, struct preset *lines,
                                         const char *path);
 

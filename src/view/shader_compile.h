@@ -21,8 +21,8 @@ bool shader_compile_is_possible(void);
 
 struct embedded_origin; /* shaders/embedded.h */
 
-/* Compiles a shader; includes are searched in the folder. On failure *code is {0} and `message`
- * gets the reason, one line. */
+/* Compiles a shader; include files are searched in `folder`. On failure, zeroes *code and writes a
+ * one-line reason to `message`. */
 bool shader_compile(struct shader_compile_code *code, const char *folder,
                     const struct embedded_origin *origin,
                     char message[static SHADER_COMPILE_MESSAGE_SIZE]);

@@ -25,7 +25,7 @@ struct file {
     bool failed;                        /* compilation failed */
     struct shader_compile_code ready;   /* compiled code, held back until all shaders compile */
     struct shader_compile_code offered; /* code for shader_reload_take(); protected by the lock */
-    struct rg_shader live;              /* .words is NULL for the embedded one */
+    struct rg_shader live;              /* active replacement; .words NULL if none */
     struct shader_compile_code code;    /* owns the code of `live` */
     struct shader_compile_code before;  /* for shader_reload_revert() */
     bool taken;                         /* replaced by the last shader_reload_take() */
@@ -88,8 +88,8 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
     return stamp;
 }
 
-/* Polls all files. Returns true if some have changed since they were compiled but none since the
- * previous poll, as an editor may still be writing. */
+/* Polls all files. Returns true if some have changed since they were compiled, and all are
+ * unchanged since the previous poll, so that no editor is still writing. */
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;

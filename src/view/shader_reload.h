@@ -13,9 +13,9 @@
 
 struct shader_reload;
 
-/* Starts to watch `folder`, which is organised as in the source tree. Logs and returns
- * STATUS_NO_INPUT if it is not, STATUS_FAILED without glslc. `quiet`: does not print compiled
- * shaders. */
+/* Starts to watch `folder`, which must have the layout of the source tree. Logs errors; returns
+ * STATUS_NO_INPUT if no shader is found, STATUS_FAILED if glslc cannot be run. `quiet` disables
+ * messages about compiled shaders. */
 MUST_USE enum status shader_reload_create(struct shader_reload **reload, const char *folder,
                                           bool quiet);
 void shader_reload_destroy(struct shader_reload *reload); /* may be NULL */

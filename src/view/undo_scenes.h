@@ -15,15 +15,15 @@ struct undo_scene {
     char *name, *environment; /* strings of `state`, owned */
 };
 
-/* Saves the scene of the viewport under a number, replacing an older entry of this number. Logs and
+/* Saves the viewport's scene under a number, replacing an older scene with that number. Logs and
  * returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status undo_scenes_add(struct undo_scene **list, uint32_t number,
                                      const struct viewport *now);
 
-/* Returns the entry of this number, or NULL. */
+/* Returns the scene saved under this number; NULL if there is none. */
 const struct undo_scene *undo_scenes_find(const struct undo_scene *list, uint32_t number);
 
-/* Frees the entries that no state of the undo stack refers to; all of them if it is NULL. */
+/* Frees the scenes that no state of the undo stack refers to; all scenes if `stack` is NULL. */
 void undo_scenes_prune(struct undo_scene **list, const struct undo_stack *stack);
 
 #endif

@@ -19,7 +19,7 @@ struct technique;
 enum view_side_b {
     VIEW_SIDE_B_NONE,
     VIEW_SIDE_B_MODEL,     /* another refraction model with the same settings */
-    VIEW_SIDE_B_STATE,     /* a stored refraction model with settings of its own */
+    VIEW_SIDE_B_STATE,     /* a stored refraction model and its stored settings */
     VIEW_SIDE_B_FILE,      /* an image file */
     VIEW_SIDE_B_REFERENCE, /* the path-traced reference, rendered on the CPU */
 };

@@ -49,7 +49,7 @@ static void open_panel(struct view *v, enum view_action action)
         view_show_ui(v, true);
 }
 
-/* Rescales text and panels; keeps them shown or hidden. */
+/* Rescales text and panels; hidden panels stay hidden. */
 static void resize_ui(struct view *v, float scale)
 {
     const bool shown = ui_is_shown(v->ui);

@@ -27,7 +27,7 @@ static struct comparison_image *side_b_image(struct view *v)
                                                         : NULL;
 }
 
-/* Returns true if the samples are those of the current renderers, which may be new. */
+/* Returns true if samples of the current renderers are displayed; new renderers have none yet. */
 static bool is_at_rest(const struct view *v)
 {
     return v->progressive.shown_count &&
@@ -105,7 +105,7 @@ void view_compare_store(struct view *v)
     ui_show_message(v->ui, "stored as B: change something, then compare with W");
 }
 
-/* Ensures that there is a side B, which flipping and differences need. */
+/* Selects a side B, which flipping and error map need, if there is none. False on failure. */
 static bool has_side_b(struct view *v)
 {
     if (v->compare.side_b == VIEW_SIDE_B_NONE)

@@ -106,8 +106,8 @@ static enum status return_to_scene(void *user)
     return viewport_apply_state(&v->viewport, &state);
 }
 
-/* Returns to the scene of a state if another one is open. The camera used there is restored only if
- * the object changes, not for another environment. */
+/* Reopens the scene of a state if another scene is open. Its camera is restored only if the model
+ * differs, but not if only the environment does. */
 static enum status return_to(struct view *v, const struct view_state *state)
 {
     struct change change = { v, state };
@@ -170,8 +170,8 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-/* Records which settings the user has set: those that are marked (`marked` may be NULL) and those
- * that differ from `before`, unless they are back at the value that the scene brings. */
+/* Marks the settings that the user has set: those in `marked` (may be NULL) and those that differ
+ * from `before`, unless their new value is the scene's own. */
 static void state_settings(const struct view *v, struct view_state *state,
                            const struct settings *before, const bool *marked)
 {
@@ -272,7 +272,7 @@ void view_load_preset(struct view *v, const char *path)
     ui_show_message(v->ui, words);
 }
 
-/* Prints settings that have their default value but would be set otherwise by the scene. */
+/* Prints settings that have their default value although the scene would set another one. */
 static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
 {
     const struct settings scene_settings = view_scene_settings(v);

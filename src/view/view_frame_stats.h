@@ -42,7 +42,7 @@ struct view_frame_stats {
     double dragged_at, released_at;        /* pending latency measurements; 0 if none */
 };
 
-/* Excludes the time since `start` from the frame. */
+/* Excludes the time since `start` from the frame time. */
 void view_frame_stats_exclude(struct view_frame_stats *stats, double start);
 /* Counts the time since `start` as waiting for --fps-limit. */
 void view_frame_stats_limit(struct view_frame_stats *stats, double start);
@@ -50,14 +50,14 @@ void view_frame_stats_limit(struct view_frame_stats *stats, double start);
 /* Excludes the time until the next frame, since nothing was drawn for a while. */
 void view_frame_stats_pause(struct view_frame_stats *stats);
 
-/* Ends a frame. `times`: latest times of each executed plan; `presentation` in seconds. */
+/* Ends a frame; takes the newest GPU times of each plan and the presentation time in seconds. */
 void view_frame_stats_end(struct view_frame_stats *stats, const struct rg_times *times,
                           uint32_t time_count, double presentation);
 
-/* Records when the mouse moved or was released; the first movement since the last image counts. */
+/* Records mouse movement and release times, in seconds or 0, to measure latencies from. */
 void view_frame_stats_input(struct view_frame_stats *stats, double moved, double released);
 
-/* Records that the ended frame shows a new image, interactive (`is_moving`) or in full size. */
+/* Records that the ended frame shows a new image: interactive if `is_moving`, else in full size. */
 void view_frame_stats_image(struct view_frame_stats *stats, bool is_moving);
 
 /* Prints the number of frames and mean times, and interaction times if there were any. */

@@ -14,7 +14,7 @@ static bool has_moved(const struct window_drag *drag)
     return drag->x != 0.0 || drag->y != 0.0;
 }
 
-/* Counts a drag once between pressing and releasing the button. */
+/* Counts a mouse drag as one action per button press, however often the mouse moves. */
 static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
 {
     uint32_t *hold = &v->counted_presses[gesture - VIEW_DRAG];

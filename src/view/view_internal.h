@@ -44,7 +44,7 @@ struct view {
     struct window_layout layout;
     struct present_area image_area; /* image position in the last frame */
     VkExtent2D requested_size;      /* image size after the next resize */
-    double resize_at;               /* time to resize the renderer, seconds; 0 if not needed */
+    double resize_at; /* when to resize the renderer, clock_seconds(); 0 if not needed */
     struct undo_stack undo_stack;
     struct undo_scene *undo_scenes; /* scenes that undo can return to */
     uint32_t scene, scene_count;    /* current number; number opened */
@@ -84,7 +84,7 @@ void view_seek(struct view *view, float time);            /* sets the scene time
 void view_set_title(struct view *view, const char *what); /* sets the window title */
 void view_show_name(struct view *view);
 
-/* view_fail() reports the last logged error in the status bar; view_clear_errors() drops it. */
+/* view_fail() shows the last logged error in the status bar; view_clear_errors() forgets it. */
 void view_clear_errors(struct view *view);
 void view_fail(struct view *view, const char *what);
 void view_show_ui(struct view *view, bool shown);
@@ -113,7 +113,7 @@ struct settings view_scene_settings(const struct view *view);
 /* Applies a state. Returns false if that fails, which is reported; the previous state is kept. */
 bool view_apply_state(struct view *view, const struct view_state *state);
 
-/* Applies a state and pushes it to the undo stack: undo_stack_push(). False on failure. */
+/* Applies a state and pushes it to the undo stack. Returns false on failure. */
 bool view_edit(struct view *view, const struct view_state *state, uint32_t gesture);
 void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` */
 
@@ -126,7 +126,7 @@ void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
 
-/* Selects side B; without a stored state, VIEW_SIDE_B_STATE becomes the most exact model. */
+/* Selects side B in `state`. VIEW_SIDE_B_STATE selects a refraction model if none is stored. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
 /* Shows side B of a state. On failure, which is logged, nothing changes. */
@@ -141,7 +141,7 @@ void view_compare_store(struct view *view);  /* stores side A as side B */
 void view_compare_flip(struct view *view);   /* toggles between sides A and B */
 void view_compare_toggle_error_map(struct view *view);
 
-/* Await a dropped image file, test whether a path is one, and open it as side B. */
+/* Start waiting for a dropped image file, test a dropped path, and open a file as side B. */
 void view_compare_await(struct view *view);
 bool view_compare_accepts(const struct view *view, const char *path);
 void view_compare_open(struct view *view, const char *path);
@@ -166,8 +166,8 @@ void view_run_ui(struct view *view, VkExtent2D size);
 
 /* ---- view_light_drag.c: light ---- */
 
-/* Rotates the lighting by fractions of the window height: everything (a panorama with its sun) or,
- * if `is_sun`, the sun alone, which can also rise. Shows the reason if nothing can be rotated. */
+/* Rotates the lighting about the vertical axis or, if `is_sun`, moves the sun alone. `right` and
+ * `down` are fractions of the window height. Shows the reason if the light cannot be rotated. */
 void view_rotate_light(struct view *view, double right, double down, bool is_sun);
 
 void view_add_exposure(struct view *view, double stops); /* adds stops to the exposure */
@@ -178,7 +178,7 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
-/* Copies scene, settings and refraction model of a session to a state, which borrows its strings.
+/* Copies scene, settings and refraction model of a session to a state, without copying strings.
  * view_resume_session() restores the rest once the viewport shows that state. */
 void view_apply_session(const struct session_file *session, struct app_image *state);
 MUST_USE enum status view_resume_session(struct view *view, const struct session_file *session);
@@ -194,10 +194,10 @@ MUST_USE enum status view_progressive_begin(struct view *view);
 /* Draws a changed view as a frame of an interaction, at reduced size. */
 MUST_USE enum status view_progressive_draw(struct view *view, const struct renderer_shot *shot);
 
-/* Draws one more sample if the view is at rest. *drew is true if one was left to draw. */
+/* Draws the next sample, or prepares it, once the view is at rest. *drew is true if it did so. */
 MUST_USE enum status view_progressive_step(struct view *view, bool *drew);
 
-/* Returns the seconds until samples may be drawn; negative if there are none left. */
+/* Returns the seconds until samples may be drawn; negative if all samples have been drawn. */
 double view_progressive_wait(const struct view *view);
 
 /* Estimates the seconds until all samples are drawn; 0 if done or unknown. */

@@ -8,10 +8,11 @@
 
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
-static const double soon_seconds = 0.15; /* slower samples first show a full-size draft */
+static const double soon_seconds =
+    0.15; /* a draft is shown first if samples take longer, seconds */
 
 enum {
-    FIRST_COUNT = 8, /* the first means shown are of 1, 2, 4 and 8 samples */
+    FIRST_COUNT = 8, /* up to this count, only means of 2^n samples are shown */
 };
 
 static struct view_identity current_identity(const struct view *v, float time)
@@ -156,8 +157,8 @@ static enum status draw_full_draft(struct view *v)
     return status;
 }
 
-/* Prepares the next sample: creates draft renderers, replaces outgrown ones, or draws a full-size
- * draft. *drew is true if it did one of these. */
+/* Prepares the next sample: creates draft renderers, replaces renderers if viewport_is_outgrown(),
+ * or draws a full-size draft. *drew is false if none of these was necessary. */
 static enum status prepare(struct view *v, bool *drew)
 {
     struct view_progressive *r = &v->progressive;

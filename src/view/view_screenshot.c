@@ -66,7 +66,7 @@ static void copy_image_to_clipboard(struct view *v)
                         "the image was not copied: install xclip or wl-clipboard, or save it (P)");
 }
 
-/* Renders and saves the image in the requested size; in that of the window if there is none. */
+/* Renders and saves the image in the requested size, or in its size in the window if none is. */
 static enum status save_screenshot(struct view *v, const char *const *paths, uint32_t path_count)
 {
     struct app_image *state = &v->viewport->state;

@@ -14,7 +14,7 @@
 
 /* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;
-static const double idle_seconds = 0.1; /* poll interval while there is nothing to draw */
+static const double idle_seconds = 0.1; /* poll interval while nothing is drawn, seconds */
 
 /* ---- startup and shutdown ---- */
 
@@ -47,7 +47,7 @@ static bool shows_panels(const struct app_options *o)
            (is_interactive && o->view.overlay == APP_OVERLAY_AUTO);
 }
 
-/* Chooses the window size: --size is that of the image; limited to the desktop's size. */
+/* Chooses the window size so that the image has the size of --size; with panels, at most `room`. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;

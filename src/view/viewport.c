@@ -45,7 +45,7 @@ enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
         app_choose_refraction(&p->state, &p->scene, &p->camera);
     if (status == STATUS_OK)
         app_check_rays(&p->state.scene.settings, p->gpu);
-    p->state.scene.quiet = true; /* do not log the scene's notes again */
+    p->state.scene.quiet = true; /* log the scene's notes only once */
     p->first_camera = p->camera;
     if (status == STATUS_OK)
         status = viewport_upload(p);
@@ -126,7 +126,7 @@ struct renderer_params viewport_right_params(struct viewport *p)
     return params;
 }
 
-/* Loads a scene for side B if B's settings affect the scene, at the same time as that of side A.
+/* Loads a scene for side B, posed like that of side A, if side B's settings affect the scene.
  * Overwrites p->side_b_scene without freeing it. */
 static enum status make_right_scene(struct viewport *p)
 {
@@ -190,7 +190,7 @@ static void forget_right(struct viewport *p)
     p->right_renderer = p->draft.right = NULL;
 }
 
-/* Updates the renderers of both sides. On failure there are none. */
+/* Updates the renderers of both sides. On failure there are no renderers. */
 static enum status fit_renderers(struct viewport *p)
 {
     struct viewport_scene *before = p->side_b_scene;
@@ -524,7 +524,7 @@ static bool same_frame(const struct viewport *p, const struct app_image *a,
     const struct settings other = viewport_with_exposure(&a->scene.settings, &b->scene.settings);
     if (!memcmp(&other, &b->scene.settings, sizeof(other)))
         return true;
-    /* a cube that is drawn only once keeps the lighting of the settings it was drawn with */
+    /* unless it is redrawn, the environment cube keeps the lighting of the old settings */
     return frame_draws_cube(&a->scene.settings, &p->scene) &&
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
@@ -548,7 +548,7 @@ enum status viewport_change(struct viewport **viewport, const struct app_scene *
     if (!p->renderer || same_frame(p, &before, &requested))
         return STATUS_OK;
     const enum status status = viewport_rebuild(p);
-    *remade = true; /* set even on failure, which may replace renderers */
+    *remade = true; /* also on failure, when renderers may have been replaced */
     if (status == STATUS_OK)
         return status;
     p->state = before;

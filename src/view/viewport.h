@@ -65,7 +65,7 @@ void viewport_destroy(struct viewport *viewport); /* may be NULL; waits for fram
 void viewport_leave_device(struct viewport *viewport); /* may be NULL */
 MUST_USE enum status viewport_upload(struct viewport *viewport);
 
-/* Creates the renderers or changes them to this size. On failure there are none. */
+/* Creates the renderers or changes them to this size. On failure, there are no renderers. */
 MUST_USE enum status viewport_resize(struct viewport *viewport, VkExtent2D size);
 
 /* Applies other settings and another refraction model. *remade is true if the renderer, and so
@@ -79,7 +79,7 @@ MUST_USE enum status viewport_change(struct viewport **viewport, const struct ap
  * are dropped, unless the user has changed them. */
 MUST_USE enum status viewport_load(struct viewport **viewport, const char *path, bool *remade);
 
-/* Applies a whole state with its camera at the current size. On failure *viewport stays. */
+/* Applies a whole state with its camera at the current size. On failure, nothing changes. */
 MUST_USE enum status viewport_apply_state(struct viewport **viewport,
                                           const struct app_image *state);
 
@@ -87,7 +87,7 @@ MUST_USE enum status viewport_apply_state(struct viewport **viewport,
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);
 
 /* Shows another refraction model on the right (side B); NULL ends the split. `settings` of side B
- * are copied; NULL to use those of side A. On failure nothing changes. */
+ * are copied; if NULL, side B uses those of side A. On failure nothing changes. */
 MUST_USE enum status viewport_split(struct viewport *viewport, const struct technique *refraction,
                                     const struct settings *settings);
 
@@ -96,11 +96,11 @@ bool viewport_is_split(const struct viewport *viewport); /* true if side B is sh
 /* Rotates the environment panorama, degrees. On failure nothing changes. */
 MUST_USE enum status viewport_rotate_panorama(struct viewport *viewport, float degrees);
 
-/* Returns true if the camera moved too far for the renderers: renderer_draws_beyond_image(). */
+/* Returns true if the camera has moved so that renderer_draws_beyond_image() has changed. */
 bool viewport_is_outgrown(struct viewport *viewport);
 
-/* Updates the renderers to changed shaders or projection, or if viewport_is_outgrown(). On failure
- * there are none; viewport_resize() creates them. */
+/* Updates the renderers to changed shaders, projection or viewport_is_outgrown(). On failure, there
+ * are no renderers until viewport_resize() creates them. */
 MUST_USE enum status viewport_rebuild(struct viewport *viewport);
 
 /* Returns true if the model has the pose of this time, seconds, or is not animated. */
@@ -114,7 +114,7 @@ MUST_USE enum status viewport_pose(struct viewport *viewport, float time);
 MUST_USE enum status viewport_draw(struct viewport *viewport, const struct renderer_shot *shot);
 MUST_USE enum status viewport_wait(struct viewport *viewport);
 
-/* Draws a frame during interaction, at up to full size, with draft renderers if there are any. */
+/* Draws an interactive frame of at most full size, with draft renderers if there are any. */
 MUST_USE enum status viewport_draw_interactive(struct viewport *viewport,
                                                const struct renderer_shot *shot, VkExtent2D view);
 
@@ -128,10 +128,10 @@ MUST_USE enum status viewport_refine(struct viewport *viewport, const struct ren
                                      uint32_t sample);
 MUST_USE enum status viewport_resolve(struct viewport *viewport, uint32_t sample_count);
 
-/* Returns the renderer of the displayed image on one side; NULL for `right` without a split. */
+/* Returns the renderer of the displayed left or right image; NULL for `right` if not split. */
 const struct renderer *viewport_renderer(const struct viewport *viewport, bool right);
 
-/* GPU time of the last frame's passes, seconds */
+/* Returns the GPU time of the last frame's passes, in seconds. */
 double viewport_pass_seconds(const struct viewport *viewport);
 VkImage viewport_left(const struct viewport *viewport);
 VkImage viewport_right(const struct viewport *viewport);     /* as on the left unless split */
@@ -156,7 +156,7 @@ MUST_USE enum status viewport_save_drawn(struct viewport *viewport, float time, 
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);
 
-/* Returns STATUS_USAGE, logged, if a path cannot take the two sides of a split view. */
+/* Returns STATUS_USAGE, logged, if a split view cannot be saved to one of the paths. */
 MUST_USE enum status viewport_can_save(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 

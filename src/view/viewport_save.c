@@ -17,14 +17,14 @@ enum {
 
 /* One side of a split view. */
 struct side {
-    const char *suffix; /* appended to the names of EXR files */
+    const char *suffix; /* suffix of EXR file names */
     bool is_right;
     struct app_image state;
     struct output output;
     struct render_result result;
 };
 
-/* The rendered sides of the window's image. */
+/* Rendered sides of the image. */
 struct drawn {
     struct side sides[2]; /* side A and, if split, B */
     size_t side_count;
@@ -88,7 +88,7 @@ static enum status draw_side(struct viewport *p, struct side *side,
     side->state.scene.settings = *params.settings;
     side->output = (struct output){ .image = &side->state, .scene = params.scene, .shot = *shot };
     params.samples = p->state.samples;
-    bool makes_png = false; /* a PNG file with alpha is requested */
+    bool makes_png = false; /* a PNG with alpha is requested */
     for (uint32_t i = 0; i < path_count; i++) {
         if (!path_ends_in(paths[i], ".png"))
             params.linear = true;
@@ -184,7 +184,7 @@ enum status viewport_save_drawn(struct viewport *p, float time, const char *path
         .scene = &p->scene,
         .shot = { .camera = p->camera, .time = time },
     };
-    state.samples = 1; /* the window's pixels are one sample each */
+    state.samples = 1; /* `drawn` has one sample per pixel */
     state.width = size.width;
     state.height = size.height;
     enum status status = output_describe(&output);

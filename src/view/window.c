@@ -82,7 +82,7 @@ static bool holds(GLFWwindow *handle, int left, int right)
     return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
 }
 
-/* Returns the drag that mouse movement adds to, chosen by button, Ctrl and Shift. */
+/* Returns the drag that mouse movement adds to, selected by the button, Ctrl and Shift held. */
 static struct window_drag *current_drag(struct window *w)
 {
     const bool shift = holds(w->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);

@@ -2,7 +2,7 @@
  * window.h: platform window on GLFW: creation, input events, full screen, Vulkan surface. Only
  * window.c and window_x11.c call GLFW functions.
  *
- * Errors: logged on one line with GLFW's description; STATUS_NO_DEVICE.
+ * Errors are logged on one line with GLFW's description and returned as STATUS_NO_DEVICE.
  */
 #ifndef FIRN_VIEW_WINDOW_H
 #define FIRN_VIEW_WINDOW_H
@@ -33,7 +33,7 @@ struct window_input {
     uint32_t action_count;
     bool redraw;             /* the window's contents may be damaged */
     bool pressed, released;  /* by any mouse button */
-    double moved_at;         /* time of the first mouse movement that moved the image; 0 if none */
+    double moved_at;         /* first mouse movement of a drag, in seconds; 0 if none */
     double released_at;      /* release of a mouse button, clock_seconds() */
     bool double_clicked;     /* left button, at (click_x, click_y) */
     double click_x, click_y; /* position of the double click, pixels */
@@ -56,7 +56,7 @@ struct window_event {
     bool control, shift, alt; /* modifiers held with a key */
 };
 
-/* Gets all events first. Returns true to consume one, which then moves and triggers nothing. */
+/* Receives every event first. Returns true to consume it, so that the viewer ignores it. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
 struct window {
@@ -68,8 +68,8 @@ struct window {
     char *dropped;             /* path of a dropped file, malloc'd; NULL if none */
     double cursor_x, cursor_y; /* last cursor position, screen coordinates */
     VkRect2D image_area;       /* area of the image, pixels */
-    double divider;            /* divider position, fraction of the image width; negative if none */
-    bool drags_divider;        /* the divider is being dragged */
+    double divider;     /* divider position as a fraction of the image width; negative if none */
+    bool drags_divider; /* the divider is being dragged */
     double pressed_at, pressed_x, pressed_y; /* last press, to detect double clicks */
     struct GLFWcursor *divider_cursor;       /* cursor shape; NULL until needed */
     bool repeated;                           /* key event is an auto-repeat */
@@ -95,7 +95,7 @@ MUST_USE enum status window_init(struct window *window, const struct window_para
 
 void window_set_background(struct window *window, uint32_t color);
 
-/* Closes the window; {0} and half-initialised ones are fine. */
+/* Closes the window; also works if *window is zeroed or partly initialised. */
 void window_finish(struct window *window);
 
 /* Returns the desktop's content scale: 2 if everything is drawn twice as large. */
@@ -121,7 +121,7 @@ void window_set_listener(struct window *window, window_listen_fn *function, void
 /* Returns the accumulated input and clears it. */
 struct window_input window_take_input(struct window *window);
 
-/* Returns the last dropped file, once; the caller frees the path. NULL if there is none. */
+/* Returns the last dropped file and forgets it; NULL if none. The caller frees the path. */
 char *window_take_dropped(struct window *window);
 
 /* Returns true once the user has requested to close the window. */

@@ -12,7 +12,7 @@
 struct segment {
     void *memory; /* NULL if not allocated */
     xcb_shm_seg_t id;
-    /* round trip that ends after the server has read the image */
+    /* request that the server answers after reading the image */
     xcb_get_input_focus_cookie_t read;
     bool is_shown;
 };

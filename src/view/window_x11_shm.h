@@ -9,12 +9,12 @@
 struct GLFWwindow;
 struct window_x11_shm;
 
-/* Returns NULL, without logging, if the server cannot read shared memory or has DRI3, and without
- * X11. The canvas must outlive its users, but not the window. */
+/* Connects to the X server. Returns NULL, without logging, without X11 or if the server has DRI3 or
+ * cannot read shared memory. Must outlive swapchains that use it, but not the window. */
 struct window_x11_shm *window_x11_shm_open(struct GLFWwindow *window);
 void window_x11_shm_close(struct window_x11_shm *canvas); /* may be NULL */
 
-/* Returns the canvas for a swapchain; NULL for NULL. */
+/* Returns the shared window to give to a swapchain; NULL if `canvas` is NULL. */
 const struct gpu_shared_window *window_x11_shm_canvas(const struct window_x11_shm *canvas);
 
 #endif

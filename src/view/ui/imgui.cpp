@@ -10,7 +10,7 @@
 namespace
 {
 
-constexpr float text_size = 15.0f;        /* font size in pixels at scale 1 */
+constexpr float text_size = 15.0f;        /* font size, pixels at scale 1 */
 constexpr float bitmap_text_size = 13.0f; /* size of the built-in bitmap font */
 
 /* Glyph ranges: Latin with accents, Greek, Cyrillic, punctuation, arrows, mathematics. */
@@ -89,8 +89,8 @@ static void set_theme(float scale, const theme &theme)
     style.WindowMinSize = ImVec2(1.0f, 1.0f); /* Dear ImGui rejects less */
 }
 
-/* Runs one empty frame, in which Dear ImGui's fallback window takes the initial focus, and clears
- * the focus, which the first panel would otherwise get. */
+/* Runs one empty frame, so that Dear ImGui gives the initial focus to its fallback window instead
+ * of the first panel, then clears the focus. */
 static void lose_first_focus()
 {
     ImGui::GetIO().DisplaySize = ImVec2(1.0f, 1.0f);
@@ -99,7 +99,7 @@ static void lose_first_focus()
     ImGui::SetWindowFocus(nullptr);
 }
 
-/* Returns false if the file is not a usable font. */
+/* Adds the system font to the font atlas. Returns false if the file is not a usable font. */
 static bool add_font(const imgui *ui)
 {
     ImGuiIO &io = ImGui::GetIO();
@@ -265,7 +265,7 @@ static overlay_draw_command clip(const ImDrawCmd &command, const ImDrawData *dat
     return part;
 }
 
-/* Appends the commands of a draw list; `base` is added to its vertex indices. */
+/* Appends a draw list, adding `base` to its vertex indices. Returns false if `list` is full. */
 static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index_count,
                           uint32_t *indices, overlay_draw_list *list)
 {

@@ -81,8 +81,8 @@ struct imgui_thumbnails {
 /* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
 void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails);
 
-/* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Not within a
- * frame. Returns false if the font cannot be read; the built-in font is then used. */
+/* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas, outside frames
+ * only. Returns false if the font cannot be read; the built-in font is then used. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
 void imgui_destroy(struct imgui *ui);                              /* may be NULL */
@@ -105,7 +105,7 @@ bool imgui_wants_mouse(const struct imgui *ui, float x, float y); /* a panel cov
 bool imgui_wants_keyboard(const struct imgui *ui);                /* a panel has the focus */
 bool imgui_wants_text(const struct imgui *ui);                    /* a text field has the focus */
 
-/* ---- panels, between begin and end ---- */
+/* ---- panels, within a frame ---- */
 
 struct imgui_rect {
     float x, y, width, height;
@@ -114,7 +114,7 @@ struct imgui_rect {
 enum imgui_panel {
     IMGUI_DOCKED, /* beside the image */
     IMGUI_LABEL,  /* label over the image */
-    IMGUI_POPUP,  /* popup with a border, above other panels */
+    IMGUI_POPUP,  /* bordered popup above other panels */
 };
 
 /* Begins a panel at `area`. It must be ended even if it is completely hidden. */
@@ -122,7 +122,7 @@ void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect ar
                        enum imgui_panel kind);
 void imgui_panel_end(void);
 
-/* Begins and ends rows with a vertical spacing of so many pixels. */
+/* Sets the vertical spacing of rows, in pixels, until imgui_gap_end(). */
 void imgui_gap_begin(float pixels);
 void imgui_gap_end(void);
 
@@ -166,13 +166,13 @@ bool imgui_small_button(const char *label);
 bool imgui_choice_button(const char *label, bool chosen); /* one of exclusive buttons */
 bool imgui_selectable(const char *label, bool chosen);    /* row as wide as the panel */
 
-/* Draws a button with a thumbnail above its label, one of a group. `width` in pixels. */
+/* Draws one of several exclusive buttons, with a thumbnail above its label; `width` in pixels. */
 bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen);
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 
-/* Widgets that edit a value: return true if the user has changed it. `format` is a printf format
- * for one float or unsigned. */
+/* Widgets that edit a value; they return true if the user has changed it. `format` is a printf
+ * format for one float or unsigned. */
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
@@ -190,7 +190,7 @@ bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_s
 /* Draws a number field with - and + buttons. Returns true when the input is complete. */
 bool imgui_number_field(const char *label, uint32_t *value);
 
-/* ---- items of the last frame ---- */
+/* ---- last frame's items ---- */
 
 enum {
     IMGUI_ITEM_COUNT = 256, /* maximum items listed per frame */
@@ -205,7 +205,7 @@ struct imgui_item {
 /* Returns the visible items of the last frame. */
 const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
 
-/* Returns a number that increases when an item becomes active and stays while it is dragged. */
+/* Returns the gesture number: constant during a drag, increased when an item becomes active. */
 uint32_t imgui_gesture(const struct imgui *ui);
 
 /* ---- drawing ---- */

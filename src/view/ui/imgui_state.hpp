@@ -18,7 +18,7 @@ struct imgui {
     const theme *colors;
     imgui_item items[IMGUI_ITEM_COUNT];
     uint32_t item_count;
-    unsigned active; /* ID of the active item; 0 if none */
+    unsigned active; /* active item ID; 0 if none */
     uint32_t gesture;
     system_font font; /* path "" for the built-in one */
     imgui_thumbnails thumbnails;

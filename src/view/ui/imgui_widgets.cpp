@@ -70,7 +70,7 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Lists the last item under its visible label or, if empty or a symbol, the part after "##". */
+/* Lists the last item by its label or, if that is empty or a symbol, by the text after "##". */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -94,7 +94,7 @@ void imgui_focus_panel(const char *title)
     ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
     if (!window)
         return;
-    ImGui::NavInitWindow(window, true); /* makes the first arrow key move the focus */
+    ImGui::NavInitWindow(window, true); /* selects an item, from which arrow keys move the focus */
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
@@ -145,8 +145,8 @@ void imgui_next_width(float width)
     ImGui::SetNextItemWidth(width);
 }
 
-/* Focuses the next text field. With Dear ImGui 1.90, SetKeyboardFocusHere() fails if another panel
- * has the focus, so focus() does it after the widget. */
+/* Focuses the next text field. In Dear ImGui 1.90, SetKeyboardFocusHere() fails if another panel
+ * has the focus, so focus() sets it after the widget is drawn. */
 void imgui_next_focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900
@@ -362,7 +362,7 @@ bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, 
     const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);
     ImGui::RenderTextClipped(from, ImVec2(end.x - 1.0f, end.y), label, nullptr, nullptr,
                              ImVec2(0.5f, 0.0f));
-    if (chosen) /* the frame marks the choice independently of colour */
+    if (chosen) /* the outline shows the choice without relying on colour */
         ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(colors->accent),
                                             ImGui::GetStyle().FrameRounding, 0, 2.0f * ui->scale);
     return pressed;

@@ -4,7 +4,7 @@
 #include <fontconfig/fontconfig.h>
 #include <stdio.h>
 
-/* Accepts only scalable fonts; fontconfig may return a bitmap font if nothing else fits. */
+/* Accepts only scalable fonts, because fontconfig falls back to bitmap fonts. */
 static bool take(struct system_font *font, const FcPattern *found)
 {
     FcChar8 *path;
@@ -14,7 +14,7 @@ static bool take(struct system_font *font, const FcPattern *found)
         return false;
     if (FcPatternGetInteger(found, FC_INDEX, 0, &font->index) != FcResultMatch)
         font->index = 0;
-    font->index &= 0xffff; /* the upper bits select an instance of a variable font */
+    font->index &= 0xffff; /* upper bits select a variable-font instance */
     const int length = snprintf(font->path, sizeof(font->path), "%s", (const char *)path);
     return length > 0 && length < SYSTEM_FONT_PATH_SIZE;
 }

@@ -13,7 +13,7 @@ enum {
     FOCUS_FRAMES = 6,   /* frames until the requested focus takes effect; Dear ImGui 1.90 needs 4 */
 };
 
-static const double drag_seconds = 0.25; /* interval between panel updates during a drag */
+static const double drag_seconds = 0.25; /* seconds between panel updates during drags */
 static const float click_reach = 3.0f;   /* pixels; longer mouse movements are drags */
 
 /* ---- dump for scripts ---- */
@@ -28,7 +28,7 @@ void ui_dump(struct ui *ui, const char *path)
     ui->dump_path = path;
 }
 
-/* Replaces the file by renaming, so that readers see the old list or the new one. */
+/* Writes a new file and renames it, so that readers never see an incomplete list. */
 static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
 {
     char path[SYSTEM_FONT_PATH_SIZE];
@@ -224,7 +224,7 @@ bool ui_toggle(struct ui *ui, enum view_action action)
 
 /* ---- input ---- */
 
-/* Handles a click on the image. With the inspector open, a click that is not a drag pins the pixel
+/* Handles a click on the image. With the inspector open, a click without a drag pins the pixel
  * under the cursor or unpins it. */
 static void handle_click(struct ui *ui, bool down)
 {
@@ -274,7 +274,7 @@ static bool handle_palette_key(struct ui *ui, const struct window_event *event)
     return true;
 }
 
-/* Returns true for Ctrl shortcuts that a text field uses itself; all others remain actions. */
+/* Returns true for Ctrl shortcuts of text fields; all other Ctrl shortcuts stay viewer actions. */
 static bool is_for_text(const struct window_event *event)
 {
     return event->code == GLFW_KEY_A || event->code == GLFW_KEY_C || event->code == GLFW_KEY_V ||
@@ -283,7 +283,7 @@ static bool is_for_text(const struct window_event *event)
            event->code == GLFW_KEY_BACKSPACE || event->code == GLFW_KEY_DELETE;
 }
 
-/* Handles a key. Returns true if the focused panel uses it; all other keys act on the image. */
+/* Handles a key. Returns true if the focused panel uses it; other keys control the viewer. */
 static bool handle_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
@@ -332,7 +332,7 @@ bool ui_handle_event(void *user, const struct window_event *event)
     if (!ui->shown)
         return false;
     if (event->kind == WINDOW_CURSOR && ui_drags_image(ui))
-        return false; /* do not consume the end of a drag */
+        return false; /* the viewer handles image drags */
     ui->pending_frames = PENDING_FRAMES;
     if (event->kind == WINDOW_KEY)
         return handle_palette_key(ui, event) || handle_key(ui, event);
@@ -370,7 +370,7 @@ static void measure(struct ui *ui, const struct ui_view *view)
     }
 }
 
-/* Advances the input queue; keys wait until the requested panel or text field has the focus. */
+/* Advances the input queue. Keys wait until the requested panel or text field has the focus. */
 static void take_input(struct ui *ui)
 {
     const bool has_focus =
@@ -421,7 +421,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *requ
     write_dump(ui);
 }
 
-/* Returns true if a draw command lies completely outside the image; panels are axis-aligned. */
+/* Returns true if a draw command's bounding box lies outside the image area. */
 static bool is_beside(const struct ui *ui, const struct overlay_draw_command *part,
                       const struct overlay_vertex *vertices, const uint32_t *indices)
 {

@@ -19,7 +19,7 @@
 struct ui;
 
 /* Creates the user interface. `scale` multiplies all sizes; `thumbnails` must outlive it. Logs
- * errors and, unless `quiet`, that only the built-in font is available. */
+ * errors and, unless `quiet`, a note if only the built-in font is available. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
                                const struct theme *theme, const struct ui_thumbnails *thumbnails,
                                bool quiet);
@@ -33,18 +33,18 @@ bool ui_is_shown(const struct ui *ui);
 /* Returns true if the panels are shown but not yet up to date with the input. */
 bool ui_is_busy(const struct ui *ui);
 
-/* Return true while the user drags the image, and if the panels' next update can be skipped,
- * because only their frame time changes during such a drag. */
+/* Return true while the user drags the image. ui_can_skip_frame() also requires that the panels
+ * were updated recently, because a drag changes only the frame times that they show. */
 bool ui_drags_image(const struct ui *ui);
 bool ui_can_skip_frame(const struct ui *ui, double now);
 
-/* Changes the scale. ui_font() is replaced, so no frame may still use it. */
+/* Changes the scale and replaces ui_font(), which no frame may still use. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets a file for scripts that drive the window, rewritten on each change: one line per item with
- * left, top, width, height (pixels) and label, and lines at 0 0 0 0 with action counts. */
+/* Sets a text file for scripts, rewritten on each change. Each line has left, top, width, height
+ * (pixels) and label of an item; lines with a rectangle of zeros have action counts. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -67,7 +67,7 @@ struct ui_view {
     struct pixel_inspector_choice inspector_choice;
     const struct present_area *image_area; /* image position in the window */
     enum view_side_b side_b;
-    const char *left, *right; /* labels of side A and side B */
+    const char *left, *right; /* labels of sides A and B */
     bool has_stored;          /* VIEW_SIDE_B_STATE is available */
     bool shows_error_map;     /* the error map is shown */
     bool paused;
@@ -78,7 +78,7 @@ struct ui_view {
     bool shows_hint;                    /* the camera was never orbited */
 };
 
-/* What the user requested in the panels during a frame. */
+/* Requests that the user made in the panels during one frame. */
 struct ui_request {
     enum view_action action; /* VIEW_ACTION_NONE if none */
     char *open;              /* file or scene to open, malloc'd; NULL if none */
@@ -103,10 +103,10 @@ void ui_wake(struct ui *ui);
 
 void ui_close_inspector(struct ui *ui);
 
-/* Shows a message in the status bar until the next one; too long messages are shortened. */
+/* Shows a message in the status bar until the next one; messages that do not fit are truncated. */
 void ui_show_message(struct ui *ui, const char *message);
 
-/* Shows an error message in the status bar, with a hint what to do. */
+/* Shows an error message in red in the status bar; the message should include advice. */
 void ui_show_failure(struct ui *ui, const char *message);
 
 /* Shows a persistent error in red until it is cleared by "". */
@@ -115,8 +115,8 @@ void ui_set_error(struct ui *ui, const char *message);
 /* Runs the panels for one frame; call it before drawing that frame. */
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
-/* Writes vertices and indices, of OVERLAY_*_COUNT elements, and returns the draw list, which the ui
- * owns. The list is empty while hidden. */
+/* Fills the buffers of OVERLAY_*_COUNT elements and returns the draw list, owned by the ui. The
+ * list is empty while the panels are hidden. */
 const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_vertex *vertices,
                                                   uint32_t *indices);
 

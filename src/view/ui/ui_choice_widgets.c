@@ -4,13 +4,13 @@
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    BUTTON_MAX = 8, /* maximum values shown as buttons; more become a list */
+    BUTTON_MAX = 8, /* maximum values shown as buttons, not as a list */
 };
 
-static const float cell_width = 63.0f; /* minimum width of a thumbnail with margins, at scale 1 */
+static const float cell_width = 63.0f; /* minimum thumbnail width with margins, pixels, scale 1 */
 static const float cell_gap = 6.0f;
 
-/* Draws the label of a row; its control starts at `x`. */
+/* Draws the label of a control on the left; the control itself starts at `x`. */
 static void head(const char *name, float x, const char *tip)
 {
     imgui_indent(8.0f * imgui_scale());

@@ -19,7 +19,7 @@ enum {
     SHOWN_MAX = 12, /* visible rows */
     LABEL_SIZE = 96,
     SYNONYM = 500,   /* distance if only a synonym matches */
-    IN_HELP = 1000,  /* distance if only the help of a setting matches */
+    IN_HELP = 1000,  /* match distance if only a setting's help text matches */
     MISSPELT = 2000, /* minimum distance with a wrong letter */
 };
 
@@ -83,7 +83,7 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     vsnprintf(e->label, sizeof(e->label), format, arguments);
     va_end(arguments);
     e->distance = distance_of(p, e);
-    /* overwritten by the next entry if it does not match */
+    /* an entry that does not match is overwritten by the next one */
     p->count += e->distance != UI_FUZZY_MATCH_NONE;
 }
 
@@ -112,7 +112,7 @@ static void collect_files(struct palette *p)
     }
 }
 
-/* Adds sizes for saving the image: common ones, and the one that is typed. */
+/* Adds entries that save the image in common sizes, or in the size that the user has typed. */
 static void collect_sizes(struct palette *p)
 {
     static const VkExtent2D sizes[] = { { 1920, 1080 }, { 3840, 2160 }, { 2048, 2048 } };
@@ -261,7 +261,7 @@ void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_req
         ui->palette_row = 0;
     collect(p);
     ui->palette_row = p->count && ui->palette_row >= p->count ? p->count - 1 : ui->palette_row;
-    /* Enter takes effect after queued text has been searched */
+    /* Enter waits until the search has used all queued text */
     const bool entered = ui->palette_entered && !ui->focus_wait_frames && !ui->input.event_count;
     if (entered && ui->palette_row < p->count)
         choose(ui, p->order[ui->palette_row], request);

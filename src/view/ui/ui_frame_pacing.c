@@ -1,9 +1,9 @@
 /* ui_frame_pacing.c: running means of frame times, and what limits the frame rate. */
 #include "src/view/ui/ui_frame_pacing.h"
 
-static const double smoothing = 0.1; /* weight of the newest frame in the running means */
-static const double busy = 0.8;      /* a device busy for more of a frame than this is the limit */
-static const double waits = 0.3;     /* a wait for more of a frame than this is the limit */
+static const double smoothing = 0.1; /* weight of the newest frame */
+static const double busy = 0.8;      /* GPU-bound above this fraction of the frame time */
+static const double waits = 0.3;     /* limited by a wait above this fraction of the frame time */
 
 static void mix(double *mean, double value, double by)
 {

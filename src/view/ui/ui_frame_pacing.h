@@ -2,7 +2,7 @@
 #ifndef FIRN_VIEW_UI_UI_FRAME_PACING_H
 #define FIRN_VIEW_UI_UI_FRAME_PACING_H
 
-/* Seconds of one frame, or means over several. device, screen and limit may overlap in time. */
+/* Times of one frame, or running means, in seconds. device, screen and limit may overlap. */
 struct ui_frame_pacing {
     double frame;  /* between the starts of two frames */
     double device; /* device time, or waiting for it */
@@ -10,7 +10,7 @@ struct ui_frame_pacing {
     double limit;  /* the host waited because of --fps-limit */
 };
 
-/* Updates the running means; the first sample is taken as it is. Ignores samples with frame 0. */
+/* Updates the running means, starting at the first sample. Ignores samples with frame time 0. */
 void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pacing *sample);
 
 /* Returns what limits the frame rate, as a phrase for the status bar. */

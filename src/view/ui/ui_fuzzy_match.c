@@ -5,9 +5,9 @@
 #include <strings.h>
 
 enum {
-    WITHIN = 2,              /* distance of a word found inside another word */
+    WITHIN = 2,              /* match distance inside another word */
     GAPS_MAX = 2,            /* maximum skipped letters per typed one */
-    GAPS_PART = 2,           /* with a wrong letter: typed letters per skipped one */
+    GAPS_PART = 2,           /* minimum typed letters per skipped one, if one letter is wrong */
     ABBREVIATION = 3,        /* minimum length of a fuzzy word */
     MISSPELT_LENGTH_MIN = 4, /* minimum length for a wrong letter */
     MISSPELT = 8,            /* distance added for a wrong letter */
@@ -51,7 +51,7 @@ static uint32_t minimum(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* Returns the distance of a word that occurs unbroken in the text. */
+/* Returns the match distance of a word that occurs in the text without gaps. */
 static uint32_t whole(const char *text, const char *word, size_t length)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;
@@ -82,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Returns the distance of a word whose letters occur in order, the first at the start of a word;
- * UI_FUZZY_MATCH_NONE if they do not, or too far apart. */
+/* Returns the match distance of a word whose letters occur in order, the first at the start of a
+ * word; UI_FUZZY_MATCH_NONE if they do not, or with too many letters between them. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;

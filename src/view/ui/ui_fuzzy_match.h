@@ -8,7 +8,7 @@
 
 #define UI_FUZZY_MATCH_NONE UINT32_MAX
 
-/* Returns true if each word, separated by blanks, occurs in one of the texts; ignores case. */
+/* Returns true if each word of `query` occurs in one of the texts, ignoring case. */
 bool ui_fuzzy_match_contains(const char *query, const char *const *texts, size_t text_count);
 
 /* Returns the distance of the typed words from a text, or UI_FUZZY_MATCH_NONE if one does not

@@ -1,14 +1,14 @@
-/* ui_input_queue.c: queue of input events that are spread over frames for Dear ImGui. */
+/* ui_input_queue.c: queue that distributes input events over frames for Dear ImGui. */
 #define GLFW_INCLUDE_NONE
 #include "src/view/ui/ui_input_queue.h"
 #include <GLFW/glfw3.h>
 #include <string.h>
 
-/* Maps GLFW keys to Dear ImGui keys; of equivalent keys, panels need only one, except for Enter. */
+/* Maps GLFW keys to Dear ImGui keys. Of the numeric keypad, only Enter is mapped. */
 static const struct {
     int key;
     enum imgui_key means;
-    bool with_control; /* used only with Ctrl; otherwise the key types a character */
+    bool with_control; /* used only with Ctrl, because the key alone types a character */
 } keys[] = {
     { GLFW_KEY_TAB, IMGUI_TAB, false },
     { GLFW_KEY_LEFT, IMGUI_LEFT, false },

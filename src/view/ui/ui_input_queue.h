@@ -10,7 +10,7 @@
 #include "src/view/window.h"
 
 enum {
-    UI_INPUT_QUEUE_COUNT = 128, /* maximum queued events; older ones are merged */
+    UI_INPUT_QUEUE_COUNT = 128, /* maximum queued events; if full, the oldest is applied at once */
 };
 
 struct ui_input_queue {
@@ -21,7 +21,7 @@ struct ui_input_queue {
 
 void ui_input_queue_add(struct ui_input_queue *input, const struct window_event *event);
 
-/* Applies the queued events for the next frame to input->now, except for its time and size. */
+/* Applies queued events for the next frame to input->now. The caller sets its time and size. */
 void ui_input_queue_step(struct ui_input_queue *input);
 
 #endif

@@ -57,7 +57,7 @@ struct ui {
     uint32_t action_counts[VIEW_INPUT_COUNT]; /* number of executions of each action */
 };
 
-/* Draw parts of the user interface, between imgui_begin() and imgui_end(). */
+/* Draw parts of the user interface; must be called between imgui_begin() and imgui_end(). */
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 void ui_toolbar(const struct ui_view *view, struct ui_request *request);
 void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);
@@ -69,7 +69,7 @@ void ui_status(const struct ui *ui, const struct ui_view *view);
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                    const char *tip);
 
-/* A choice of one of several values, shown as thumbnails with labels. */
+/* Exclusive choice shown as labelled thumbnails. */
 struct ui_gallery {
     const char *name; /* name of what is chosen */
     const char *heading;
@@ -81,11 +81,11 @@ struct ui_gallery {
 
 bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 
-/* Draws exclusive buttons with a label, wrapped if needed. Returns true if changed. */
+/* Draws exclusive buttons with a label, wrapped if needed. Returns true if one was chosen. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip);
 
-/* Returns built-in environment i; 0 is "sky". NULL after the last. */
+/* Returns the name of built-in environment i, of which 0 is "sky"; NULL after the last. */
 const char *ui_environment(uint32_t i);
 
 struct imgui_rect ui_rect_of(VkRect2D rectangle);

@@ -21,7 +21,7 @@ enum {
 };
 
 static const char panel[] = "settings";
-static const float gallery_panel = 440.0f; /* minimum height for thumbnails, at scale 1 */
+static const float gallery_panel = 440.0f; /* panel height for thumbnails, scale 1 */
 
 /* Lists the names of all refraction models. Returns the index of the current one. */
 static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX], uint32_t *count,
@@ -113,7 +113,7 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-/* Returns the thumbnail, or none in low panels, which lack the room. */
+/* Returns the thumbnail, or UI_THUMBNAIL_NONE if the panel is not high enough for thumbnails. */
 static uint32_t thumbnail_if_high(const struct ui *ui, const struct ui_view *view,
                                   uint32_t thumbnail)
 {
@@ -177,7 +177,7 @@ static void material_buttons(const struct ui *ui, const struct ui_view *view,
     }
 }
 
-/* Draws the controls of a group that are not settings. */
+/* Draws a group's lists of presets, environments and refraction models. */
 static void lists(const struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
                   struct ui_request *request)
 {
@@ -348,7 +348,7 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_panel_end();
 }
 
-/* Draws the label of a side over a corner of the image, the only panel that covers it. */
+/* Draws the label of a side over a corner of the image; no other panel covers the image. */
 static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
 {
     const struct present_area *p = view->image_area;
@@ -380,7 +380,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
 {
     const struct window_layout *l = view->layout;
     if (ui->focus_panel || ui->release)
-        /* before its first widget, which gets the focus highlight */
+        /* must precede the panel's first widget, which gets the focus highlight */
         imgui_focus_panel(ui->release ? NULL : panel);
     ui->focus_panel = ui->release = false;
     if (l->panel.extent.width) {

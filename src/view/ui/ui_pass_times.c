@@ -6,8 +6,8 @@
 #include <string.h>
 #include "src/view/ui/imgui.h"
 
-static const double smoothing = 0.15;    /* weight of the newest frame in the running means */
-static const float strip_height = 64.0f; /* height of the frame history at scale 1 */
+static const double smoothing = 0.15;    /* weight of the newest frame */
+static const float strip_height = 64.0f; /* chart height, pixels at scale 1 */
 
 static bool is_same_row(const struct rg_plan *plan, uint32_t p)
 {
@@ -27,7 +27,7 @@ uint32_t ui_pass_times_key(const char *name)
     return key;
 }
 
-/* Reads the rows of a plan and their times in one frame. */
+/* Reads the pass times of one frame, summed over consecutive repetitions of a pass. */
 static void read_rows(struct ui_pass_times *new, const struct rg_plan *plan,
                       const struct rg_times *frame)
 {
@@ -115,7 +115,7 @@ static double longest(const struct ui_pass_times *times)
     return most;
 }
 
-/* Returns a colour for a pass key, a hash, so that neighbouring passes rarely look alike. */
+/* Returns a colour derived from a pass key, so that most passes differ in colour. */
 static uint32_t color_of(uint32_t key)
 {
     const float around = (float)(key % 1021u) * (6.0f / 1021.0f);
@@ -149,7 +149,7 @@ static void bar(const struct ui_pass_times_row *row, double most)
     imgui_text(text);
 }
 
-/* Returns the name of a frame's longest pass, if the newest plan still has it. */
+/* Returns the name of a frame's longest pass, or a note if the newest plan lacks that pass. */
 static const char *name_longest(const struct ui_pass_times *times,
                                 const struct ui_pass_times_frame *frame)
 {
@@ -191,8 +191,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the time at full height. It is limited to 3 times the median, so that a frame in which
- * shaders were compiled does not flatten all others. */
+/* Returns the frame time at the top of the chart, in milliseconds: the longest, but at most 3 times
+ * the median, so that a frame in which shaders were compiled does not flatten all others. */
 static double height_of(const struct ui_pass_times *times, uint32_t count, double most)
 {
     double sums[UI_PASS_TIMES_FRAME_COUNT];

@@ -35,14 +35,14 @@ struct ui_pass_times {
 /* Returns a hash of a pass name, which gives the pass the same colour in all plans. */
 uint32_t ui_pass_times_key(const char *name);
 
-/* Adds the times of a frame, unless it was not measured or is already added. The means restart if
- * the plan changes; recorded frames stay. */
+/* Adds the pass times of a frame, unless they were not measured or have already been added. If the
+ * plan changes, the means restart, but the history stays. */
 void ui_pass_times_add(struct ui_pass_times *times, const struct rg_plan *plan,
                        const struct rg_times *frame);
 
 double ui_pass_times_sum(const struct ui_pass_times *times); /* milliseconds */
 
-/* Returns the milliseconds of a recorded frame (`ago` 0: the newest); negative if none. */
+/* Returns a frame's GPU time, milliseconds; negative if none. `ago` is 0 for the newest frame. */
 double ui_pass_times_frame(const struct ui_pass_times *times, uint32_t ago);
 
 /* Draws the panel; `what` names the measured plan. */

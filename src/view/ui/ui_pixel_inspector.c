@@ -13,7 +13,7 @@ enum {
     NAMES_MAX = PIXEL_INSPECTOR_LAYER_MAX + 1,
 };
 
-static const float histogram_height = 64.0f; /* height of the histogram at scale 1 */
+static const float histogram_height = 64.0f; /* histogram height, pixels at scale 1 */
 
 static uint32_t name_layers(const char *names[static NAMES_MAX])
 {
@@ -188,7 +188,7 @@ static void values(const struct ui_view *view, const struct pixel_inspector_valu
     }
 }
 
-/* Returns true if the cursor is over the image, and its pixel. */
+/* Finds the image pixel under the cursor. Returns false if the cursor is not over the image. */
 static bool find_pixel(const struct ui *ui, const struct ui_view *view, uint32_t *x, uint32_t *y)
 {
     const struct present_area *area = view->image_area;

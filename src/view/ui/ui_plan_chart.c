@@ -7,7 +7,7 @@ static const double mebi = 1024.0 * 1024.0;
 struct chart {
     const struct rg_plan *plan;
     struct imgui_rect area;
-    float column, row; /* width of a pass and height of a resource, pixels */
+    float column, row; /* pixels per pass and per resource */
 };
 
 static struct imgui_rect cell(const struct chart *c, uint32_t first, uint32_t last, uint32_t row)

@@ -8,7 +8,7 @@
 
 void ui_plan_chart_panel(const struct rg_plan *plan);
 
-/* Draws a line with the memory of the plan's images and buffers. */
+/* Prints the memory used by the plan's images and buffers, on one line. */
 void ui_plan_chart_memory(const struct rg_plan *plan);
 
 #endif

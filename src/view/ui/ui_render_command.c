@@ -11,7 +11,7 @@
 #include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
 
-static const float roll_tolerance = 1e-4f; /* deviation of the up axis that counts as roll */
+static const float roll_tolerance = 1e-4f; /* up-vector difference that counts as roll */
 
 static void print_name(FILE *out, const char *option, const char *name)
 {
@@ -57,8 +57,7 @@ static bool has_roll(const struct camera *camera)
     return glms_vec3_distance(camera_basis(camera).up, camera_basis(&upright).up) > roll_tolerance;
 }
 
-/* Prints the camera options given at the start if they still hold, otherwise the camera's vectors.
- */
+/* Prints the initial camera options if they still apply, otherwise the camera's vectors. */
 static void print_camera(FILE *out, const struct ui_render_command *c)
 {
     const struct app_image *p = c->image;
@@ -103,7 +102,7 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Returns true if inclusions or bumps are on by default, which --material would turn off. */
+/* Returns true if effects that only ice has are on by default; --material would turn them off. */
 static bool has_default_inclusions(const struct settings *settings)
 {
     const struct settings defaults = settings_default();
@@ -116,8 +115,8 @@ static bool has_default_inclusions(const struct settings *settings)
     return false;
 }
 
-/* Prints the refractive index as --material or refract.ior, unless it is the model's own or the
- * default. For files, --material also decides which parts are refractive. */
+/* Prints --material or refract.ior, unless the refractive index is the default or the model's. For
+ * files, a given --material is always printed, as it also decides which parts are refractive. */
 static void print_ior(FILE *out, const struct ui_render_command *c)
 {
     const struct setting *row =

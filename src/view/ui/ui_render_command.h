@@ -1,6 +1,6 @@
-/* ui_render_command.h: prints the `firn render` command that draws what the window shows, quoted
- * for a shell, with only the options that differ from the defaults. Of a split view, only side A is
- * drawn; with env_cube.dynamic=off, the cube is drawn at the command's time. */
+/* ui_render_command.h: prints the `firn render` command that reproduces the viewer's image (side A
+ * of a split view), quoted for a shell and without default options. With env_cube.dynamic=off, the
+ * environment cube may differ, as it is rendered at the command's scene time. */
 #ifndef FIRN_VIEW_UI_UI_RENDER_COMMAND_H
 #define FIRN_VIEW_UI_UI_RENDER_COMMAND_H
 

@@ -4,8 +4,8 @@
 
 #include "src/view/ui/ui.h"
 
-/* Renders the window's contents with the panels. *rgba is malloc'd, of the window's size, and freed
- * by the caller; on failure, which is logged, it is NULL. */
+/* Renders the window's contents with the panels. The caller frees *rgba, which has the window's
+ * size; it is NULL on failure, which is logged. */
 MUST_USE enum status ui_screenshot(const struct presenter *presenter,
                                    const struct viewport *viewport,
                                    const struct window_frame *frame, struct ui *ui, uint8_t **rgba);

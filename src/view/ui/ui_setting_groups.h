@@ -13,7 +13,7 @@ enum ui_setting_group {
     UI_CAMERA,
     UI_QUALITY,
     UI_WATER,
-    UI_EXPERT, /* settings that are in no other group */
+    UI_EXPERT, /* settings in no other group */
     UI_GROUP_COUNT,
 };
 

@@ -12,11 +12,11 @@ enum {
     LABEL_SIZE = 64,
 };
 
-static const double wide = 50.0;          /* slider is logarithmic if range > wide * default */
-static const double too_wide = 1e4;       /* maximum integer range of a slider */
+static const double wide = 50.0;    /* a slider is logarithmic if max - min > wide * default */
+static const double too_wide = 1e4; /* maximum integer range of a slider */
 static const float label_fraction = 0.5f; /* widget start / row width */
 
-/* Short forms of units, since the words take more room than the numbers. */
+/* Abbreviations of units, as the words are wider than the numbers. */
 static const struct {
     const char *name, *sign;
 } units[] = {
@@ -150,7 +150,7 @@ static void describe(const struct setting *row, char *text, size_t size)
         snprintf(text, size, "%s: %s%s", row->name, row->help, effects[row->affects]);
 }
 
-/* Draws the label of a row, marked if the value was changed; the widget starts at `x`. */
+/* Draws a setting's label, with a mark if its value was changed; the widget starts at `x`. */
 static void head(const struct setting *row, bool changed, float x)
 {
     const struct theme *theme = imgui_theme();
@@ -257,7 +257,7 @@ bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group
 enum fit {
     MATCH_NAME,
     MATCH_HELP,
-    MATCH_LETTERS, /* the letters occur in the name, perhaps with an error */
+    MATCH_LETTERS, /* fuzzy match in the name */
     MATCH_NONE,
 };
 

@@ -17,26 +17,26 @@ enum ui_widget {
 /* Returns the kind of widget for a setting. */
 enum ui_widget ui_settings_widget(const struct setting *row);
 
-/* Settings edited by the user, and those of the unmodified scene, to which they are reset. */
+/* Settings edited by the user, and the scene's original settings, to which they can be reset. */
 struct ui_settings {
     struct settings *current;
     const struct settings *defaults;
 };
 
-/* Draws label, widget, tooltip and, if the value is not the scene's, a mark and a reset button. */
+/* Draws a setting: label, widget, tooltip and, if it was changed, a mark and a reset button. */
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row);
 
 /* Draws the collapsible heading of a group, with a button that resets the group. */
 bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_group group,
                          bool *open);
 
-/* Draws the rows of a group; less useful ones only if *more, which a button toggles. */
+/* Draws the settings of a group; the less useful ones only if *more, which a button toggles. */
 bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
-/* Returns true if each word, separated by blanks, occurs in name, help, group or synonyms. */
+/* Returns true if each word of `query` occurs in name, label, help, group or synonyms. */
 bool ui_settings_match(const struct setting *row, const char *query);
 
-/* Draws the rows of all groups that match the words. */
+/* Draws the settings of all groups that match `query`. */
 bool ui_settings_matches(const struct ui_settings *settings, const char *query);
 
 #endif

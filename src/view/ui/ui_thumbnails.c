@@ -9,7 +9,7 @@
 #include "src/scene/material.h"
 #include "src/tech/techniques.h"
 
-/* Both sheets have thumbnails of this size in texels, twice their size at scale 1. */
+/* Thumbnails in both sheets have this size in texels, twice their size on screen at scale 1. */
 static const struct sheet_grid grid = { .columns = SHEET_COLUMNS, .width = 128, .height = 96 };
 
 static size_t texel_count(uint32_t count)
@@ -33,7 +33,7 @@ static void cut(const struct image *sheet, uint32_t i, uint8_t *rgba)
     }
 }
 
-/* Reads `count` thumbnails of a sheet, which must have exactly as many. */
+/* Reads a sheet, which must contain exactly `count` thumbnails. */
 static bool read_sheet(const char *name, uint32_t count, uint8_t *rgba,
                        const struct reader_params *reader)
 {

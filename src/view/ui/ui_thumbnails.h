@@ -9,7 +9,7 @@
 #define UI_THUMBNAIL_NONE UINT32_MAX
 
 /* Thumbnails of all material presets, followed by all refraction models, in the order of their
- * tables. {0} if there are none; buttons then have labels only. */
+ * tables. All zero if there are none; buttons then show labels only. */
 struct ui_thumbnails {
     struct imgui_thumbnails list;
     uint8_t *rgba; /* texels of `list` */

@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include "src/view/ui/ui_internal.h"
 
-static const float default_length =
-    10.0f; /* length of the timeline of scenes without an end, seconds */
+static const float default_length = 10.0f; /* length without animation, seconds */
 
 /* Returns the end of the timeline: that of the model's animation, or the next multiple of 10 s. */
 static float end_of(const struct ui_view *view)
