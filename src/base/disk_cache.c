@@ -14,7 +14,7 @@ enum {
     PATH_SIZE = FOLDER_SIZE + 152,
 };
 
-/* Returns the 64-bit FNV-1a hash, which detects damaged files, on which drivers may crash. */
+/* Returns the 64-bit FNV-1a hash of `data`, which detects damaged cache files. */
 static uint64_t hash(const unsigned char *data, size_t size)
 {
     uint64_t value = 0xcbf29ce484222325;
@@ -33,7 +33,7 @@ bool disk_cache_is_intact(const void *data, size_t size)
     return stored == hash(data, size);
 }
 
-/* Writes the cache folder's path: "$XDG_CACHE_HOME/firn" or "$HOME/.cache/firn", if absolute. */
+/* Writes the cache folder's path. Returns false if XDG_CACHE_HOME and HOME are not absolute. */
 static bool find_folder(char folder[static FOLDER_SIZE])
 {
     const char *cache = getenv("XDG_CACHE_HOME");
@@ -74,13 +74,13 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns true if no other user can have written a file or folder, since drivers trust the data. */
+/* Returns true if only this user can write a file or folder, because drivers trust the data. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
 }
 
-/* Reads an open file if it is regular, small enough and passes is_sound(). */
+/* Reads an open file. Returns NULL if it is not regular, is too large or fails is_sound(). */
 static char *read_valid(int file, const struct stat *info, const struct disk_cache_file *request)
 {
     if (!S_ISREG(info->st_mode) || info->st_size <= 0 ||
@@ -120,7 +120,7 @@ void *disk_cache_read(const struct disk_cache_file *request, size_t *size)
     return data;
 }
 
-/* Creates the cache folder, and its parent (~/.cache) if that is missing. */
+/* Creates the cache folder and, if missing, its parent (~/.cache). */
 static void make_folder(char *folder)
 {
     char *slash = strrchr(folder, '/');
@@ -150,7 +150,7 @@ void disk_cache_write(const char *name, void *data, size_t size)
         (void)unlink(temporary);
 }
 
-/* Disk usage of files with a common prefix, and the least recently used of them. */
+/* Total size of the cache files with a given prefix, and the least recently used file. */
 struct cache_usage {
     uint64_t bytes;
     struct timespec used;

@@ -19,21 +19,21 @@ struct disk_cache_file {
     const char *name; /* without folder; at most 100 characters */
     size_t size_max;  /* maximum bytes including the hash */
     bool is_quiet;    /* do not warn about damaged files */
-    /* Returns true if data is usable: disk_cache_is_intact() and further checks by the caller. */
+    /* Callback that returns true if the data is usable; calls disk_cache_is_intact(). */
     bool (*is_sound)(const void *user, const void *data, size_t size);
     const void *user; /* argument of is_sound() */
 };
 
-/* Returns true if data ends with the hash of what precedes it. */
+/* Returns true if the last DISK_CACHE_HASH_SIZE bytes are the hash of the preceding bytes. */
 bool disk_cache_is_intact(const void *data, size_t size);
 
-/* Reads a file that passes is_sound(), with the hash, and marks it as just used. Returns NULL if it
- * is missing; if other users can write it (logs a warning); or if it is damaged (logs a warning
- * unless is_quiet). The caller frees the result. */
+/* Reads a file, including its final hash, and marks it as just used; the caller frees the result.
+ * Returns NULL if the file is missing, writable by other users (logs a warning) or rejected by
+ * is_sound() (logs a warning unless is_quiet). */
 void *disk_cache_read(const struct disk_cache_file *request, size_t *size);
 
-/* Writes a file atomically, readable only by the user. `data` must have room for the hash,
- * DISK_CACHE_HASH_SIZE writable bytes, behind its `size` bytes. Failures are not logged. */
+/* Writes a file atomically, readable only by the user, and appends the hash to `data`, which needs
+ * DISK_CACHE_HASH_SIZE writable bytes after `size` bytes. Failures are not logged. */
 void disk_cache_write(const char *name, void *data, size_t size);
 
 /* Evicts least recently used files with a name prefix until at most `bytes_max` bytes are left. */

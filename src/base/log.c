@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 /* Returns the length in bytes of the UTF-8 character at `text` if it could control a terminal or
- * disguise text, else 0: C0 and C1 controls, DEL, line and paragraph separators, and bidirectional
- * marks, overrides and isolates. */
+ * disguise text: control characters (C0, C1, DEL), line and paragraph separators, and bidirectional
+ * controls. Returns 0 for other characters. */
 static size_t control_size(const unsigned char *text)
 {
     if (text[0] < 0x20 || text[0] == 0x7f)

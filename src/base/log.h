@@ -7,8 +7,8 @@
 
 #include "src/base/status.h"
 
-/* Replaces control characters, including bidirectional ones, by '?' in place, since file names and
- * names in files may contain them. */
+/* Replaces control characters, including bidirectional ones, by '?' in place. File names and names
+ * in files may contain them. */
 void log_sanitize(char *text);
 
 /* Writes "firn: ", the formatted and sanitised message, and a newline. */
@@ -21,7 +21,7 @@ void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
- * Inline, so that static analysers know that the result is never STATUS_OK. */
+ * Inline, so that static analysers know that the result is not STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)
 {
     if (what)

@@ -12,7 +12,7 @@ enum {
     SUGGEST_HINT_SIZE = SUGGEST_NAME_SIZE + 32, /* bytes */
 };
 
-/* Search for the name closest to `word`; initialise with { .word = the unknown name }. */
+/* Search for the name closest to `word`. Initialise with .word set and the rest zero. */
 struct suggest {
     const char *word;
     const char *best; /* borrowed; NULL if there is none */
@@ -21,16 +21,16 @@ struct suggest {
 
 /*
  * Offers a known name. It is a candidate if its edit distance to the word is at most 2 and below
- * the word's length, or if they share a prefix of at least 3 characters. `best` becomes the first
- * candidate of smallest distance.
+ * the word's length, or if both share a prefix of at least 3 characters. `best` becomes the
+ * candidate with the smallest distance, the first one if several are equal.
  */
 void suggest_offer(struct suggest *suggest, const char *name);
 
 /* Writes ": did you mean 'BEST'?" to `hint`, or "" if there is no candidate. Returns `hint`. */
 const char *suggest_hint(const struct suggest *suggest, char hint[static SUGGEST_HINT_SIZE]);
 
-/* List of known names with their numbers as message text: "0 'Left', 1 'Right'". Names that do not
- * fit become "...". Initialise with {0}. */
+/* List of known names with their numbers, as text for messages: "0 'Left', 1 'Right'". Names that
+ * do not fit are replaced by "...". Initialise with zeros. */
 struct suggest_list {
     char text[SUGGEST_LIST_SIZE];
     uint32_t count;

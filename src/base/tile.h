@@ -21,7 +21,7 @@ struct tiling {
 /* Returns true if every tile has at least one pixel. */
 bool tile_fits(const struct tiling *tiling);
 
-/* Returns the pixels of tile `index`, below columns * rows. tile_fits() must hold. */
+/* Returns the rectangle of tile `index` (below columns * rows). tile_fits() must be true. */
 struct tile tile_at(const struct tiling *tiling, uint32_t index);
 
 /* Returns a tile at (0, 0) with the maximum width and maximum height of all tiles. */

@@ -23,20 +23,20 @@ struct exr_header {
 
 /*
  * Encodes an image into memory: *data (malloc'd, freed by the caller) of *size bytes. Rec.709
- * chromaticities are always written. Half planes are clamped to +-65504, infinities included, and
- * keep NaN; float planes are stored unchanged. At least one plane is required. On failure logs,
- * sets *data to NULL, and returns STATUS_TRY_AGAIN (memory) or STATUS_FAILED.
+ * chromaticities are always written. Half planes are clamped to +-65504, including infinities, but
+ * not NaN; float planes are stored unchanged. At least one plane is required. On failure logs, sets
+ * *data to NULL, and returns STATUS_TRY_AGAIN (memory) or STATUS_FAILED.
  */
 MUST_USE enum status exr_encode(const struct image *image, const struct exr_header *header,
                                 void **data, size_t *size);
 
-/* Callback that fills *rows with the image's rows from y on; rows->height is their number. */
+/* Callback that fills *rows with rows->height rows of the image, from row y on. */
 typedef enum status exr_rows_fn(void *user, uint32_t y, struct image *rows);
 
 /*
- * Encodes an image like exr_encode(), but never holds all of it in memory: `image` gives size and
- * planes, whose texels are not used, and `fill` is called for successive groups of rows. If `fill`
- * fails, returns its status.
+ * Encodes an image like exr_encode(), but without holding all of it in memory. Only the size and
+ * the planes of `image` are used, not its texels; `fill` provides successive groups of rows. If
+ * `fill` fails, returns its status.
  */
 MUST_USE enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
                                      exr_rows_fn *fill, void *user, void **data, size_t *size);
@@ -52,23 +52,23 @@ struct exr_file;
  */
 MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct image_header *head);
 
-/* Returns row y of a plane in *row, owned by the file and valid until the next call, with
- * non-finite texels unchanged. Reading rows in ascending order is fastest. */
+/* Sets *row to row y of a plane, owned by the file and valid until the next call. Texels may be
+ * non-finite. Reading rows in ascending order is fastest. */
 MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const float **row);
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a file into *image, which must be {0} and remains so on failure. Errors: see exr_open(). */
+/* Reads a file into *image, which must be zeroed and stays so on failure. Errors: exr_open(). */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
-/* Reads image and header like exr_read(). The caller finishes *head, which is {0} on failure. */
+/* Reads image and header like exr_read(). The caller frees *head, which is zeroed on failure. */
 MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
 
-/* Decodes a file to its end to check it, and returns its header like exr_open(). */
+/* Decodes a whole file to check it, and reads its header into *head like exr_open(). */
 MUST_USE enum status exr_check(const char *path, struct image_header *head);
 
-/* Returns true if `head` matches what exr_encode() writes for the image and header: same size,
- * windows, planes, and at least these texts. Texels and matrices are ignored. */
+/* Returns true if `head` has the size, windows, planes and texts that exr_encode() would write for
+ * the image and header. It may have more texts; texels and matrices are not compared. */
 bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header);
 

@@ -1,4 +1,4 @@
-/* exr_read.c: reads one part of an OpenEXR file as planes of floats, by rows of chunks. */
+/* exr_read.c: reads one part of an OpenEXR file as float planes, one row of chunks at a time. */
 #include <OpenEXR/openexr.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -59,7 +59,7 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
         snprintf(source->message, sizeof(source->message), "%s", text);
 }
 
-/* Allocates zeroed memory for the OpenEXR library, which accepts chunks that decompress short. */
+/* Allocates zeroed memory, because the OpenEXR library accepts chunks with too little data. */
 static void *allocate(size_t size)
 {
     return calloc(1, size);
@@ -86,7 +86,7 @@ static bool is_flat(const struct exr_file *file, int part, exr_storage_t *storag
            (*storage == EXR_STORAGE_SCANLINE || *storage == EXR_STORAGE_TILED);
 }
 
-/* Selects the first part with channels R, G and B; if none, the first that is not deep. */
+/* Selects the first part with channels R, G and B or, if there is none, the first non-deep part. */
 static exr_result_t choose_part(struct exr_file *file)
 {
     int count = 0, chosen = -1;
@@ -115,7 +115,7 @@ static exr_result_t choose_part(struct exr_file *file)
     return exr_get_storage(file->context, chosen, &file->storage);
 }
 
-/* Checks image size and channel count before anything of that size is allocated. */
+/* Validates image size and channel count before memory is allocated for them. */
 static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **list)
 {
     exr_result_t result = exr_get_data_window(file->context, file->part, &file->window);
@@ -136,8 +136,8 @@ static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **l
     return EXR_ERR_SUCCESS;
 }
 
-/* Reads the chunk size: a tile, or the scan lines that are compressed together. For the latter the
- * library reports 0 if the header has an attribute `tiles`. */
+/* Reads the chunk size: that of a tile, or of the scan lines that are compressed together. For scan
+ * lines the library reports 0 if the header has an attribute `tiles`. */
 static exr_result_t read_chunk_size(struct exr_file *file)
 {
     int32_t height;
@@ -252,7 +252,7 @@ static bool fill_head(const struct exr_file *file, struct image_header *head)
     return done && add_texts(file, head);
 }
 
-/* Sets the decoder's output pointers; channels and planes are both in file order. */
+/* Makes the decoder write into the planes, which are in the order of its channels. */
 static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *rows, size_t first)
 {
     for (int c = 0; c < pipeline->channel_count; c++) {
@@ -313,7 +313,7 @@ static exr_result_t read_rows(const struct exr_file *file, uint32_t first)
     return result;
 }
 
-/* Logs an error of the OpenEXR library, if any, and returns its status. */
+/* Logs an OpenEXR error, if there is one, and returns the matching status. */
 static enum status report(const struct exr_file *file, exr_result_t result)
 {
     const struct source *source = &file->source;

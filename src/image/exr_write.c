@@ -1,4 +1,4 @@
-/* exr_write.c: encodes OpenEXR in memory, because the library hides errors of writing to files. */
+/* exr_write.c: encodes OpenEXR files in memory; the library does not report write errors. */
 #include <OpenEXR/openexr.h>
 #include <assert.h>
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "src/image/exr.h"
 #include "src/image/half.h"
 
-/* Maximum name length: longer names need a flag in the file that old readers reject. */
+/* Maximum length of names, because old OpenEXR readers reject files with longer ones. */
 enum {
     SHORT_NAME_MAX = 31
 };
@@ -19,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* Writes into memory: chunks in order after a gap, which is later filled with the chunk table. */
+/* OpenEXR write callback that writes to memory, at any offset: the chunk table comes last. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {
@@ -76,7 +76,7 @@ static exr_result_t declare_matrix(exr_context_t context, const char *name, cons
     return exr_attr_set_m44f(context, 0, name, &value);
 }
 
-/* Writes the frame rate as a rational; NTSC rates such as 23.976 are multiples of 1000 / 1001. */
+/* Writes the frame rate as a fraction. NTSC rates such as 23.976 are multiples of 1000 / 1001. */
 static exr_result_t declare_rate(exr_context_t context, double rate)
 {
     const double whole = round(rate), television = round(rate * 1.001);
@@ -119,7 +119,7 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
     return result;
 }
 
-/* Sets data and display window; for a whole image as exr_initialize_required_attr_simple() does. */
+/* Sets the data and the display window, which are equal if `window` has no size. */
 static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
                                     const struct image_window *window)
 {
@@ -174,7 +174,7 @@ struct origin {
     enum status status; /* last result of `fill` */
 };
 
-/* Passes rows from y on to the encoder; half planes are first converted into `halves`. */
+/* Points the encoder to the rows from y on, with half planes converted into `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
                          uint16_t *halves)
 {
@@ -205,9 +205,9 @@ struct compressor {
 };
 
 /*
- * Wraps the library's compressor. Readers take a chunk as uncompressed if it is as long as its
- * content, but version 3.1.5 also writes compressed chunks of that length, which cannot be read.
- * Such chunks are stored uncompressed.
+ * Wraps the library's compressor. Readers treat a chunk as uncompressed if it is as long as its
+ * contents, but OpenEXR 3.1.5 also writes compressed chunks of that length, which cannot be read.
+ * Such chunks are stored uncompressed here.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {
@@ -334,7 +334,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     free(sink.bytes);
     if (origin->status != STATUS_OK)
         return origin->status; /* already logged by `fill` */
-    /* OpenEXR returns this code if zlib runs out of memory, because our data is never corrupt. */
+    /* EXR_ERR_CORRUPT_CHUNK means that zlib is out of memory, since our data is never corrupt. */
     if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("the EXR image could not be encoded: %s", exr_get_default_error_message(result));

@@ -97,7 +97,7 @@ struct temporary {
     char name[NAME_MAX + 1]; /* file name within the target's folder */
 };
 
-/* Returns the length of the prefix ".NAME." of NAME's temporaries; NAME may be truncated. */
+/* Returns the length of the prefix ".NAME." of temporary files; a long NAME is truncated. */
 static int prefix_length(const char *name)
 {
     const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
@@ -105,7 +105,7 @@ static int prefix_length(const char *name)
     return length < longest ? length : longest;
 }
 
-/* Generates a temporary file's name ".NAME.XXXXXX.tmp" with unpredictable letters. */
+/* Generates the name of a temporary file, ".NAME.XXXXXX.tmp", with unpredictable letters. */
 static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
 {
     unsigned char random[RANDOM_LENGTH];
@@ -118,7 +118,7 @@ static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1]
     return true;
 }
 
-/* Returns true if `entry` names a temporary of the output file `name`. */
+/* Returns true if `entry` is the name of a temporary file for the output file `name`. */
 static bool is_temporary(const char *entry, const char *name)
 {
     const int length = prefix_length(name);
@@ -141,7 +141,7 @@ static void remove_temporary(const struct target *target, struct temporary *temp
     close(temporary->file);
 }
 
-/* Returns the mode of the file that will be replaced, or -1 if there is none. */
+/* Returns the permissions of the file to be replaced, or -1 if there is none. */
 static int find_mode(const struct target *target)
 {
     struct stat old_mode;
@@ -150,9 +150,9 @@ static int find_mode(const struct target *target)
     return (int)(old_mode.st_mode & 0777);
 }
 
-/* Creates and locks a temporary, readable only by users who may read the old file, whose mode is
- * `old_mode` (-1 if none). Until it is locked, another process may remove it as abandoned; then
- * another name is tried. */
+/* Creates and locks a temporary file, readable only by users who may read the old file, whose
+ * permissions are `old_mode` (-1 if there is none). Tries another name if another process removes
+ * the temporary file before it is locked. */
 static bool open_temporary(const struct target *target, int old_mode, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
@@ -175,8 +175,8 @@ static bool open_temporary(const struct target *target, int old_mode, struct tem
 }
 
 /*
- * Returns true if an open temporary is abandoned: not locked, since a lock ends with its process on
- * any machine; or, on file systems without locks, not modified for an hour.
+ * Returns true if an open temporary file is abandoned: it is not locked, since a process's locks
+ * end with it; or, on file systems without locks, it has not been modified for an hour.
  */
 static bool is_stale(int file, time_t now)
 {
@@ -199,7 +199,7 @@ static void remove_if_stale(int folder, const char *entry, time_t now)
     close(file);
 }
 
-/* Removes abandoned temporaries except `writer_temporary`, whose mtime is taken as now. */
+/* Removes abandoned temporary files except `writer_temporary`, whose mtime gives the time. */
 static void remove_stale(const struct target *target, const struct temporary *writer_temporary)
 {
     const int folder_copy = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -264,7 +264,8 @@ static enum status write_direct(const char *path, const void *data, size_t size)
     return status;
 }
 
-/* Renames a temporary over its target, then closes it: unlocked, it may be removed by others. */
+/* Writes a temporary file and renames it over the target. It is unlocked last, by closing it, since
+ * other processes may remove unlocked temporary files. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {

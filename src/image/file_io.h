@@ -25,18 +25,18 @@
  */
 MUST_USE enum status file_io_write(const char *path, const void *data, size_t size);
 
-/* Returns true if file_io_write() writes `path` directly: stdout, a pipe, a device. */
+/* Returns true if file_io_write() writes to `path` directly (stdout, a pipe or a device). */
 bool file_io_is_direct(const char *path);
 
 /*
- * Checks before a long computation that file_io_write() could create `path`: that it is no folder
- * and its folder is writable. If not, logs why and returns STATUS_CANT_CREATE.
+ * Checks, before a long computation, that file_io_write() could create `path`: it must not be a
+ * folder, and its folder must be writable. If not, logs why and returns STATUS_CANT_CREATE.
  */
 MUST_USE enum status file_io_check(const char *path);
 
 /*
- * Opens a regular file for reading, closed by the caller; *size is in bytes. On failure logs,
- * returns STATUS_NO_INPUT and sets *file to NULL.
+ * Opens a regular file for reading, which the caller closes, and sets *size to its size in bytes.
+ * On failure logs, returns STATUS_NO_INPUT and sets *file to NULL.
  */
 MUST_USE enum status file_io_open(const char *path, FILE **file, int64_t *size);
 

@@ -58,7 +58,7 @@ static void source_rewind(struct source *source)
     source->overrun = false;
 }
 
-/* Returns the minimum bytes of texel data: uncompressed, or four channels in runs of 127. */
+/* Returns the smallest possible size of the texel data in bytes, with run-length encoding. */
 static int64_t min_size(int width, int height)
 {
     const int64_t row =
@@ -66,7 +66,7 @@ static int64_t min_size(int width, int height)
     return row * height;
 }
 
-/* Returns the fault of a file's header, or NULL if it is valid. */
+/* Returns a message that describes the fault of an invalid header, or NULL if it is valid. */
 static const char *find_fault(struct source *source, int64_t file_size, int *width, int *height)
 {
     int channels;

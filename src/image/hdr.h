@@ -6,10 +6,10 @@
 #include "src/image/image.h"
 #include "src/image/image_header.h"
 
-/* Returns size and planes of the image that hdr_read() would return, from the header only. */
+/* Reads only the header, and returns the size and planes that hdr_read() would return. */
 MUST_USE enum status hdr_read_header(const char *path, struct image_header *head);
 
-/* Reads a Radiance file; rejects other formats. Limits, errors, ownership: see exr_read(). */
+/* Reads a Radiance file. Limits, errors and ownership are those of exr_read(). */
 MUST_USE enum status hdr_read(const char *path, struct image *image);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * image.h: an image in memory as named planes of floats, which it owns. Row 0 is the top row;
+ * image.h: image in memory, which owns its planes: named arrays of floats. Row 0 is the top row;
  * colours are linear Rec.709.
  */
 #ifndef FIRN_IMAGE_IMAGE_H
@@ -13,7 +13,7 @@ enum {
     IMAGE_NAME_SIZE = 64
 };
 
-/* Limits of the image readers, beyond which a file is STATUS_DATA. */
+/* Limits of the image readers, which reject larger files with STATUS_DATA. */
 enum {
     IMAGE_MAX_SIDE = 65536,      /* pixels */
     IMAGE_MAX_TEXELS = 1 << 28,  /* texels of one plane */
@@ -33,13 +33,13 @@ struct image {
     struct image_plane *planes;
 };
 
-/* Text metadata of an image file: {"firn/settings", "..."}. */
+/* Text metadata of an image file, such as {"firn/settings", "..."}. */
 struct image_text {
     const char *name;
     const char *value;
 };
 
-/* Initialises an image without planes. A size of 0 is allowed only for {0}. */
+/* Initialises an image without planes. Planes can be added only if its size is not 0. */
 void image_init(struct image *image, uint32_t width, uint32_t height);
 
 void image_finish(struct image *image);

@@ -16,7 +16,7 @@ enum {
     IMAGE_TEXT_SIZE_MAX = 1 << 20, /* of one text, with '\0' */
 };
 
-/* Prefix of the names of firn's metadata; other texts are dropped. */
+/* Name prefix of firn's own text metadata; texts with other names are ignored. */
 #define IMAGE_TEXT_PREFIX "firn/"
 
 /* Position of an image in a larger one: EXR's data window relative to its display window. */
@@ -36,8 +36,8 @@ struct image_header {
     bool has_window; /* data window within the display window */
     struct image_window window;
     bool has_world_to_camera, has_world_to_ndc;
-    bool is_cube_map;   /* EXR attribute `envmap`; not sent to the parent process */
-    bool has_primaries; /* EXR attribute `chromaticities`; not sent to the parent process */
+    bool is_cube_map;   /* EXR's `envmap`; not sent to parent */
+    bool has_primaries; /* EXR's `chromaticities`; not sent to parent */
     struct primaries primaries;
     float world_to_camera[16], world_to_ndc[16]; /* EXR's row-vector order */
 };
@@ -48,8 +48,8 @@ void image_header_finish(struct image_header *head);
 MUST_USE bool image_header_add_plane(struct image_header *head, const char *name, bool half);
 
 /*
- * Adds a copy of a text with firn's prefix. Texts that are too long, too many or contain '\0',
- * which firn never writes, are ignored. Returns false when out of memory.
+ * Adds a copy of a text. Ignores what firn never writes: names without its prefix, and values that
+ * are too long, too many or contain '\0'. Returns false when out of memory.
  */
 MUST_USE bool image_header_add_text(struct image_header *head, const char *name, const char *value,
                                     size_t value_length);
@@ -57,7 +57,7 @@ MUST_USE bool image_header_add_text(struct image_header *head, const char *name,
 /* Returns a text by its name, or NULL if there is none. */
 const char *image_header_text(const struct image_header *head, const char *name);
 
-/* Returns true if a header has this size, these planes in any order, and these texts. */
+/* Returns true if a header has the size, planes (in any order) and texts that are given. */
 bool image_header_matches(const struct image_header *head, const struct image *image,
                           const struct image_text *texts, uint32_t text_count);
 

@@ -34,15 +34,15 @@ MUST_USE enum status png_encode(const struct png_image_source *picture, void **d
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 
-/* Returns size and planes of what png_read() would return, from the file's header only. */
+/* Reads only the file's header, and returns the size and planes that png_read() would return. */
 MUST_USE enum status png_read_header(const char *path, struct image_header *head);
 
-/* Checks a whole file by the CRCs of its chunks, without decompressing texels, and returns its
- * header in *head, which the caller finishes. Errors are those of png_read(). */
+/* Checks a whole file by the CRCs of its chunks, without decompressing texels, and reads its header
+ * into *head, which the caller frees. Errors are those of png_read(). */
 MUST_USE enum status png_check(const char *path, struct image_header *head);
 
-/* Returns true if `head` matches what png_encode() writes for the image: same size, channels and
- * texts. Texels may be NULL and are not compared. */
+/* Returns true if `head` has the size, channels and texts that png_encode() would write for the
+ * image. Texels are not compared and may be NULL. */
 bool png_matches(const struct image_header *head, const struct png_image_source *picture);
 
 #endif

@@ -1,6 +1,6 @@
 /*
  * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp(). Text
- * chunks, which it lacks, are encoded here (PNG specification, 2nd edition, 5.3).
+ * chunks, which this interface lacks, are encoded here (PNG specification, 2nd edition, 5.3).
  */
 #include <assert.h>
 #include <png.h>
@@ -29,7 +29,7 @@ static uint32_t read_u32(const uint8_t *at)
     return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
 }
 
-/* Returns the CRC-32 of ISO 3309, bitwise: fast enough compared with rendering. */
+/* Returns the CRC-32 of ISO 3309, one bit at a time, which is fast enough here. */
 static uint32_t crc32_of(const uint8_t *bytes, size_t size)
 {
     uint32_t sum = UINT32_MAX;
@@ -80,8 +80,8 @@ static bool is_ascii(const char *text)
     return *text == '\0';
 }
 
-/* Writes a tEXt chunk (Latin-1), or an iTXt chunk (UTF-8), whose four extra zero bytes mean
- * uncompressed and without a language. */
+/* Writes a tEXt chunk for ASCII text, else an iTXt chunk (UTF-8), which has four more zero bytes:
+ * no compression, language or translated name. */
 static uint8_t *write_text(uint8_t *chunk, const struct image_text *text)
 {
     const size_t name_size = strlen(text->name) + 1, value_size = strlen(text->value);
@@ -93,7 +93,7 @@ static uint8_t *write_text(uint8_t *chunk, const struct image_text *text)
     return end_chunk(chunk);
 }
 
-/* Returns all text chunks in one malloc'd buffer, or NULL when out of memory. */
+/* Returns all text chunks in one malloc'd buffer; NULL when out of memory. */
 static uint8_t *make_texts(const struct png_image_source *picture, size_t *size)
 {
     size_t size_max = 1;
@@ -115,8 +115,8 @@ static enum status out_of_memory(const struct png_image_source *picture)
     return STATUS_TRY_AGAIN;
 }
 
-/* Replaces the gAMA chunk at the start of a 16-bit file by the sRGB chunk of 8-bit files, because
- * libpng takes and marks 16-bit input as linear. */
+/* Replaces the gAMA chunk at the start of a 16-bit file by an sRGB chunk. libpng writes gAMA
+ * because it takes 16-bit input as linear. */
 static void declare_srgb(uint8_t *bytes, size_t *size)
 {
     uint8_t *chunk = bytes + HEAD_SIZE;
@@ -128,7 +128,7 @@ static void declare_srgb(uint8_t *bytes, size_t *size)
     *size -= (size_t)(chunk + old_size - rest);
 }
 
-/* Returns a 16-bit channel, premultiplied because libpng divides by alpha. */
+/* Returns a 16-bit channel, premultiplied by alpha, by which libpng divides it again. */
 static uint16_t texel_16(const struct png_image_source *picture, size_t i, size_t c)
 {
     const uint32_t value = picture->rgba_16[4 * i + c], alpha = picture->rgba_16[4 * i + 3];

@@ -38,7 +38,7 @@ static void apply(const struct matrix *a, const double v[static 3], double resul
         result[i] = a->m[i][0] * v[0] + a->m[i][1] * v[1] + a->m[i][2] * v[2];
 }
 
-/* Returns an element's cofactor: the signed determinant without its row and column. */
+/* Returns the cofactor of a matrix element: the signed determinant without its row and column. */
 static double cofactor(const struct matrix *a, int row, int column)
 {
     const int i = (row + 1) % 3, j = (row + 2) % 3, k = (column + 1) % 3, l = (column + 2) % 3;

@@ -1,4 +1,4 @@
-/* image_reader.c: parent's side of image reading: receives the header and rows of an image. */
+/* image_reader.c: receives an image's header and rows from a reader process. */
 #include "src/reader/image_reader.h"
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@ struct image_reader {
     struct pipe_source source;
     uint32_t width, height, plane_count;
     uint32_t next; /* index of the next row */
-    float *row;    /* row next - 1 of all planes */
+    float *row;    /* row next - 1, all planes */
 };
 
 static enum status begin(struct reader **reader, struct image_header *head, const char *path,

@@ -13,13 +13,13 @@ bool image_reader_knows_suffix(const char *path);
 
 struct image_reader;
 
-/* Starts to read an image; `path` and `params` must outlive the reader. The caller finishes *head.
- * On failure *image_reader is NULL and *head {0}. */
+/* Starts to read an image; `path` and `params` must outlive the reader. The caller frees *head. On
+ * failure *image_reader is NULL and *head is zeroed. */
 MUST_USE enum status image_reader_open(struct image_reader **image_reader, const char *path,
                                        const struct reader_params *params,
                                        struct image_header *head);
 
-/* Returns row y of a plane in *row, owned by the reader and valid until the next call. Rows must be
+/* Sets *row to row y of a plane, owned by the reader and valid until the next call. Rows must be
  * read in ascending order, but may be skipped. After a failure only image_reader_close() is valid.
  */
 MUST_USE enum status image_reader_row(struct image_reader *image_reader, uint32_t plane, uint32_t y,
@@ -28,20 +28,20 @@ MUST_USE enum status image_reader_row(struct image_reader *image_reader, uint32_
 /* Closes a reader, which may be NULL, even before the last row. */
 void image_reader_close(struct image_reader *image_reader);
 
-/* Reads a whole image into *image, which must be {0}. Texels may take up to a quarter of the memory
- * limit (1 GiB by default). On failure *image is {0}. */
+/* Reads a whole image into *image, which must be zeroed. Texels may take up to a quarter of the
+ * memory limit (1 GiB by default). On failure *image is zeroed. */
 MUST_USE enum status image_reader_read(struct image *image, const char *path,
                                        const struct reader_params *params);
 
-/* Decodes a whole image to check it. The caller finishes *head, which is {0} on failure. */
+/* Decodes a whole image to check it. The caller frees *head, which is zeroed on failure. */
 MUST_USE enum status image_reader_check(struct image_header *head, const char *path,
                                         const struct reader_params *params);
 
-/* For the child process: decode an image and write its header, and image_send() also its rows. */
+/* Decode an image in the child process and send its header; image_send() also sends its rows. */
 MUST_USE enum status image_send(const char *path, const struct pipe_sink *sink);
 MUST_USE enum status image_send_header(const char *path, const struct pipe_sink *sink);
 
-/* For both processes: serialise and parse the header of an image. */
+/* Serialise and parse the header of an image, in either process. */
 MUST_USE bool image_pipe_write_header(const struct pipe_sink *sink,
                                       const struct image_header *head);
 MUST_USE enum pipe_fault image_pipe_read_header(const struct pipe_source *source,

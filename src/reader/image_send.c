@@ -1,4 +1,4 @@
-/* image_send.c: child's side of image reading: decodes an image by its suffix and sends it. */
+/* image_send.c: decodes an image in the reader process and sends it to the parent. */
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
@@ -22,7 +22,7 @@ enum {
     FORMAT_COUNT = sizeof(formats) / sizeof(formats[0])
 };
 
-/* Returns the format of a path by its suffix, or NULL for EXR files. */
+/* Returns the format of a path according to its suffix; NULL for EXR files. */
 static const struct format *find_format(const char *path)
 {
     for (size_t i = 0; i < FORMAT_COUNT; i++) {
@@ -68,7 +68,7 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
-/* Sends the header first, so that the parent can reject a large image before decompression. */
+/* Sends an image, header first, so that the parent can reject it before it is decompressed. */
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {

@@ -1,4 +1,4 @@
-/* pipe.c: byte stream between a reader process and its parent, and descriptions of its faults. */
+/* pipe.c: byte stream between a reader process and its parent, and messages about invalid data. */
 #include "src/reader/pipe.h"
 
 enum {

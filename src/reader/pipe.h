@@ -14,7 +14,7 @@
 #include <stdint.h>
 #include "src/base/status.h"
 
-/* Callbacks that transfer `size` bytes. After false, a partial transfer, no call may follow. */
+/* Callbacks that transfer `size` bytes. If one returns false, it must not be called again. */
 typedef bool pipe_read_fn(void *user, void *bytes, size_t size);
 typedef bool pipe_write_fn(void *user, const void *bytes, size_t size);
 
@@ -46,7 +46,7 @@ enum pipe_fault {
     PIPE_FAULT_COUNT,
 };
 
-/* Returns a description of a stream's fault, such as "an index beyond the vertices". */
+/* Returns the description of a fault, such as "an index beyond the vertices". */
 const char *pipe_fault_text(enum pipe_fault fault);
 
 /* Transfer `size` bytes; `bytes` may be NULL if `size` is 0. */

@@ -1,4 +1,4 @@
-/* preset.c: reads a preset from a reader process as a stream: a count, then lines. */
+/* preset.c: reads a preset from a reader process; the stream holds a count, then lines. */
 #include "src/reader/preset.h"
 #include <stdlib.h>
 #include <string.h>

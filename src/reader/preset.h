@@ -26,13 +26,13 @@ struct preset {
     uint32_t count;
 };
 
-/* Reads a preset file in a reader process. On failure *preset is {0}. */
+/* Reads a preset file in a reader process. On failure *preset is zeroed. */
 MUST_USE enum status preset_read(struct preset *preset, const char *path,
                                  const struct reader_params *params);
 
 void preset_finish(struct preset *preset); /* {0} is fine */
 
-/* For the child process: parses a preset file. On failure *preset is {0}. */
+/* Parses a preset file, in the child process. On failure *preset is zeroed. */
 MUST_USE enum status preset_parse(struct preset *preset, const char *path);
 
 MUST_USE enum status preset_send(const char *path, const struct pipe_sink *sink);

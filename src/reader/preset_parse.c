@@ -1,4 +1,4 @@
-/* preset_parse.c: parses a preset in the reader process: a text file, or an image's metadata. */
+/* preset_parse.c: parses a preset, a text file or an image's metadata, in the reader process. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ enum {
     FILE_SIZE_MAX = 1 << 20
 };
 
-/* Contents of a text file; contents with '\0' are rejected. */
+/* Contents of a text file. Files that contain '\0' are rejected. */
 struct text {
     char *bytes;
     size_t size;
@@ -42,7 +42,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Returns the fault of a line that is not a comment, or NULL if it is valid. */
+/* Returns a message that describes the fault of an invalid line, or NULL if it is valid. */
 static const char *check_line(const char *line, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
@@ -141,7 +141,7 @@ static enum status read_head(const char *path, struct image_header *head)
     return status;
 }
 
-/* Returns the settings in an image's metadata: after the last "fov=", behind file names. */
+/* Returns the part of an image's metadata after the last " fov=", which holds the settings. */
 static const char *find_settings(const char *text)
 {
     static const char last[] = " fov=";
@@ -151,7 +151,7 @@ static const char *find_settings(const char *text)
     return found;
 }
 
-/* Adds every NAME=VALUE with a dot in its name; others, such as cube_time, are not settings. */
+/* Adds every NAME=VALUE whose name contains a dot. Others, such as cube_time, are not settings. */
 static enum status append_settings(struct preset *preset, const char *settings)
 {
     enum status status = STATUS_OK;

@@ -1,4 +1,4 @@
-/* reader.c: parent's side of a reader process: spawns it, receives data, logs why it failed. */
+/* reader.c: starts a reader process, receives its data, and logs why it failed. */
 #define _GNU_SOURCE /* environ, pipe2, posix_spawn_file_actions_addclosefrom_np */
 #include "src/reader/reader.h"
 #include <errno.h>
@@ -50,8 +50,8 @@ static pthread_mutex_t reader_count_lock = PTHREAD_MUTEX_INITIALIZER;
 static uint32_t reader_count; /* number of readers that exist */
 static bool was_dumpable;
 
-/* Counts readers. While any exists the parent is not dumpable: other processes of the user cannot
- * open its memory, and a crash writes no core file. */
+/* Adds `change` to the number of readers. While any exists, this process is not dumpable, so that
+ * other processes of the user cannot open its memory and a crash writes no core file. */
 static void count_readers(int change)
 {
     pthread_mutex_lock(&reader_count_lock);
@@ -73,7 +73,7 @@ static void close_end(int *end)
 }
 
 /* Opens a pipe with descriptors above 2, so that the child's descriptors 0 to 2 can be set up in
- * any order. Other child processes do not inherit them. */
+ * any order. Other child processes do not inherit the pipe. */
 static bool open_pipe(int ends[2])
 {
     int low[2];
@@ -86,8 +86,8 @@ static bool open_pipe(int ends[2])
     return ends[0] >= 0 && ends[1] >= 0;
 }
 
-/* Environment variables that the child inherits: those with which the dynamic loader finds
- * libraries, and options of the sanitizers. */
+/* Environment variables that the child inherits: library paths for the dynamic loader, and options
+ * of the sanitizers. */
 static const char *const passed_variables[] = {
     "LD_LIBRARY_PATH", "LD_PRELOAD",
 #ifdef READER_MAPS_SHADOWS
@@ -114,7 +114,7 @@ static void select_environment(char *list[static PASSED_VARIABLE_COUNT + 1])
     list[count] = NULL;
 }
 
-/* Spawns the child in its own process group, out of reach of Ctrl-C. Returns an errno. */
+/* Spawns the child in its own process group, unaffected by Ctrl-C. Returns 0 or an errno. */
 static int spawn(pid_t *process, const char *program, char *const *arguments, int out, int err)
 {
     posix_spawn_file_actions_t files;
@@ -221,7 +221,7 @@ static void receive_stderr(struct reader *reader)
     }
 }
 
-/* Returns true if the child missed its deadline, which is extended if the child used CPU time. */
+/* Returns true if the child missed its deadline. Extends the deadline if it used CPU time. */
 static bool is_idle(struct reader *reader)
 {
     clockid_t clock;
@@ -238,7 +238,7 @@ static bool is_idle(struct reader *reader)
     return false;
 }
 
-/* Waits for data or end of file. Returns false if the child makes no progress. */
+/* Waits for data or end of file. Returns false if the child makes no progress in time. */
 static bool wait_for_data(struct reader *reader)
 {
     while (reader->data >= 0 || reader->messages >= 0) {
@@ -284,7 +284,7 @@ static bool read_data(void *user, void *bytes, size_t size)
     return size == 0;
 }
 
-/* Reads the rest of stderr: what the child wrote before its last data is already in the pipe. */
+/* Reads the rest of the child's stderr without waiting, as it was sent before the last data. */
 static void drain_stderr(struct reader *reader)
 {
     struct pollfd messages = { .fd = reader->messages, .events = POLLIN };
@@ -300,7 +300,7 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     else if (fault == PIPE_SHORT)
         wait_for_data(reader);
     close_end(&reader->messages);
-    /* A child that has closed its pipes has exited, or will not exit by itself. */
+    /* Kills the child if it still runs. If it is already exiting, its exit status is kept. */
     kill(-reader->process, SIGKILL);
     pid_t found;
     do {
@@ -310,7 +310,7 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs up to `max` lines of the child's stderr under the parent's prefix. Returns their number. */
+/* Logs up to `max` lines of the child's stderr with the parent's prefix. Returns their number. */
 static int repeat_log(const struct reader *reader, int max)
 {
     static const char prefix[] = "firn: ", warning[] = "warning: ";
@@ -332,7 +332,7 @@ static int repeat_log(const struct reader *reader, int max)
     return count;
 }
 
-/* Returns true if the program was started with a resource limit below the reader's own limit. */
+/* Returns true if the program was started with a resource limit below `size`. */
 static bool has_inherited_limit(int resource, uint64_t size)
 {
     struct rlimit limits;
@@ -393,7 +393,7 @@ static enum status report_crash(const struct reader *reader)
     return STATUS_DATA;
 }
 
-/* Logs why the child sent less data than announced: limits, a crash, or an error of its own. */
+/* Logs why the child sent too little data: it reached a limit, crashed or reported an error. */
 static enum status report_failure(const struct reader *reader)
 {
     const int status = reader->has_ended ? reader->exit_status : 0;

@@ -39,7 +39,7 @@ enum {
     READER_MEMORY_GIB = 4,
 };
 
-/* Task of a reader process: the kind of file, or the role of a model. */
+/* Task of a reader process: the type of file to read or, for a model, its role. */
 enum reader_kind {
     READER_OBJECT,
     READER_SURROUNDINGS,
@@ -54,8 +54,8 @@ enum reader_kind {
 struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
-    /* Limit of the time in which the child neither computes nor sends, because it waits for a FIFO
-     * or a file server; 0 for READER_IDLE_SECONDS. */
+    /* Seconds without CPU use or output after which the child is stopped, for example because it
+     * waits for a FIFO or a file server; 0 for READER_IDLE_SECONDS. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
@@ -65,23 +65,23 @@ struct reader_params {
 
 struct reader;
 
-/* Starts a reader process; `path` and `params` must outlive it. On failure *reader is NULL. */
+/* Starts a reader process; `path` and `params` must outlive it. *reader is NULL on failure. */
 MUST_USE enum status reader_start(struct reader **reader, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 
-/* Returns the stream that a reader sends; its size limit is the reader's memory limit. */
+/* Returns the stream of data from a reader, limited to the size of its memory limit. */
 struct pipe_source reader_source(struct reader *reader);
 
 /*
- * Ends a reader and frees it. If `fault` is PIPE_OK, logs its warnings; otherwise logs why no valid
- * data arrived and returns the status for it.
+ * Stops a reader and frees it. If `fault` is PIPE_OK, logs the child's warnings; otherwise logs why
+ * no valid data arrived. Returns the matching status.
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 
-/* Ends a reader, which may be NULL, without using its data, and frees it. */
+/* Stops a reader, whose data is not used, and frees it; it may be NULL. */
 void reader_drop(struct reader *reader);
 
-/* Task of a child process, from its command line. */
+/* Task of a child process, as given on its command line. */
 struct reader_job {
     enum reader_kind kind;
     const char *path;
@@ -96,7 +96,7 @@ bool reader_is_child(int argc, char **argv);
  * arguments are invalid, or a limit or the sandbox cannot be applied. */
 MUST_USE bool reader_enter(int argc, char **argv, struct reader_job *job);
 
-/* Sink of the child that writes to the parent process. */
+/* Pipe sink with which the child process writes to its parent. */
 extern const struct pipe_sink reader_sink;
 
 #endif

@@ -1,4 +1,4 @@
-/* reader_child.c: child's side of a reader process: arguments, resource limits, output pipe. */
+/* reader_child.c: child side of a reader process: arguments, resource limits, output pipe. */
 #define _GNU_SOURCE /* for names of prctl.h and resource.h */
 #include <poll.h>
 #include <signal.h>
@@ -27,7 +27,7 @@ static rlim_t smaller(rlim_t a, rlim_t b)
     return a < b ? a : b; /* RLIM_INFINITY is the maximum value */
 }
 
-/* Lowers a resource limit; a smaller limit set by the program's caller stays. */
+/* Lowers a resource limit unless the program was started with a smaller one. */
 static bool set_limit(int resource, uint64_t soft, uint64_t hard)
 {
     struct rlimit limits;

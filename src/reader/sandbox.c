@@ -23,8 +23,8 @@ static int landlock_version(void)
     return version > 0 ? (int)version : 0;
 }
 
-/* Returns all file system rights of a Landlock ABI version; without a rule they are denied. The
- * system calls for rights of later versions are denied by seccomp. */
+/* Returns the mask of all file system rights that a version of the Landlock ABI can deny. What only
+ * later versions can deny is blocked by the seccomp filter. */
 static uint64_t known_rights(int version)
 {
     static const int bits[] = { 0, 13, 14, 15, 15, 16 };
@@ -32,7 +32,7 @@ static uint64_t known_rights(int version)
     return ((uint64_t)1 << bits[version < last ? version : last]) - 1;
 }
 
-/* Allows reading of files at or below `path`, which need not exist. */
+/* Allows reading the file `path`, or all files below the folder `path`, if it exists. */
 static void allow_reading(int rules, const char *path)
 {
     struct landlock_path_beneath_attr rule = {
@@ -74,8 +74,8 @@ static bool restrict_files(const char *path, bool with_folder)
     return done;
 }
 
-/* Drops all capabilities except reading other users' files, which root can in the parent, too.
- * Others would allow, for example, tracing of other processes. */
+/* Drops all capabilities except those with which root may read other users' files, as in the
+ * parent. Others would allow, for example, tracing other processes. */
 static void drop_capabilities(void)
 {
     struct __user_cap_header_struct header = { .version = _LINUX_CAPABILITY_VERSION_3 };
@@ -90,7 +90,7 @@ static void drop_capabilities(void)
     syscall(SYS_capset, &header, sets);
 }
 
-/* System calls allowed with any arguments: they affect only own memory, open files and clocks. */
+/* System calls allowed with any arguments, because they change nothing outside this process. */
 static const int unrestricted_calls[] = {
     SCMP_SYS(access),         SCMP_SYS(brk),          SCMP_SYS(clock_getres),
     SCMP_SYS(clock_gettime),  SCMP_SYS(close),        SCMP_SYS(exit),
@@ -106,7 +106,7 @@ static const int unrestricted_calls[] = {
     SCMP_SYS(statx),          SCMP_SYS(sysinfo),
 };
 
-/* System call that is allowed if one argument, masked by `mask`, equals `value`. */
+/* System call that is allowed only if (argument & mask) equals `value`. */
 struct restricted_call {
     int call;
     unsigned argument;
@@ -138,7 +138,7 @@ static bool add_rules(scmp_filter_ctx filter)
     return done;
 }
 
-/* Returns true if the kernel supports seccomp filters: a NULL filter then fails with EFAULT. */
+/* Returns true if the kernel supports seccomp filters, in which case NULL fails with EFAULT. */
 static bool has_seccomp(void)
 {
     return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT;

@@ -1,4 +1,4 @@
-/* quality.h: quality levels draft, normal and high: sets of setting values. */
+/* quality.h: quality levels draft, normal and high, which set values of settings. */
 #ifndef FIRN_SETTINGS_QUALITY_H
 #define FIRN_SETTINGS_QUALITY_H
 
@@ -26,10 +26,10 @@ struct quality_row {
 
 extern const struct quality_row quality_rows[]; /* terminated by a row of zeros */
 
-/* Sets a row's setting to its value at a quality level. */
+/* Sets one setting to its value at a quality level. */
 void quality_apply_row(struct settings *settings, const struct quality_row *row, uint32_t level);
 
-/* Returns the quality level that all settings match, or QUALITY_COUNT if there is none. */
+/* Returns the quality level that all settings match; QUALITY_COUNT if there is none. */
 uint32_t quality_find(const struct settings *settings);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene_settings.c: tables of the scene settings that belong to no technique. */
+/* scene_settings.c: tables of scene settings, apart from those of rendering techniques. */
 #include "src/settings/scene_settings.h"
 #include "shaders/globals.h"
 #include "src/scene/generate/generate.h"

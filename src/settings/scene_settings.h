@@ -30,7 +30,7 @@ enum env_sun {
     ENV_SUN_NONE,
 };
 
-/* Sun of an environment panorama: a separate directional light. */
+/* Sun of an environment panorama, rendered as a separate directional light. */
 struct env_params {
     uint32_t sun;        /* enum env_sun */
     float sun_strength;  /* factor on the sun's light */
@@ -61,7 +61,7 @@ struct light_params {
     float distance;  /* in bounding-sphere radii of the object */
 };
 
-/* Environment cube map, which persists from frame to frame. */
+/* Environment cube map, whose contents are kept from frame to frame. */
 struct env_cube_params {
     uint32_t dynamic; /* redraw when the scene changes */
     uint32_t always;  /* redraw in every frame */
@@ -92,7 +92,7 @@ struct ground_params {
     uint32_t denoise; /* denoise, 0 or 1 */
 };
 
-/* Render targets of inclusions, which are composited over the final image. */
+/* Render targets for inclusions in the ice, which are composited over the final image. */
 struct inclusion_target_params {
     float scale; /* resolution relative to the view */
 };

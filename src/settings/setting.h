@@ -13,7 +13,7 @@ enum setting_type {
     SETTING_CHOICE, /* uint32_t, index into choices */
 };
 
-/* Scope of what a setting's change invalidates; each value includes all before it. */
+/* What must be redone after a setting's change; each value includes those before it. */
 enum setting_effect {
     SETTING_AFFECTS_NOTHING,
     SETTING_AFFECTS_FRAME, /* read in every frame */

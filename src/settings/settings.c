@@ -10,7 +10,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
-/* Scene setting groups, which precede those of the techniques. */
+/* Setting groups of the scene; those of the rendering techniques follow them. */
 static const struct setting_group *const scene_groups[] = {
     &object_settings,   &ice_settings,     &landscape_settings, &sky_settings,
     &env_settings,      &texture_settings, &motion_settings,    &light_settings,
@@ -21,7 +21,7 @@ enum {
     SCENE_GROUP_COUNT = sizeof(scene_groups) / sizeof(scene_groups[0])
 };
 
-/* Iterator over all setting groups: the scene's, then those of each technique. */
+/* Iterator over all setting groups, first the scene's, then those of each technique. */
 struct iterator {
     const struct setting_group *group; /* NULL at the end */
     size_t offset;                     /* byte offset, a multiple of 16 */
@@ -195,7 +195,7 @@ static const char *format_source(const struct settings_source *source, const cha
     return text;
 }
 
-/* Finds a setting by its former name, and logs its present one. Returns NULL if there is none. */
+/* Finds a setting by its former name, and logs its current one. Returns NULL if there is none. */
 static const struct setting *find_renamed(const struct settings_source *source, const char *name)
 {
     char where[SOURCE_SIZE];
@@ -316,7 +316,7 @@ size_t settings_index(const struct setting *row)
     return row_offset(row) / sizeof(float);
 }
 
-/* Nine significant digits suffice for any float. */
+/* Tries 6 to 9 significant digits; 9 are enough for any float. */
 void settings_print_number(float value, FILE *out)
 {
     char text[32];

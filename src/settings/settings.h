@@ -25,23 +25,23 @@ struct settings {
     _Alignas(16) unsigned char values[SETTINGS_SIZE];
 };
 
-/* Returns group i, in the order of help and metadata; NULL past the last one. */
+/* Returns group i, in the order of help and metadata; NULL if i is out of range. */
 const struct setting_group *settings_group(size_t i);
 
 struct settings settings_default(void);
 
-/* Returns a group's values, as its struct. */
+/* Returns the values of a group, to be cast to its struct. */
 const void *settings_of(const struct settings *settings, const struct setting_group *group);
 
-/* Returns a group's row that describes the member at an offset of its struct. */
+/* Returns the setting of a group that describes the struct member at `offset` bytes. */
 const struct setting *settings_row(const struct setting_group *group, size_t offset);
 
-/* Returns the row of a setting named by user input, or NULL. */
+/* Returns the setting with a name from user input; NULL if it is unknown. */
 const struct setting *settings_find(const char *name);
 
 /*
- * Sets "name=value". Unknown names and invalid values are logged, with the nearest name or the
- * range, and are STATUS_USAGE.
+ * Applies an assignment "name=value". If the name is unknown or the value invalid, logs the nearest
+ * name or the range, and returns STATUS_USAGE.
  */
 MUST_USE enum status settings_set(struct settings *settings, const char *assignment);
 
@@ -52,8 +52,9 @@ struct settings_source {
 };
 
 /*
- * Sets an assignment from a file. Invalid ones are logged with their source and are STATUS_DATA.
- * *row is the setting's row, or NULL on failure. A NULL `source` is the command line.
+ * Applies an assignment from a file, or from the command line if `source` is NULL. If it is
+ * invalid, logs the source and returns STATUS_DATA or STATUS_USAGE, respectively. *row is set to
+ * the setting, or to NULL on failure.
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
                                      const struct settings_source *source,
@@ -63,20 +64,20 @@ enum {
     SETTINGS_FIELD_COUNT = SETTINGS_SIZE / sizeof(float)
 };
 
-/* Returns an index below SETTINGS_FIELD_COUNT that is unique to a row. */
+/* Returns an index below SETTINGS_FIELD_COUNT that is unique to the setting. */
 size_t settings_index(const struct setting *row);
 
-/* Sets the value of a row as a number, without a range check; settings_get() returns it. */
+/* Sets a setting's value as a number, without a range check; settings_get() returns it. */
 void settings_set_value(struct settings *settings, const struct setting *row, double value);
 double settings_get(const struct settings *settings, const struct setting *row);
 
 /* Returns the greatest effect of all changes from `before` to `after`. */
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after);
 
-/* Prints a row's value in the syntax of --set: "0.33", "on", "neutral". */
+/* Prints a setting's value in the syntax of --set, such as "0.33", "on" or "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 
-/* Prints a line "NAME=VALUE", prefixed by `before`, for each row that differs from its default. */
+/* Prints "NAME=VALUE" on a line, after `before`, for each setting that is not at its default. */
 void settings_print_changes(const struct settings *settings, const char *before, FILE *out);
 
 /* Prints a number with the fewest digits that parse to the same float. */

@@ -7,7 +7,7 @@
 #include "src/image/srgb.h"
 #include "src/reader/image_reader.h"
 
-/* Maximum half float; sums and differences of such values stay finite. */
+/* Largest finite half float. Sums and differences of values up to it are finite floats. */
 #define GREY_MAX 65504.0f
 
 /* Greyscale image at its original size. */
@@ -16,7 +16,7 @@ struct greyscale_image {
     uint32_t width, height;
 };
 
-/* Finds the planes R, G and B, or uses the only plane for all. Returns false if there are none. */
+/* Finds the planes R, G and B, or one grey plane for all three. Returns false if there are none. */
 static bool find_planes(const struct image *image, const float *planes[static 3])
 {
     static const char *const colors[] = { "R", "G", "B" };
@@ -74,7 +74,7 @@ static float sample_bilinear(const struct greyscale_image *p, float u, float v)
     return upper * (1 - down) + lower * down;
 }
 
-/* Resamples to side x side texels by supersampling, about as densely as the source texels. */
+/* Resamples to side x side texels, with enough samples per texel to cover the source texels. */
 static void resample(const struct greyscale_image *p, float *greys, uint32_t side,
                      bool is_unit_range)
 {

@@ -118,9 +118,9 @@ static enum status add_lights(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
-/* Appends the surroundings objects of `other`, its refractive objects included. Must precede the
- * append of the meshes. An object's first vertex follows from the indices, because vertices are in
- * order of first use. */
+/* Appends all objects of `other`, including refractive ones, to the surroundings objects. Must be
+ * called before the meshes are appended. Each first vertex is found from the indices, because
+ * vertices are in order of first use. */
 static bool add_surroundings_objects(struct model *model, const struct model *other)
 {
     uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;

@@ -41,7 +41,7 @@
  * 2048 texels a side, 512 MiB in total. Images of other sizes are resampled. */
 struct texture_layers {
     uint8_t *texels; /* RGBA8 texels of all layers */
-    /* texels per side, a power of two, and number of layers; 0 without textures */
+    /* texels per side (a power of two) and number of layers; both are 0 without textures */
     uint32_t size, count;
 };
 
@@ -53,11 +53,11 @@ enum model_camera_kind {
 
 /* Camera of a model file, with its node's transform applied. */
 struct model_camera {
-    /* name of the node, else of the camera; "" if both are unnamed */
+    /* node's name, else camera's, else "" */
     char name[MATERIAL_NAME_SIZE];
     uint32_t kind; /* enum model_camera_kind */
-    float height;  /* height of an orthographic view, metres; 0 for perspective */
-    /* `target` is at the object's distance; fov_deg is unused for an orthographic camera */
+    float height;  /* orthographic view's height, metres; else 0 */
+    /* `target` is as far away as the object; fov_deg is unused for an orthographic camera */
     struct camera camera;
 };
 
@@ -86,12 +86,12 @@ struct model_extension {
 struct model {
     struct mesh object; /* all refractive objects, merged */
     struct mesh surroundings;
-    struct object *objects; /* refractive objects, index ranges of `object`; ranks are not set */
+    struct object *objects; /* index ranges of `object`; ranks unset */
     uint32_t object_count;
     struct material *materials; /* referenced by objects and vertices */
     uint32_t material_count;
     /* First vertex of each surroundings object, ascending; earlier vertices belong to no object.
-     * Zero-filled to whole rows of MODEL_SURROUNDINGS_ROW, to be uploaded as an image. */
+     * Padded with zeros to a multiple of MODEL_SURROUNDINGS_ROW, for upload as an image. */
     uint32_t *surroundings_starts;
     /* names of the surroundings objects' nodes; "" if unnamed */
     char (*surroundings_names)[MATERIAL_NAME_SIZE];
@@ -104,14 +104,14 @@ struct model {
     uint32_t light_count;
     struct model_extension *extensions;
     uint32_t extension_count;
-    uint32_t undrawn; /* bit i: the file has the feature model_undrawn_name(i) */
-    char undrawn_text[MODEL_UNDRAWN_SIZE]; /* undrawn OBJ or PLY features, one per line */
+    uint32_t undrawn;                      /* bit i: feature model_undrawn_name(i) */
+    char undrawn_text[MODEL_UNDRAWN_SIZE]; /* undrawn OBJ/PLY features, one per line */
     struct model_animation *animations;
     uint32_t animation_count;
-    uint32_t animation;   /* index + 1 of the animation that poses the model; 0 for the rest pose */
+    uint32_t animation;   /* index + 1; 0 at rest */
     struct camera camera; /* first perspective camera; valid if has_camera */
-    float ior;            /* KHR_materials_ior of the object; valid if has_ior */
-    struct box box;       /* environment lookup box (refract.lookup=box); valid if has_box */
+    float ior;            /* object's KHR_materials_ior; valid if has_ior */
+    struct box box;       /* environment lookup box; valid if has_box */
     bool has_camera;
     bool has_box;
     bool has_ior;
@@ -120,17 +120,17 @@ struct model {
 enum model_role {
     MODEL_OBJECT,
     MODEL_SURROUNDINGS,
-    MODEL_BY_MATERIALS, /* meshes are surroundings if the file has materials, else objects */
+    MODEL_BY_MATERIALS, /* surroundings if the file has materials */
 };
 
-/* Animation time of a model, and names of its refractive objects. Only glTF has animations. */
+/* Animation and time that pose a glTF model, and names of its refractive objects. */
 struct model_pose {
-    /* animation name or number (from 0); NULL for the rest pose, or if is_first */
+    /* animation name or number (from 0); NULL for the rest pose or if is_first is set */
     const char *animation;
-    bool is_first; /* use the file's first animation, if any */
+    bool is_first; /* use the first animation, if any */
     float time;    /* animation time, seconds */
-    /* Names of nodes with meshes, or else of materials, one per line, that are refractive objects
-     * whatever their material; other meshes without transmission are surroundings. May be NULL. */
+    /* Names of refractive objects, one per line: of nodes with meshes, or else of materials. Other
+     * meshes without transmission are surroundings. May be NULL. */
     const char *objects;
 };
 
@@ -144,16 +144,16 @@ MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
 /* Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples
- * them to the larger size; the box of `other`, if any, replaces that of *model. `other` is {0}
- * afterwards in any case. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory,
- * STATUS_DATA for more than 4096 textures or 8191 materials. */
+ * them to the larger size. The box of `other`, if any, replaces that of *model. `other` is always
+ * zeroed. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory, STATUS_DATA for more
+ * than 4096 textures or 8191 materials. */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
-/* Adds an object of the surroundings whose first vertex is `start`, at or after the previous
- * object's. Returns false when out of memory. */
+/* Adds a surroundings object whose first vertex is `start`, which must not be before that of the
+ * previous object. Returns false when out of memory. */
 MUST_USE bool model_surroundings_add_object(struct model *model, const char *name, uint32_t start);
 
-/* Returns the number, from 1, of the surroundings object that owns a vertex; 0 if there is none. */
+/* Returns 1 + the index of the surroundings object that contains a vertex; 0 if there is none. */
 uint32_t model_surroundings_find_object(const struct model *model, uint32_t vertex);
 
 /* Returns the name of an undrawn feature, such as "thickness textures"; NULL past the last one. */

@@ -136,8 +136,8 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *sh
     return true;
 }
 
-/* Fills in tangent and second texture coordinates. A mirroring transform flips the bitangent; a
- * zero tangent is left out. */
+/* Sets the tangent and the second texture coordinates. A mirroring transform flips the bitangent; a
+ * tangent of length 0 is ignored. */
 static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape,
                        const mat3s *linear, bool is_mirrored, size_t i)
 {

@@ -7,7 +7,7 @@
 #include "src/scene/import/model_import.h"
 
 enum {
-    HEAD_SIZE = 4096, /* bytes at the file's start to check */
+    HEAD_SIZE = 4096, /* bytes to check at the start */
 };
 
 /* Returns the first non-blank character, after an optional UTF-8 byte order mark. */
@@ -35,7 +35,7 @@ static bool is_ply(const char *head, size_t size)
     return strncmp(head, "ply", 3) == 0 && (head[3] == '\n' || head[3] == '\r');
 }
 
-/* Returns true if a text begins with a comment or a statement of OBJ. */
+/* Returns true if a text begins with an OBJ comment or statement. */
 static bool is_obj(const char *head, size_t size)
 {
     static const char *const statements[] = {

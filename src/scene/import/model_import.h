@@ -10,7 +10,7 @@
 enum {
     MODEL_COORDINATE_MAX = 1000000,
     MODEL_NODE_MAX = 1 << 22,
-    MODEL_ELEMENT_MAX = 1 << 28, /* maximum vertices or indices of one mesh */
+    MODEL_ELEMENT_MAX = 1 << 28, /* maximum vertices or indices per mesh */
     MODEL_TEXTURE_MAX = 4096,
     MODEL_CAMERA_MAX = 4096,
     MODEL_EXTENSION_MAX = 256,
@@ -25,10 +25,10 @@ enum {
 
 struct model_import {
     const char *path;
-    char refused_file[256];     /* first file outside the model's folder; "" if none */
+    char refused_file[256];     /* first file outside folder, else "" */
     uint32_t clamped_materials; /* number of materials with clamped colours */
     uint32_t clamped_vertices;
-    char missing_file[256]; /* first referenced file that does not exist; "" if none */
+    char missing_file[256]; /* first missing referenced file, else "" */
 };
 
 /* Model file format, identified by its lower-case suffix, such as "glb". */
@@ -42,7 +42,7 @@ struct model_format {
  * first bytes of the file do not match the format. */
 MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
 
-/* Read a glTF file; or another format, given its suffix in lower case: "obj" or "ply". */
+/* Load a glTF file, or a file of another format, "obj" or "ply" according to `suffix`. */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
                                      enum model_role default_role, const struct model_pose *pose);
 MUST_USE enum status model_load_obj_ply(struct model_import *import, const char *suffix,
@@ -50,13 +50,13 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
 
 /* ---- files ---- */
 
-/* Opens the model file, or a file in its folder that it refers to. Returns NULL if the file is
- * missing or outside the folder, and records it in *user, a struct model_import. */
+/* Opens the model file, or a file that it refers to. If the file is missing or outside the model's
+ * folder, records its name in *user, a struct model_import, and returns NULL. */
 FILE *model_file_open(void *user, const char *path);
 
-/* Converts a file reference to a relative path, in place. glTF uses URIs, with %20 for a space;
- * other formats may contain Windows paths. Returns false if the path leaves the folder: "../a",
- * "/a", "https://a", and "file:a" as a URI. */
+/* Converts a file reference to a relative path, in place. It is a URI in glTF, with %20 for a
+ * space, and may be a Windows path in other formats. Returns false if the path leaves the folder:
+ * "../a", "/a", "https://a" or, as a URI, "file:a". */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
 /* Returns the path of a file in the model's folder, which the caller frees, or NULL. */
@@ -67,15 +67,15 @@ char *model_file_join(const char *model, const char *name);
 /* Conversion of an image of an MTL file to the texel layout of a glTF texture. */
 enum model_texture_conversion {
     MODEL_TEXTURE_SAME,
-    MODEL_TEXTURE_TO_ALPHA,  /* alpha map: from the image's alpha or grey; colour becomes white */
-    MODEL_TEXTURE_ROUGHNESS, /* roughness map in G; B is 1: the metallic factor applies */
-    /* as MODEL_TEXTURE_ROUGHNESS, converted from factors on the Phong exponent Ns */
+    MODEL_TEXTURE_TO_ALPHA,  /* white; alpha from alpha or grey */
+    MODEL_TEXTURE_ROUGHNESS, /* roughness in G, 1 in B */
+    /* roughness in G, converted from a map that scales the Phong exponent Ns */
     MODEL_TEXTURE_NS_TO_ROUGHNESS,
-    MODEL_TEXTURE_METALLIC,   /* metallic map in B; G is 1: the roughness factor applies */
-    MODEL_TEXTURE_TO_NORMALS, /* height map to normal map; bluish images are normal maps already */
+    MODEL_TEXTURE_METALLIC,   /* metallic in B, 1 in G */
+    MODEL_TEXTURE_TO_NORMALS, /* height map, unless already normals */
 };
 
-/* Image that becomes a texture layer: encoded bytes, or a file if they are NULL. */
+/* Image that becomes a texture layer: encoded in `bytes` or, if that is NULL, in a file. */
 struct model_texture {
     const char *name; /* for messages */
     const uint8_t *bytes;
@@ -83,8 +83,8 @@ struct model_texture {
     char *file;
     enum model_texture_conversion change;
     float exponent; /* Ns for MODEL_TEXTURE_NS_TO_ROUGHNESS */
-    /* File of a second image that replaces one channel: alpha after MODEL_TEXTURE_TO_ALPHA, blue
-     * after MODEL_TEXTURE_METALLIC; NULL if there is none. */
+    /* File of a second image that replaces one channel, or NULL. It replaces alpha if other_change
+     * is MODEL_TEXTURE_TO_ALPHA, and blue if it is MODEL_TEXTURE_METALLIC. */
     char *other;
     enum model_texture_conversion other_change;
 };
@@ -94,7 +94,7 @@ MUST_USE enum status model_texture_load(const char *path, const struct model_tex
                                         uint32_t count, bool are_numbers,
                                         struct texture_layers *layers);
 
-/* Returns the name of an image's format, such as "KTX2", if it is not supported; else NULL. */
+/* Returns the name of an image's unsupported format, such as "KTX2"; NULL if it is supported. */
 const char *model_texture_unsupported_format(const struct model_texture *texture);
 
 /* Converts RGBA texels as texture->change specifies. Returns false when out of memory. */
@@ -104,7 +104,7 @@ MUST_USE bool model_texture_convert(uint8_t *texels, int width, int height,
 /* Returns the GGX roughness that matches a Phong exponent Ns. */
 float mtl_roughness_from_exponent(float exponent);
 
-/* Copies two texture arrays into one of the larger texel size; the caller frees both->texels. */
+/* Merges two texture arrays into *both, at the larger size; the caller frees both->texels. */
 MUST_USE enum status model_texture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,
                                          const struct texture_layers *second, bool are_numbers);
@@ -115,13 +115,13 @@ MUST_USE enum status model_texture_merge(struct texture_layers *both,
 struct model_shape {
     const char *name;       /* for messages: "mesh 0" */
     const float *positions; /* 3 per vertex */
-    const float *normals;   /* normals, 3 floats per vertex; NULL to compute them */
+    const float *normals;   /* 3 per vertex; NULL to compute */
     const float *colors;    /* linear RGBA per vertex; or NULL */
-    const float *uvs;       /* UVs: 2 of every uv_stride floats; may be NULL */
+    const float *uvs;       /* 2 per uv_stride floats; or NULL */
     uint32_t uv_stride;
-    const float *other_uvs; /* UVs for mesh_extra.uv, 2 per vertex; may be NULL */
-    const float *tangents;  /* glTF tangents, 4 floats per vertex; may be NULL */
-    bool is_flipped;        /* v = 0 is the texture's bottom */
+    const float *other_uvs; /* mesh_extra.uv, 2 per vertex; or NULL */
+    const float *tangents;  /* 4 per vertex, or NULL */
+    bool is_flipped;        /* v = 0 at the bottom */
     const uint32_t *indices;
     uint32_t vertex_count, index_count;
     vec3s color;       /* colour multiplied with vertex colours */
@@ -135,7 +135,7 @@ struct model_build {
     struct mesh *meshes[MODEL_ROLE_COUNT];
     uint64_t vertex_count[MODEL_ROLE_COUNT], index_count[MODEL_ROLE_COUNT];
     bool has_extras[MODEL_ROLE_COUNT]; /* set before the meshes are allocated */
-    const char *surroundings_name;     /* name of the next object; NULL to continue the last one */
+    const char *surroundings_name;     /* next object's; NULL continues the last */
 };
 
 /* Checks that the numbers of a shape are finite and its indices in range. */
@@ -144,8 +144,8 @@ MUST_USE enum status model_shape_check(const struct model_import *import,
 
 void model_build_init(struct model_build *build, struct model_import *import, struct model *model);
 
-/* Build the meshes: count every shape, allocate the meshes, add the shapes in the counted order,
- * and end, which computes missing normals and welds identical vertices. */
+/* Build the meshes: count every shape, allocate the meshes, add the shapes in the same order, and
+ * end, which computes missing normals and welds identical vertices. */
 MUST_USE enum status model_build_count(struct model_build *build, enum model_role role,
                                        uint64_t vertex_count, uint64_t index_count);
 MUST_USE enum status model_build_allocate(struct model_build *build);
@@ -153,14 +153,14 @@ MUST_USE enum status model_build_add(struct model_build *build, enum model_role 
                                      const struct model_shape *shape, mat4s model_from_shape);
 MUST_USE enum status model_build_end(struct model_build *build);
 
-/* Adds the only object of a file that is one object as a whole, with MATERIAL_FROM_SETTINGS. */
+/* Adds one object for the whole file, with the material MATERIAL_FROM_SETTINGS. */
 MUST_USE enum status model_build_default_object(struct model_build *build);
 
-/* Computes missing ({0}) normals and welds identical vertices, except across surroundings objects,
- * whose first vertices are in `starts`, which is updated. Returns false when out of memory. */
+/* Computes missing (zero) normals and welds identical vertices of the same surroundings object.
+ * `starts` holds these objects' first vertices and is updated. Returns false when out of memory. */
 MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
-/* Clamps a finite colour to 0 to 1, or to MODEL_RADIANCE_MAX if it is unlit. Returns true if it
+/* Clamps a finite colour to 0 to 1, or an unlit one to 0 to MODEL_RADIANCE_MAX. Returns true if it
  * changed. Non-finite colours are left unchanged. */
 bool model_color_clamp(vec3s *color, bool is_unlit);
 

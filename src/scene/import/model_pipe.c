@@ -1,4 +1,4 @@
-/* model_pipe.c: serialised models and environments: a header with counts, arrays, an end marker. */
+/* model_pipe.c: serialises and validates models and environments: header, arrays, end marker. */
 #include "src/scene/import/model_pipe.h"
 #include <cglm/struct.h>
 #include <float.h>
@@ -19,7 +19,7 @@ enum {
     HEAD_FLAGS = 31,
     TEXEL_SIZE = 4,             /* size of an RGBA8 texel, bytes */
     ENVIRONMENT_TEXEL_SIZE = 8, /* size of an RGBA16F texel, bytes */
-    HALF_MAX = 0x7bff, /* bits of the largest finite half; negative halfs have larger bits */
+    HALF_MAX = 0x7bff,          /* bits of the largest finite half */
     HALF_ONE = 0x3c00,
 };
 
@@ -225,7 +225,7 @@ static uint64_t mesh_size(struct mesh_counts counts, bool has_extras)
            counts.indices * (uint64_t)sizeof(uint32_t);
 }
 
-/* Returns true if a mesh has valid counts: vertices and triangles, or neither. */
+/* Returns true if both counts are within the limits, and either both zero or both positive. */
 static bool are_counts_valid(struct mesh_counts counts)
 {
     return counts.vertices <= MODEL_ELEMENT_MAX && counts.indices <= MODEL_ELEMENT_MAX &&
@@ -298,7 +298,7 @@ static bool is_material(const struct material *m)
            is_in_range(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
-/* Validates materials and objects. The objects' consecutive index ranges must cover the mesh. */
+/* Validates materials and objects, whose consecutive index ranges must cover the mesh. */
 static enum pipe_fault check_objects(const struct model *model, const struct model_head *head)
 {
     uint64_t end = 0;
@@ -470,7 +470,7 @@ static enum pipe_fault read_animations(const struct pipe_source *source,
     return fault;
 }
 
-/* Reads the surroundings objects. Each has at least one vertex, so their first vertices ascend. */
+/* Reads the surroundings objects and checks that their first vertices strictly ascend. */
 static enum pipe_fault read_surroundings_objects(const struct pipe_source *source,
                                                  const struct model_head *head, struct model *model)
 {
@@ -563,7 +563,7 @@ static enum pipe_fault read_texels(const struct pipe_source *source,
     return fault;
 }
 
-/* Returns true if the sun's radiance is valid; its direction is unused if the radiance is 0. */
+/* Returns true if the sun's radiance is valid and its direction, which may be zero, is bounded. */
 static bool is_sun(const struct environment_sun *sun)
 {
     const vec3s light = sun->light;

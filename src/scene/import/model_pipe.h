@@ -12,12 +12,12 @@
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
-/* Serialise a model or an environment. Return false if the sink's write function does. */
+/* Serialise a model or an environment. Return false if writing to the sink fails. */
 MUST_USE bool model_pipe_write_model(const struct pipe_sink *sink, const struct model *model);
 MUST_USE bool model_pipe_write_environment(const struct pipe_sink *sink,
                                            const struct environment *environment);
 
-/* Read and validate a model or an environment; it is {0} after a fault, which is not logged. */
+/* Read and validate a model or an environment. After a fault, which is not logged, it is zeroed. */
 MUST_USE enum pipe_fault model_pipe_read_model(const struct pipe_source *source,
                                                struct model *model);
 MUST_USE enum pipe_fault model_pipe_read_environment(const struct pipe_source *source,

@@ -18,7 +18,7 @@ enum {
 /* An encoded image file in memory, and its dimensions. */
 struct encoded {
     const uint8_t *bytes;
-    uint8_t *owned; /* same as `bytes` if it must be freed */
+    uint8_t *owned; /* `bytes` if owned, else NULL */
     int size;       /* bytes */
     int width, height;
 };
@@ -84,7 +84,7 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
     return NULL;
 }
 
-/* Loads an encoded image and its size. The caller frees encoded->owned, even on failure. */
+/* Loads an encoded image and reads its size. The caller frees encoded->owned, even on failure. */
 static enum status open_image(const char *path, const struct model_texture *texture,
                               struct encoded *encoded)
 {
@@ -176,7 +176,7 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
-/* Decodes a layer, and replaces one of its channels by the image texture->other. */
+/* Decodes a layer. If texture->other is set, one channel is taken from that image. */
 static enum status decode_both(const char *path, const struct model_texture *texture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {

@@ -23,8 +23,8 @@ static uint32_t hash(const void *key, size_t size)
     return (uint32_t)state;
 }
 
-/* Returns true if two vertices have equal first key_size bytes and, if that is all, equal extras.
- */
+/* Returns true if the first key_size bytes of two vertices are equal and, if key_size is the size
+ * of a vertex, their extras as well. */
 static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key_size)
 {
     const bool is_whole = key_size == sizeof(struct mesh_vertex);
@@ -34,8 +34,8 @@ static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t
     return !extra_size || memcmp(&mesh->extras[a], &mesh->extras[b], extra_size) == 0;
 }
 
-/* Returns the index of the first identical vertex of each vertex, at or after the start of its
- * surroundings object. The caller frees the array. Returns NULL when out of memory. */
+/* Returns, for each vertex, the index of the first identical vertex in its surroundings object. The
+ * caller frees the array. Returns NULL when out of memory. */
 static uint32_t *find_identical(const struct mesh *mesh, size_t key_size, const uint32_t *starts,
                                 uint32_t start_count)
 {
@@ -43,7 +43,7 @@ static uint32_t *find_identical(const struct mesh *mesh, size_t key_size, const 
     size_t slot_count = 2;
     while (slot_count < 2 * (size_t)mesh->vertex_count)
         slot_count *= 2;
-    uint32_t *slots = calloc(slot_count, sizeof(*slots)); /* vertex index + 1; 0 for free slots */
+    uint32_t *slots = calloc(slot_count, sizeof(*slots)); /* vertex index + 1, or 0 */
     uint32_t *identical = malloc(((size_t)mesh->vertex_count + 1) * sizeof(*identical));
     if (!slots || !identical) {
         free(slots);
@@ -111,7 +111,7 @@ static uint32_t renumber(const struct mesh *mesh, const uint32_t *identical, uin
     return count;
 }
 
-/* Replaces each start by the smallest new index among the vertices from that start on. */
+/* Sets each start to the smallest new index among the vertices from that start to the end. */
 static void update_starts(const struct mesh *mesh, const uint32_t *new_index, uint32_t count,
                           uint32_t *starts, uint32_t start_count)
 {

@@ -1,5 +1,5 @@
-/* mtl.c: reader of MTL material libraries (Wavefront, Advanced Visualizer, appendix B5, with the
- * PBR extension Pr, Pm, Ke and norm), converted to glTF-style materials. */
+/* mtl.c: reads MTL material libraries (Wavefront, Advanced Visualizer, appendix B5, with the PBR
+ * extension Pr, Pm, Ke and norm) as glTF-style materials. */
 #include <cglm/struct.h>
 #include <ctype.h>
 #include <math.h>
@@ -9,16 +9,16 @@
 #include "src/scene/import/obj_ply.h"
 
 enum {
-    EXPONENT_OF_MAPS = 1000, /* Ns that map_Ns scales if Ns is missing: the maximum of MTL */
+    EXPONENT_OF_MAPS = 1000, /* Ns for map_Ns without Ns */
 };
 
 struct mtl;
 
-/* Statement of the format. `read` logs a line if it does not return STATUS_OK. */
+/* MTL statement and its reader, which logs a line if it does not return STATUS_OK. */
 struct statement {
     const char *word;
     enum status (*read)(struct mtl *mtl, struct text_scan *line, const struct statement *statement);
-    uint32_t which; /* offset of a member of struct mtl, or enum mtl_map_use */
+    uint32_t which; /* member offset, or enum mtl_map_use */
 };
 
 /* MTL file being read, and the values of its current material. */
@@ -119,7 +119,7 @@ static bool read_option(struct mtl *mtl, struct text_scan *line, struct mtl_map 
     if (text_take_word(&word, "-mm") || text_take_word(&word, "-t") ||
         text_take_word(&word, "-boost") || text_take_word(&word, "-texres"))
         return text_floats(line, numbers, 3) > 0;
-    /* the only value of -blendu, -blendv, -cc, -imfchan, -type */
+    /* Other options (-blendu, -blendv, -cc, -imfchan, -type) have one value. */
     const struct text_scan value = text_word(line);
     return value.end > value.at;
 }
@@ -155,7 +155,7 @@ static bool is_refracting(const struct mtl *mtl)
     return illum == 4 || illum == 6 || illum == 7 || illum == 9;
 }
 
-/* Returns true if only "Tr 1" makes the material transparent; MeshLab writes it for opaque ones. */
+/* Returns true if only "Tr 1" indicates transparency, as in opaque materials of MeshLab. */
 static bool is_meshlab(const struct mtl *mtl)
 {
     return mtl->transparency >= 1 && !is_refracting(mtl) && !(mtl->ior > 1);
@@ -184,8 +184,8 @@ static void set_transmission(struct mtl *mtl, struct material *m)
     m->flags |= mtl->ior > 1 ? MATERIAL_HAS_IOR : 0u;
 }
 
-/* Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, Blender's
- * convention, in which the default Ks of 0.5 means glass. illum 0 and 1 have no highlights. */
+/* Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, as in
+ * Blender, so that the default Ks of 0.5 gives that of glass. illum 0 and 1 have no highlights. */
 static void set_surface(const struct mtl *mtl, struct material *m)
 {
     m->base_color = mtl->diffuse;
@@ -200,7 +200,7 @@ static void set_surface(const struct mtl *mtl, struct material *m)
         m->specular = 0;
 }
 
-/* Returns true if two maps that are merged into one texture have different coordinates. */
+/* Returns true if two maps exist and differ in the options for texture coordinates. */
 static bool have_different_coordinates(const struct mtl_map *a, const struct mtl_map *b)
 {
     bool is_different = a->is_clamped != b->is_clamped;
@@ -210,7 +210,7 @@ static bool have_different_coordinates(const struct mtl_map *a, const struct mtl
     return is_different && a->file && b->file;
 }
 
-/* Records maps that only opaque surfaces use, and options that are lost when maps are merged. */
+/* Records maps that transmissive materials ignore, and options that are lost by merging maps. */
 static void check_maps(struct mtl *mtl, const struct mtl_material *material)
 {
     static const char *const clear[MTL_MAP_COUNT] = {
@@ -397,7 +397,8 @@ enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name)
     bool is_found = false;
     if (word.at == word.end)
         return STATUS_OK;
-    /* A file name may contain blanks; if there is no such file, the text is a list of names. */
+    /* A file name may contain blanks. If there is no such file, the text is a list of file names.
+     */
     const bool is_list = text_skip(&rest);
     const bool has_missed = import->missing_file[0] != '\0';
     enum status status = read_file(obj_ply, name, &is_found);

@@ -7,8 +7,8 @@
 
 enum {
     CHANNELS = 4,
-    RELIEF = 64,          /* height of white over black is the image's width / RELIEF */
-    BLUE_OF_NORMALS = 16, /* mean of |blue - red| above which an image is a normal map */
+    RELIEF = 64,          /* white is width / RELIEF high */
+    BLUE_OF_NORMALS = 16, /* mean |blue-red| of a normal map */
 };
 
 static uint8_t grey_of(const uint8_t *texel)
@@ -35,7 +35,7 @@ static void fill_channel(uint8_t *texels, size_t count, int channel)
         texels[CHANNELS * i + (size_t)channel] = UINT8_MAX;
 }
 
-/* Converts factors on the Phong exponent Ns to roughness, in the green channel. */
+/* Converts a map that scales the Phong exponent Ns to roughness in the green channel. */
 static void convert_shininess(uint8_t *texels, size_t count, float exponent)
 {
     uint8_t table[UINT8_MAX + 1];
@@ -58,7 +58,7 @@ static bool are_normals(const uint8_t *texels, size_t count)
     return difference > BLUE_OF_NORMALS * (uint64_t)count;
 }
 
-/* Converts a tileable height map to a normal map by central differences; normal maps stay
+/* Converts a tileable height map to a normal map by central differences. Leaves normal maps
  * unchanged. Returns false when out of memory. */
 static bool convert_heights(uint8_t *texels, int width, int height)
 {
@@ -93,7 +93,7 @@ static bool convert_heights(uint8_t *texels, int width, int height)
 
 float mtl_roughness_from_exponent(float exponent)
 {
-    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F); /* alpha^2 = roughness^4 = 2 / (Ns + 2) */
+    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F); /* GGX alpha^2 = 2/(Ns + 2) */
 }
 
 bool model_texture_convert(uint8_t *texels, int width, int height,

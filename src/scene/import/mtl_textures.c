@@ -51,7 +51,7 @@ static char *path_of(const struct obj_ply *obj_ply, struct mtl_map *map, enum st
     return file;
 }
 
-/* Finds or adds an image, and takes ownership of it. Returns its layer + 1, or 0 on failure. */
+/* Finds or adds an image, of which it takes ownership. Returns 1 + its layer; 0 on failure. */
 static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *image_list,
                           const struct model_texture *image)
 {
@@ -76,8 +76,8 @@ static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *imag
     return 0;
 }
 
-/* Computes the transform from the vertices' coordinates, which are those of the base colour map
- * with v = 0 at the top, to those of another map. */
+/* Computes the transform from the vertices' texture coordinates to those of a map. The former are
+ * those of the base colour map, with v = 0 at the top. */
 static void compute_transform(const struct mtl_map *base, const struct mtl_map *map,
                               struct material_texture *texture)
 {
@@ -97,7 +97,7 @@ const struct mtl_map *mtl_base_map(const struct mtl_material *material)
     return material->maps[MTL_MAP_ALPHA].file ? &material->maps[MTL_MAP_ALPHA] : &none;
 }
 
-/* Returns the map that fills one channel of the texture of map `use`, or MTL_MAP_COUNT. */
+/* Returns the map that is merged into the texture of map `use`; MTL_MAP_COUNT if there is none. */
 static enum mtl_map_use merged_map(const struct mtl_material *material, enum mtl_map_use use)
 {
     enum mtl_map_use other = MTL_MAP_COUNT;
@@ -149,8 +149,8 @@ static enum status add_map(const struct obj_ply *obj_ply, struct image_list *ima
     return texture->layer > 0 ? STATUS_OK : STATUS_DATA;
 }
 
-/* Returns true if a map becomes a texture of its own of the requested kind (sRGB colour or linear
- * numbers). map_d does only if there is no map_Kd. */
+/* Returns true if a map becomes a separate texture of the requested kind (sRGB colour or linear
+ * numbers), as map_d does only if there is no map_Kd. */
 static bool is_separate_texture(const struct mtl_material *material, enum mtl_map_use use,
                                 bool are_numbers)
 {
@@ -187,7 +187,7 @@ static enum status load_kind(struct obj_ply *obj_ply, bool are_numbers,
     return status;
 }
 
-/* Removes the maps of a material whose image format is not supported. */
+/* Removes maps in unsupported image formats from a material. */
 static enum status drop_unsupported(struct obj_ply *obj_ply, struct mtl_material *material)
 {
     enum status status = STATUS_OK;
@@ -208,7 +208,7 @@ static enum status drop_unsupported(struct obj_ply *obj_ply, struct mtl_material
     return status;
 }
 
-/* Applies -s and -o of the base colour map to the texture coordinates of a part's vertices. */
+/* Applies the base colour map's options -s and -o to the texture coordinates of a part. */
 static void transform_uvs(const struct obj_ply *obj_ply, const struct obj_ply_part *part)
 {
     const struct mtl_map *base = mtl_base_map(&obj_ply->materials[part->material - 1]);

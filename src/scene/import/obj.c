@@ -17,7 +17,7 @@ enum {
 struct corner {
     uint32_t position, uv, normal;
     uint32_t part;
-    uint32_t next; /* next corner with this position, or `none`; later the corner's vertex */
+    uint32_t next; /* next at this position; later vertex */
 };
 
 /* Consecutive triangles of one part. */
@@ -28,20 +28,20 @@ struct run {
 
 struct obj_part {
     struct obj_ply_part part;
-    uint32_t next; /* next part in its hash bucket, or `none` */
+    uint32_t next; /* next in hash bucket, or `none` */
 };
 
 struct obj {
     struct obj_ply *obj_ply;
     uint32_t line; /* line number, from 1 */
     uint32_t last_index;
-    struct obj_ply_array positions, colors, uvs, normals; /* 3, 4, 2 and 3 floats per item */
-    struct obj_ply_array first; /* each position's first corner (uint32_t), or `none` */
+    struct obj_ply_array positions, colors, uvs, normals; /* 3, 4, 2, 3 floats each */
+    struct obj_ply_array first;                           /* position's first corner, or `none` */
     struct obj_ply_array corners, indices, runs, polygons, parts;
     uint32_t buckets[BUCKET_COUNT];
-    char group[MATERIAL_NAME_SIZE]; /* group name in the last o or g statement */
-    uint32_t material;              /* material index + 1; 0 without material */
-    uint32_t part;                  /* current part; `none` before its first face */
+    char group[MATERIAL_NAME_SIZE]; /* from the last o or g */
+    uint32_t material;              /* material index + 1, or 0 */
+    uint32_t part;                  /* current part, or `none` */
 };
 
 static enum status fault(const struct obj *obj, const char *what, const struct text_scan *got)
@@ -59,7 +59,7 @@ static enum status no_memory(const struct obj *obj)
 
 /* ---- lists ---- */
 
-/* Stores the colour of the last position. Earlier positions without a colour become white. */
+/* Sets the colour of the last position. Earlier positions without a colour become white. */
 static bool add_color(struct obj *obj, const float *color)
 {
     const size_t missing = obj->positions.count - obj->colors.count;
@@ -111,8 +111,8 @@ static enum status read_vector(struct obj *obj, struct text_scan *line, struct o
 
 /* ---- faces ---- */
 
-/* Reads a list index: from 1, or negative from the end of the list. Indices beyond its current end
- * are checked after the whole file is read. */
+/* Reads a list index, which counts from 1, or is negative and counts from the current end of the
+ * list. Indices beyond that end are checked after the whole file is read. */
 static bool read_index(const struct obj *obj, struct text_scan *word, size_t count, uint32_t *index)
 {
     int64_t number;
@@ -181,7 +181,7 @@ static uint32_t find_corner(struct obj *obj, const struct corner *key)
     return *first;
 }
 
-/* Finds or adds the part of the current group and material; `none` when out of memory. */
+/* Finds or adds the part of the current group and material. Returns `none` if out of memory. */
 static uint32_t find_part(struct obj *obj)
 {
     uint32_t bucket = obj->material * 31;
@@ -213,7 +213,7 @@ static bool begin_run(struct obj *obj)
     return run;
 }
 
-/* Adds a face as a triangle fan. Faces of one or two corners, points and lines, add nothing. */
+/* Adds a face as a triangle fan. A face of only one or two corners adds nothing. */
 static enum status read_face(struct obj *obj, struct text_scan *line)
 {
     const uint32_t first_index = (uint32_t)obj->indices.count;
@@ -397,7 +397,7 @@ static void copy_vertex(const struct obj *obj, const struct corner *corner, uint
                2 * sizeof(float));
 }
 
-/* Appends the triangles of a run to its part, and each vertex at its first use. */
+/* Appends the triangles of a run to its part, and their vertices when first used. */
 static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
 {
     const struct run *runs = obj->runs.items;
@@ -417,7 +417,7 @@ static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, ui
     }
 }
 
-/* Sorts triangles and vertices by part. Sets corner.next to the corner's vertex. */
+/* Sorts triangles and vertices by part, and sets corner.next to the index of a corner's vertex. */
 static enum status sort_by_part(struct obj *obj)
 {
     struct obj_ply *obj_ply = obj->obj_ply;

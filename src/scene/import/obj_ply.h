@@ -15,14 +15,14 @@ enum mtl_map_use {
     MTL_MAP_EMISSION,  /* map_Ke */
     MTL_MAP_ROUGHNESS, /* map_Pr: takes precedence over map_Ns */
     MTL_MAP_SHININESS, /* map_Ns: converted to roughness */
-    MTL_MAP_METALLIC,  /* map_Pm: blue channel of the roughness texture */
+    MTL_MAP_METALLIC,  /* map_Pm: blue of the roughness texture */
     /* bump, map_bump, norm: height or normal maps */
     MTL_MAP_BUMP,
     MTL_MAP_COUNT,
 };
 
 struct mtl_map {
-    char *file;                /* file name as in the MTL file; NULL if there is no map */
+    char *file;                /* as in the file, or NULL */
     float scale[2], offset[2]; /* texture coordinate options -s and -o */
     float strength;            /* option -bm */
     bool is_clamped;           /* option -clamp on */
@@ -37,10 +37,10 @@ struct mtl_material {
     float exponent; /* Ns */
 };
 
-/* Triangles of one group name and one material. Their indices are relative to first_vertex. */
+/* Triangles with the same group name and material. Their indices are relative to first_vertex. */
 struct obj_ply_part {
     char name[MATERIAL_NAME_SIZE];
-    uint32_t material; /* material index + 1; 0 if the file assigns none */
+    uint32_t material; /* material index + 1, or 0 */
     uint32_t first_vertex, vertex_count;
     uint32_t first_index, index_count;
     bool has_uvs;
@@ -54,7 +54,7 @@ struct obj_ply {
     struct model_import *import;
     /* Vertex attributes, grouped by part; all but positions may be NULL. */
     float *positions; /* 3 per vertex */
-    float *normals;   /* normals, 3 per vertex; {0} if missing */
+    float *normals;   /* 3 per vertex; 0 if missing */
     float *colors;    /* linear RGBA per vertex */
     float *uvs;       /* 2 per vertex */
     uint32_t *indices;
@@ -66,43 +66,41 @@ struct obj_ply {
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Read a file into *obj_ply, in which only .import is set; obj_ply_finish() frees it in any case.
- */
+/* Read a file into *obj_ply, zeroed except .import. Call obj_ply_finish() in any case. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 
-/* Appends the materials of an MTL file that is looked up in the model's folder. */
+/* Appends the materials of the MTL file `name` in the model's folder. */
 MUST_USE enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name);
 
-/* Appends a line to a list unless it is in it already; a full list ends in "...". */
+/* Appends a line to a list unless it is already there. A list that is full ends in "...". */
 void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words);
 
-/* Builds both meshes, the objects, materials and textures of a model. */
+/* Builds a model's meshes, objects, materials and textures. */
 MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
                                    enum model_role default_role);
 
-/* Loads the images of materials whose parts have texture coordinates, assigns the materials'
- * textures, and transforms the texture coordinates to those of the base colour. */
+/* Loads the images of materials whose parts have texture coordinates, sets the materials' textures,
+ * and transforms the coordinates to those of the base colour map. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
-/* Returns the map whose -s and -o apply to the vertices: map_Kd, else map_d, else an identity map.
- */
+/* Returns map_Kd, else map_d, else an identity map, whose -s and -o apply to the vertices. */
 const struct mtl_map *mtl_base_map(const struct mtl_material *material);
 
 void obj_ply_finish(struct obj_ply *obj_ply);
 
-/* Reads a whole file into memory that the caller frees. Returns NULL on failure. *is_found is false
- * if the file cannot be opened, which is not logged; other failures are logged. */
+/* Reads a whole file into memory that the caller frees. Returns NULL on failure, which is logged,
+ * unless the file cannot be opened, in which case *is_found is false. */
 char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size,
                         bool *is_found);
 
-/* Growable array. {0} is empty; the owner frees .items. */
+/* Growable array, empty if zeroed; its owner frees .items. */
 struct obj_ply_array {
     void *items;
     size_t count, room; /* numbers of items used and allocated */
 };
 
-/* Appends `count` items and returns the first, uninitialised; NULL when out of memory. */
+/* Appends `count` uninitialised items and returns the first; NULL when out of memory. */
 void *obj_ply_array_grow(struct obj_ply_array *array, size_t count, size_t item_size);
 
 static inline void *obj_ply_array_add(struct obj_ply_array *array, size_t count, size_t item_size)

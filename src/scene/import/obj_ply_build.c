@@ -112,7 +112,7 @@ static uint32_t material_index(const struct obj_ply *obj_ply, const struct obj_p
     return part->material > 0 ? part->material - 1 : obj_ply->material_count;
 }
 
-/* Adds the object of a part, before its triangles are appended to the object mesh. */
+/* Adds an object for a part, whose triangles must be appended to the object mesh afterwards. */
 static enum status add_object(struct model_build *build, const struct obj_ply *obj_ply,
                               const struct obj_ply_part *part)
 {
@@ -158,7 +158,7 @@ static enum status list_materials(const struct obj_ply *obj_ply, struct model *m
         if (obj_ply->parts[i].index_count > 0 && obj_ply->parts[i].material == 0)
             return STATUS_OK;
     }
-    model->material_count--; /* drops the last material, which no part uses */
+    model->material_count--; /* drops the unused last material */
     return STATUS_OK;
 }
 
@@ -167,7 +167,7 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
                                const struct role_rule *role_rule, bool is_counting)
 {
     enum status status = STATUS_OK;
-    const char *last = NULL; /* previous part; equal names continue an object */
+    const char *last = NULL; /* previous part's name */
     for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
         const struct obj_ply_part *part = &obj_ply->parts[i];
         const struct mtl_material *material = material_of(obj_ply, part);

@@ -20,13 +20,13 @@ enum {
     PROPERTY_MAX = 256, /* maximum properties of all elements together */
 };
 
-/* Meaning of a property. Vertex properties are ordered like the components of the arrays. */
+/* Meaning of a property. Vertex properties are in the order of the components in the arrays. */
 enum slot {
     SLOT_X,
     SLOT_NX = SLOT_X + 3,
     SLOT_RED = SLOT_NX + 3,
     SLOT_U = SLOT_RED + 3,
-    SLOT_CORNERS = SLOT_U + 2, /* vertex indices of a face or strips */
+    SLOT_CORNERS = SLOT_U + 2, /* vertices of a face or strips */
     SLOT_COUNT,
     SLOT_OTHER = SLOT_COUNT,
 };
@@ -46,7 +46,7 @@ static const struct type types[] = {
 
 struct property {
     const struct type *type;
-    const struct type *count; /* type of a list's length; NULL for a scalar property */
+    const struct type *count; /* list length's type; NULL for scalars */
     enum slot slot;
 };
 
@@ -73,7 +73,7 @@ struct ply {
     uint32_t property_count;
     uint32_t vertex_count;
     struct obj_ply_array indices, polygons;
-    const struct element *element; /* element and row being read, for messages */
+    const struct element *element; /* current element and row, for messages */
     uint64_t row;
 };
 
@@ -417,7 +417,7 @@ static enum status add_corners(struct ply *ply, uint32_t a, uint32_t b, uint32_t
     return STATUS_OK;
 }
 
-/* Reads the vertex indices of a face as a fan, or of triangle strips separated by -1. */
+/* Reads the vertices of a face, cut into a triangle fan, or of triangle strips separated by -1. */
 static enum status read_corners(struct ply *ply, struct text_scan *body,
                                 const struct property *property, uint64_t length)
 {
@@ -486,8 +486,8 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
     return STATUS_OK;
 }
 
-/* Reads all elements. Rejects a count beyond the remaining bytes, because every row takes at least
- * one byte; skips elements without properties, whose rows take none. */
+/* Reads all elements. Rejects a count above the number of remaining bytes, because every row has at
+ * least one byte. Skips elements without properties, whose rows have none. */
 static enum status read_elements(struct ply *ply, struct text_scan *body)
 {
     enum status status = STATUS_OK;

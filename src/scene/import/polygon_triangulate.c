@@ -6,9 +6,9 @@
 #include <stdlib.h>
 
 enum {
-    /* maximum point-in-ear tests per polygon; beyond it, the rest becomes a fan */
+    /* maximum point-in-ear tests per polygon; if reached, the rest is cut as a fan */
     TESTS_MAX = 1 << 26,
-    SMALL_COUNT = 16, /* maximum corners for arrays on the stack */
+    SMALL_COUNT = 16, /* maximum corners for stack arrays */
 };
 
 /* Remaining corners of a polygon and their projections to a plane, counter-clockwise. */
@@ -31,7 +31,7 @@ static uint32_t corner_at(const uint32_t *fan, uint32_t i)
     return i < 2 ? fan[i] : fan[3 * (i - 2) + 2];
 }
 
-/* Projects the corners to the axis-aligned plane with the largest area, by Newell's normal. */
+/* Projects the corners onto the axis-aligned plane closest to the polygon's (Newell's normal). */
 static void project(const struct polygon *polygon, struct outline *outline)
 {
     double normal[3] = { 0 };
@@ -114,8 +114,7 @@ static void cut_ears(struct outline *o, uint32_t *indices)
         uint32_t ear = start;
         for (uint32_t tried = 0; tried < o->count && !is_ear(o, ear); tried++)
             ear = ear + 1 < o->count ? ear + 1 : 0;
-        /* Cuts any corner if there is no ear, since the polygon is not planar or intersects itself.
-         */
+        /* Cuts any corner if there is no ear: the polygon is not planar or intersects itself. */
         cut_ear(o, ear, indices);
         indices += 3;
         start = ear < o->count ? ear : 0;

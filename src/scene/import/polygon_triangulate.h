@@ -8,8 +8,8 @@
 
 struct polygon {
     const float *positions;    /* 3 per vertex */
-    const uint32_t *vertex_of; /* vertex of each corner; NULL if corners are vertex indices */
-    uint32_t vertex_stride;    /* distance between corners in vertex_of; 1 if it is dense */
+    const uint32_t *vertex_of; /* corners are vertices if NULL */
+    uint32_t vertex_stride;    /* elements per corner in vertex_of */
 };
 
 /* Replaces a polygon's triangle fan by an ear-clipping triangulation with the same corners and
@@ -20,7 +20,7 @@ bool polygon_triangulate(const struct polygon *polygon, uint32_t *indices, uint3
 
 /* Polygon of more than three corners within an index list. */
 struct polygon_range {
-    /* start of the polygon's fan in the index list; number of corners */
+    /* first index of the polygon's triangle fan, and number of its corners */
     uint32_t first_index, count;
 };
 

@@ -10,9 +10,9 @@
 #include "src/reader/preset.h"
 #include "src/scene/import/model_pipe.h"
 
-/* Encodes a pose as an argument of the child: '-' for the rest pose, '*' for the first animation or
- * '=' for a named one, the time as a hexadecimal float (exact), a space and the name; further lines
- * hold the names of objects. The caller frees the text. */
+/* Encodes a pose as an argument for the child process: '-' (rest pose), '*' (first animation) or
+ * '=' (named animation), the time as a hexadecimal float, which is exact, a space and the name.
+ * Object names follow on further lines. The caller frees the text. */
 static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
@@ -25,7 +25,7 @@ static char *encode_pose(const struct model_pose *pose)
     return text;
 }
 
-/* Decodes a pose, which points into `text`; `text` is modified. */
+/* Decodes a pose. Modifies `text`, which the strings of the pose point into. */
 static struct model_pose decode_pose(char *text)
 {
     struct model_pose pose = { .is_first = text[0] == '*' };
@@ -143,5 +143,5 @@ int sandboxed_load_main(int argc, char **argv)
         log_error(READER_OPTION ": for internal use by firn only");
         return STATUS_USAGE;
     }
-    _exit((int)send_file(&job)); /* skips exit handlers of a possibly compromised process */
+    _exit((int)send_file(&job)); /* skips possibly compromised exit handlers */
 }

@@ -7,7 +7,7 @@
 #include "src/scene/import/model.h"
 
 /* Load a file like model_load_posed() (a NULL pose is the rest pose) or environment_load(), in a
- * reader process; if `params` is NULL, in this process. Errors are those of reader.h. */
+ * reader process unless `params` is NULL. Errors are those of reader.h. */
 MUST_USE enum status sandboxed_load_model(struct model *model, const char *path,
                                           enum model_role default_role,
                                           const struct model_pose *pose,

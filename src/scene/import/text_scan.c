@@ -5,8 +5,8 @@
 #include <strings.h>
 
 enum {
-    DIGITS_MAX = 18, /* decimal digits that fit into 63 bits */
-    POWER_MAX = 22,  /* largest exponent of a power of ten that a double represents exactly */
+    DIGITS_MAX = 18, /* decimal digits in 63 bits */
+    POWER_MAX = 22,  /* largest exact power of ten */
     EXPONENT_MAX = 10000,
 };
 
@@ -54,7 +54,7 @@ struct text_scan text_rest(const struct text_scan *line)
     return rest;
 }
 
-/* Returns digits * 10^exponent; beyond exact powers of ten, the error is a few ulp of a double. */
+/* Returns digits * 10^exponent, with an error of a few ulp if |exponent| exceeds POWER_MAX. */
 static double scale(uint64_t digits, int64_t exponent)
 {
     static const double powers[POWER_MAX + 1] = {

@@ -36,15 +36,15 @@ static inline bool text_skip(struct text_scan *scan)
 /* Returns the next line without its line break ("\n", "\r\n" or "\r"), and advances past it. */
 struct text_scan text_line(struct text_scan *scan);
 
-/* Advances past the next word if it is `word`, ignoring case; else returns false. */
+/* Skips the next word and returns true if it is `word`, ignoring case; else returns false. */
 bool text_take_word(struct text_scan *scan, const char *word);
 
 /* Return the rest of a line without surrounding blanks, or the next word; empty at the end. */
 struct text_scan text_rest(const struct text_scan *line);
 struct text_scan text_word(struct text_scan *scan);
 
-/* Read a number. A float must end at a blank or the end; an integer may be followed by any
- * character. Return false, without advancing, if there is no number. */
+/* Read a number. A float must be followed by a blank or the end of the text, an integer by
+ * anything. Return false, without advancing, if there is no number. */
 bool text_float(struct text_scan *scan, float *value);
 bool text_integer(struct text_scan *scan, int64_t *value);
 

@@ -19,14 +19,14 @@ enum {
 /* Index value for "none". */
 static const uint32_t gltf_none = UINT32_MAX;
 
-/* Byte range, borrowed unless `owned` is set. */
+/* Byte range; `bytes` is borrowed unless `owned` is set. */
 struct gltf_bytes {
     const uint8_t *bytes;
     uint8_t *owned;
     size_t size;
 };
 
-/* Vertex displacements of a morph target, 3 floats per vertex; NULL if absent. Owned. */
+/* Vertex displacements of a morph target: owned arrays of 3 floats per vertex, NULL if absent. */
 struct gltf_target {
     float *positions, *normals;
 };
@@ -37,13 +37,13 @@ struct gltf_primitive {
     uint32_t vertex_count, index_count;
     uint32_t *indices;
     float *positions;
-    float *normals; /* vertex normals, 3 floats per vertex; like the arrays below, NULL if absent */
-    float *colors;  /* RGBA, 4 per vertex */
-    float *uvs;     /* texture coordinates for mesh_vertex.uv, 2 per vertex */
-    float *other_uvs; /* texture coordinates for mesh_extra.uv, 2 per vertex */
-    float *tangents;  /* 4 floats per vertex; w is the bitangent's sign */
-    float *joints;    /* 4 indices per vertex into the joints of the node's skin */
-    float *weights;   /* joint weights, 4 per vertex; present if and only if `joints` is */
+    float *normals;   /* 3 per vertex; NULL if absent */
+    float *colors;    /* RGBA, 4 per vertex */
+    float *uvs;       /* mesh_vertex.uv, 2 per vertex */
+    float *other_uvs; /* mesh_extra.uv, 2 per vertex */
+    float *tangents;  /* tangent and bitangent's sign per vertex */
+    float *joints;    /* 4 skin joint indices per vertex */
+    float *weights;   /* 4 per vertex; NULL without `joints` */
     struct gltf_target *targets;
     uint32_t target_count;
 };
@@ -58,12 +58,12 @@ struct gltf_node {
     char name[MATERIAL_NAME_SIZE];
     vec3s translation, scale;
     versors rotation;
-    mat4s matrix; /* local transform if has_matrix; else translation, rotation and scale are used */
+    mat4s matrix; /* used instead of TRS if has_matrix */
     bool has_matrix;
     bool is_listed;
     uint32_t parent; /* index into gltf.order, or gltf_none */
     uint32_t mesh, camera, skin;
-    float *weights; /* weights of the mesh's morph targets; owned */
+    float *weights; /* owned morph target weights */
     uint32_t weight_count;
     mat4s model_from_node;
     mat4s *instances; /* node_from_instance matrices, instance_count of them; owned */
@@ -75,22 +75,22 @@ struct gltf_texture {
     uint32_t image;  /* index of the image, or gltf_none */
     uint32_t uv_set; /* n of TEXCOORD_n */
     uint32_t wrap_u, wrap_v;
-    vec3s rows[2]; /* KHR_texture_transform: rows that transform (u, v, 1) */
+    vec3s rows[2]; /* KHR_texture_transform rows for (u, v, 1) */
 };
 
 struct gltf_material {
     struct material material; /* gltf_images_read() sets its texture layers */
     uint32_t mesh_flags;      /* bits MESH_UNLIT, MESH_CUTOUT */
     struct gltf_texture textures[MATERIAL_TEXTURE_COUNT];
-    uint32_t uv_set;       /* texture coordinate set of mesh_vertex.uv, or gltf_none */
+    uint32_t uv_set;       /* n of mesh_vertex.uv's TEXCOORD_n, or gltf_none */
     vec3s uv_rows[2];      /* transform of set `uv_set` to mesh_vertex.uv */
-    uint32_t other_uv_set; /* texture coordinate set of mesh_extra.uv, or gltf_none */
-    float ior; /* refractive index of the file; 0 if absent, or for the legacy value 0 */
+    uint32_t other_uv_set; /* n of mesh_extra.uv's TEXCOORD_n, or gltf_none */
+    float ior;             /* KHR_materials_ior; 0 if absent */
 };
 
 /* Features of a file that the importer recognises but the renderer does not draw. */
 enum gltf_undrawn {
-    GLTF_TRANSMISSIVE_ALPHA, /* undrawn: alpha of transmissive materials, and so on */
+    GLTF_TRANSMISSIVE_ALPHA, /* alpha of transmissive materials */
     GLTF_TRANSMISSIVE_EMISSION,
     GLTF_TRANSMISSIVE_METALLIC,
     GLTF_TRANSMISSIVE_OCCLUSION,
@@ -117,7 +117,7 @@ struct gltf {
     json_t *root;
     struct gltf_bytes binary;   /* binary chunk of a .glb file */
     struct gltf_bytes *buffers; /* one per buffer of the file */
-    struct gltf_bytes *views;   /* decompressed buffer views; {0} for uncompressed ones */
+    struct gltf_bytes *views;   /* decompressed buffer views, else {0} */
     struct gltf_node *nodes;
     uint32_t node_count;
     uint32_t animation;  /* playing animation; gltf_none at rest */
@@ -127,7 +127,7 @@ struct gltf {
     uint32_t order_count;
     struct gltf_mesh *meshes;
     uint32_t mesh_count;
-    struct gltf_material *materials; /* the file's materials, then the default material */
+    struct gltf_material *materials; /* file's materials, then the default */
     uint32_t material_count;
     uint32_t undrawn;       /* bits 1 << enum gltf_undrawn */
     uint32_t clamped_count; /* materials with factors out of range */
@@ -135,7 +135,7 @@ struct gltf {
 
 /* ---- JSON ---- */
 
-/* JSON object of the file. All members of an absent object are absent. */
+/* JSON object in the file. If it is absent, its members are treated as absent, too. */
 struct gltf_object {
     struct gltf *gltf;
     const json_t *json; /* NULL if the object is absent */
@@ -156,7 +156,7 @@ struct gltf_object gltf_member(const struct gltf_object *object, const char *key
 struct gltf_object gltf_extension(const struct gltf_object *object, const char *name);
 struct gltf_object gltf_item(const struct gltf_object *object, const char *key, uint32_t index);
 
-/* Returns the number of elements of a member that is an array; 0 if it is absent. */
+/* Returns the length of a member array; 0 if it is absent. */
 uint32_t gltf_length(const struct gltf_object *object, const char *key);
 uint32_t gltf_list_length(struct gltf *gltf, const char *list);
 
@@ -185,7 +185,7 @@ void gltf_close(struct gltf *gltf);
 enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
                           struct gltf_bytes *bytes);
 
-/* Returns the bytes of a buffer view; *stride is 0 if it has no byteStride. {0} after a fault. */
+/* Returns a buffer view's bytes, empty after a fault. *stride is 0 if it has no byteStride. */
 struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
 
 /* Returns the bytes given by an object's members buffer, byteOffset and byteLength. */
@@ -205,19 +205,19 @@ struct gltf_array {
 /* Reads an accessor as floats; normalised integers become -1 to 1. Returns false after a fault. */
 MUST_USE bool gltf_read_floats(struct gltf *gltf, uint32_t accessor, struct gltf_array *array);
 
-/* Reads an accessor of unsigned integer scalars. The caller frees the array; NULL after a fault. */
+/* Returns the values of an unsigned integer accessor, freed by the caller; NULL after a fault. */
 uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *count);
 
 /* ---- the scene ---- */
 
 MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
-/* Lists each extension that the file uses once in *model, and which features are not drawn. */
+/* Lists in *model the extensions that the file uses and its features that are not drawn. */
 MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
 /* Logs warnings about undrawn features and unsupported extensions. Call it last and only for
  * accepted files, since only the first logged line of a rejected file reaches the user. */
 void gltf_warn(const struct gltf *gltf, const struct model *model);
 
-/* Checks indices in the whole file, since unused meshes, skins and cameras are not read. */
+/* Checks all indices in the file, including those in unused meshes, skins and cameras. */
 MUST_USE enum status gltf_validate(struct gltf *gltf);
 MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
 /* Returns the index of the animation with that name or number (from 0); gltf_none after a fault. */
@@ -226,12 +226,12 @@ uint32_t gltf_animation_find(struct gltf *gltf, const char *name);
 /* Lists the animations of the file in *model. */
 MUST_USE enum status gltf_animations_read(struct gltf *gltf, struct model *model);
 
-/* Sets the transforms and morph weights of nodes to those of an animation at a time in seconds. */
+/* Sets the transforms and morph weights of nodes to those of an animation at `time` (seconds). */
 void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 
 /* gltf_is_deformed() returns true if morph targets or a skin deform a primitive of a node's mesh.
- * gltf_skin_morph() then computes positions and normals in *posed, in model space if the mesh is
- * skinned, and leaves the rest {0}. The caller finishes *posed, also after a fault. */
+ * gltf_skin_morph() computes positions and normals in *posed, in model space if the mesh is
+ * skinned, and zeroes the rest. The caller frees *posed, also after a fault. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,
@@ -246,7 +246,7 @@ void gltf_primitive_finish(struct gltf_primitive *primitive);
 MUST_USE enum status gltf_images_read(struct gltf *gltf, struct model *model);
 MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
                                 enum model_role default_role);
-/* Reads the cameras of the scene into *model, whose object mesh must be filled in. */
+/* Reads the cameras of the scene into *model, whose object mesh must be complete. */
 MUST_USE enum status gltf_cameras_read(struct gltf *gltf, struct model *model);
 /* Reads the punctual lights of the scene into *model. */
 MUST_USE enum status gltf_lights_read(struct gltf *gltf, struct model *model);

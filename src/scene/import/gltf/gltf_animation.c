@@ -16,7 +16,7 @@ enum interpolation {
     CUBIC,
 };
 
-/* Keyframes of an animation channel: `width` components each, three times as many if cubic. */
+/* Keyframes of an animation channel, with `width` components each, or 3 * width if cubic. */
 struct keys {
     struct gltf_array times, values;
     enum interpolation interpolation;
@@ -26,7 +26,7 @@ struct keys {
 /* Position of a time between two keyframes. */
 struct key_span {
     uint32_t before, after;
-    float t;        /* interpolation parameter: 0 at `before`, 1 at `after` */
+    float t;        /* 0 at `before`, 1 at `after` */
     float interval; /* seconds between both keyframes */
 };
 
@@ -48,7 +48,7 @@ static struct key_span find_span(const struct gltf_array *times, float time)
     };
 }
 
-/* Returns component `k` of a cubic keyframe; `third`: 0 in-tangent, 1 value, 2 out-tangent. */
+/* Returns component k of a cubic keyframe's in-tangent, value or out-tangent (third = 0, 1, 2). */
 static float cubic_at(const struct keys *keys, uint32_t key, uint32_t third, uint32_t k)
 {
     return keys->values.values[((size_t)3 * key + third) * keys->width + k];
@@ -93,8 +93,7 @@ static void read_interpolation(const struct gltf_object *sampler, struct keys *k
         (void)gltf_fault(sampler, "interpolation: expected LINEAR, STEP or CUBICSPLINE");
 }
 
-/* Reads the keyframes of a sampler with `width` components, or any number (0), for morph weights.
- */
+/* Reads a sampler's keyframes, each of `width` components, or of any number if `width` is 0. */
 static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct keys *keys)
 {
     struct gltf *gltf = sampler->gltf;
@@ -151,7 +150,7 @@ static void apply_channel(const struct gltf_object *animation, uint32_t index, f
     const uint32_t width = strcmp(path, "rotation") == 0 ? 4 : is_weights ? 0 : 3;
     struct keys keys = { 0 };
     if (gltf_index(&target, "node", "nodes") == gltf_none)
-        return; /* an unsupported extension's target; gltf_warn() reports it */
+        return; /* unsupported target; gltf_warn() reports it */
     if (!is_weights && strcmp(path, "rotation") != 0 && strcmp(path, "translation") != 0 &&
         strcmp(path, "scale") != 0)
         (void)gltf_fault(&target, "path: expected translation, rotation, scale or weights");
@@ -184,7 +183,7 @@ uint32_t gltf_animation_find(struct gltf *gltf, const char *name)
     return gltf_none;
 }
 
-/* Returns the time of the last keyframe, from the `max` that glTF requires of sampler inputs. */
+/* Returns the time of the last keyframe in seconds, from the required `max` of the accessors. */
 static float seconds_of(const struct gltf_object *animation)
 {
     float seconds = 0;

@@ -14,9 +14,9 @@ struct traversal {
     struct gltf *gltf;
     struct model_build build;
     enum model_role default_role;
-    bool is_node[NAMES_MAX]; /* true if the name is a node's, not a material's */
-    bool is_split;    /* roles depend on each primitive's transmission; else default_role applies */
-    bool is_counting; /* true in the first pass, which only counts primitives */
+    bool is_node[NAMES_MAX]; /* name belongs to a node */
+    bool is_split;           /* true to choose roles by transmission */
+    bool is_counting;        /* first pass, which only counts */
 };
 
 static bool has_transmission(const struct gltf *gltf)
@@ -55,7 +55,7 @@ static bool has_colors(const struct gltf *gltf)
     return false;
 }
 
-/* Returns true if any primitive has a material of its own. */
+/* Returns true if any primitive has a material other than the default one. */
 static bool has_materials(const struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {
@@ -96,7 +96,7 @@ static bool is_named(const struct traversal *traversal, const struct gltf_node *
     return false;
 }
 
-/* Looks up each selected name among nodes and materials; logs a suggestion if it is unknown. */
+/* Checks that each selected name is that of a node or material; if not, logs a suggestion. */
 static enum status find_names(struct traversal *traversal)
 {
     struct gltf *gltf = traversal->gltf;
@@ -175,7 +175,7 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
     };
 }
 
-/* Adds the object of a primitive, before its triangles are appended to the object mesh. */
+/* Adds an object for a primitive, whose triangles must be appended to the mesh afterwards. */
 static enum status add_object(struct traversal *traversal, const struct gltf_node *node,
                               const struct gltf_primitive *primitive)
 {
@@ -231,7 +231,7 @@ static enum status visit_primitive(struct traversal *traversal, const struct glt
     return status;
 }
 
-/* Visits the primitives of a node's mesh, once or per instance. */
+/* Visits the primitives of a node's mesh, once for each instance. */
 static enum status visit_mesh(struct traversal *traversal, const struct gltf_node *node)
 {
     const uint32_t count = traversal->gltf->meshes[node->mesh].count;

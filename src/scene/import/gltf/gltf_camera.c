@@ -1,4 +1,4 @@
-/* gltf_camera.c: reads the cameras of a glTF file, and extras.firn.box around its object. */
+/* gltf_camera.c: reads the cameras of a glTF file and its environment lookup box. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@ static bool is_in_range(vec3s vector)
     return fabsf(vector.x) <= max && fabsf(vector.y) <= max && fabsf(vector.z) <= max;
 }
 
-/* Sets position and target: along -Z of the node, as far away as the centre of the object. */
+/* Sets eye and target. The target is along -Z of the node, as far away as the object's centre. */
 static bool set_transform(struct camera *camera, mat4s model_from_node, const struct mesh *object)
 {
     camera->eye = glms_mat4_mulv3(model_from_node, glms_vec3_zero(), 1);
@@ -85,7 +85,7 @@ enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
     return gltf->status;
 }
 
-/* ---- "extras": { "firn": { "box": [[-3, 0, -4], [3, 2.5, 4]] } } ---- */
+/* ---- box in extras ---- */
 
 static bool read_corner(const json_t *numbers, vec3s *corner)
 {

@@ -47,7 +47,7 @@ const char *model_undrawn_name(uint32_t index)
     return index < GLTF_UNDRAWN_COUNT ? undrawn[index] : NULL;
 }
 
-/* Returns the table entry of a supported extension, or NULL. */
+/* Returns the description of a supported extension; NULL for others. */
 static const struct model_extension *find_extension(const char *name)
 {
     for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
@@ -57,7 +57,7 @@ static const struct model_extension *find_extension(const char *name)
     return NULL;
 }
 
-/* Returns an element of a list of extension names; NULL after a fault. */
+/* Returns a name from a list such as "extensionsUsed"; NULL after a fault. */
 static const char *name_at(const struct gltf_object *top, const char *list, uint32_t index)
 {
     const json_t *name = json_array_get(json_object_get(top->json, list), index);
@@ -101,8 +101,8 @@ static void add_extension(struct gltf *gltf, struct model *model, const char *na
         (void)gltf_fault(&top, "expected at most %d extensions", MODEL_EXTENSION_MAX);
 }
 
-/* Adds every extension that occurs within a value, including undeclared ones. The parser limits the
- * nesting depth, which bounds the recursion. */
+/* Adds every extension used within a JSON value, even if undeclared. The parser's limit on the
+ * nesting depth bounds the recursion. */
 static void add_extensions_within(struct gltf *gltf, struct model *model, json_t *json)
 {
     const char *key;

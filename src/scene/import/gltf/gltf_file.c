@@ -11,7 +11,7 @@ enum {
     CHUNK_BINARY = 0x004e4942,
 };
 
-/* Reads a whole file, if it may be referenced by the model. */
+/* Reads a whole file. It is a fault if the model may not refer to it. */
 static enum status read_all(const struct gltf_object *object, const char *path,
                             struct gltf_bytes *bytes)
 {
@@ -174,7 +174,7 @@ static enum status read_buffer(struct gltf *gltf, uint32_t index)
     const char *uri = gltf_string(&object, "uri", NULL);
     const uint64_t size = gltf_count(&object, "byteLength", 0);
     struct gltf_bytes *buffer = &gltf->buffers[index];
-    /* Buffers without data are allowed, for example for meshopt views, which have their own data.
+    /* Buffers without data are allowed, for example if all their views are compressed by meshopt.
      */
     if (gltf->status != STATUS_OK || (!uri && (index > 0 || !gltf->binary.bytes)))
         return gltf->status;

@@ -11,7 +11,7 @@ struct source {
     uint32_t image;
 };
 
-/* Images of one texture array: sRGB colours or linear numbers. */
+/* Images of one texture array, which holds either sRGB colours or linear values. */
 struct sources {
     struct source *list;
     struct model_texture *images;
@@ -77,7 +77,7 @@ static bool drop_unsupported(struct gltf *gltf, struct sources *sources)
     return true;
 }
 
-/* Returns the layer of an image + 1; 0 after a fault or if its format is not supported. */
+/* Returns 1 + the layer of an image; 0 after a fault or if its format is not supported. */
 static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image)
 {
     uint32_t layer = 0;
@@ -94,7 +94,7 @@ static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t 
     return layer + 1;
 }
 
-/* Assigns layers to the colour textures or the linear textures of a material. */
+/* Sets the texture layers of a material's colour textures, or of its linear textures. */
 static void assign_layers(struct gltf *gltf, struct sources *sources, bool are_numbers,
                           struct gltf_material *material)
 {

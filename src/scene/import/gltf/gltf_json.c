@@ -1,4 +1,4 @@
-/* gltf_json.c: typed access to the JSON values of a glTF file, with their location for messages. */
+/* gltf_json.c: typed access to a glTF file's JSON values, whose locations are kept for messages. */
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -39,7 +39,7 @@ static const json_t *get(const struct gltf_object *object, const char *key)
     return json_object_get(object->json, key);
 }
 
-/* Wraps the JSON value at a key (and at an index unless it is gltf_none) of `outer`. */
+/* Wraps the JSON value at outer.key, or at outer.key[index] unless `index` is gltf_none. */
 static struct gltf_object wrap_object(const struct gltf_object *outer, const json_t *json,
                                       const char *key, uint32_t index)
 {
@@ -50,7 +50,7 @@ static struct gltf_object wrap_object(const struct gltf_object *outer, const jso
         (void)snprintf(number, sizeof(number), "[%u]", index);
     const int length = snprintf(inner.location, sizeof(inner.location), "%s%s%s%s", outer->location,
                                 dot, key, number);
-    if (length >= (int)sizeof(inner.location)) /* truncates; known keys never nest so deeply */
+    if (length >= (int)sizeof(inner.location)) /* truncated; known keys are shorter */
         memcpy(&inner.location[sizeof(inner.location) - 4], "...", 4);
     if (json && !json_is_object(json)) {
         (void)gltf_fault(&inner, "expected an object");
@@ -98,7 +98,7 @@ uint32_t gltf_list_length(struct gltf *gltf, const char *list)
     return gltf_length(&top, list);
 }
 
-/* Reads a number as a float. Returns false if it is no number or not finite as a float. */
+/* Reads a finite float. Returns false if the value is not a number or too large for a float. */
 static bool read_float(const json_t *value, float *number)
 {
     *number = (float)json_number_value(value);
@@ -125,10 +125,10 @@ bool gltf_flag(const struct gltf_object *object, const char *key)
     return json_is_true(value);
 }
 
-/* Reads a non-negative integer, which may be written as 3.0. Returns false for other values. */
+/* Reads a non-negative integer, also if written as 3.0. Returns false for other values. */
 static bool read_count(const json_t *value, uint64_t *count)
 {
-    const double max = 9007199254740992; /* 2^53: doubles represent all integers up to it exactly */
+    const double max = 9007199254740992; /* 2^53: all integers below are exact */
     const double number = json_number_value(value);
     *count = number >= 0 && number <= max ? (uint64_t)number : 0;
     return json_is_number(value) && number >= 0 && number <= max && !((double)*count < number);

@@ -6,7 +6,7 @@
 
 static const char extension[] = "KHR_lights_punctual";
 
-/* Returns a node's light index, which gltf_validate() has checked; gltf_none without a light. */
+/* Returns a node's light index, checked by gltf_validate(), or gltf_none if it has no light. */
 static uint32_t light_of(struct gltf *gltf, uint32_t node)
 {
     const struct gltf_object object = gltf_element(gltf, "nodes", node);

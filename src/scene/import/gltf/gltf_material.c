@@ -30,8 +30,7 @@ static void read_alpha(const struct gltf_object *object, struct gltf_material *m
     }
 }
 
-/* Reads the surface properties except the metallic-roughness factors: emission, specular, normal
- * and occlusion, unlit, double-sided. */
+/* Reads the emission, specular, normal, occlusion, unlit and double-sided properties. */
 static void read_surface(const struct gltf_object *object, struct gltf_material *material)
 {
     struct material *m = &material->material;
@@ -81,7 +80,7 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     }
 }
 
-/* Reads the priority of a medium, which wins where media overlap: "extras": { "priority": 3 }. */
+/* Reads "extras": { "priority": 3 }. Where media overlap, that of the highest priority is used. */
 static void read_priority(const struct gltf_object *object, struct material *m)
 {
     const json_t *extras = json_object_get(object->json, "extras");
@@ -97,7 +96,7 @@ static void read_priority(const struct gltf_object *object, struct material *m)
     }
 }
 
-/* Reads the optical depth of scattering across the object: "extras": { "cloud": 6 }. */
+/* Reads "extras": { "cloud": 6 }, the optical depth of scattering across the object. */
 static void read_scattering(const struct gltf_object *object, struct material *m)
 {
     const json_t *cloud = json_object_get(json_object_get(object->json, "extras"), "cloud");
@@ -111,7 +110,7 @@ static void read_scattering(const struct gltf_object *object, struct material *m
                          (double)MATERIAL_SCATTERING_MAX);
 }
 
-/* Reads whether the surface is a water layer on an opaque base: "extras": { "film": true }. */
+/* Reads "extras": { "film": true }, which means a water layer on an opaque base. */
 static void read_water_layer(const struct gltf_object *object, struct material *m)
 {
     const json_t *film = json_object_get(json_object_get(object->json, "extras"), "film");
@@ -126,9 +125,9 @@ static bool has_image(const struct gltf_texture *texture)
     return texture->image != gltf_none;
 }
 
-/* Records undrawn properties of a transmissive material: those drawn on opaque surfaces only, and
- * thickness textures, since path lengths inside are traced. A metallic factor counts only if it is
- * in the file, because files rarely intend its default of 1, and if no texture could make it 0. */
+/* Records properties that are not drawn if a material is transmissive. Thickness textures are among
+ * them, because path lengths are traced. A metallic factor is recorded only if the file sets it,
+ * since its default of 1 is rarely intended, and if no texture could make it 0. */
 static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;
@@ -179,7 +178,7 @@ enum status gltf_materials_read(struct gltf *gltf)
 {
     const uint32_t count = gltf_list_length(gltf, "materials");
     const struct gltf_object top = gltf_top(gltf);
-    if (count > MESH_SURFACE_MAX - 2) /* 2: the default material, and the settings' material */
+    if (count > MESH_SURFACE_MAX - 2) /* 2 for default and settings materials */
         return gltf_fault(&top, "expected at most %u materials", MESH_SURFACE_MAX - 2);
     gltf->materials = calloc(count + (size_t)1, sizeof(*gltf->materials));
     if (!gltf->materials)

@@ -33,7 +33,7 @@ void gltf_primitive_finish(struct gltf_primitive *primitive)
     *primitive = (struct gltf_primitive){ 0 };
 }
 
-/* Primitive of the file; `draco` is NULL unless it is Draco-compressed. */
+/* Primitive of the file; `draco` is NULL unless its data is Draco-compressed. */
 struct source {
     struct gltf_object object, attributes, ids;
     struct gltf_draco *draco;
@@ -58,8 +58,8 @@ static bool read_draco(const struct source *source, const char *name, struct glt
     return true;
 }
 
-/* Returns an attribute with `width` components per vertex; a width of 4 also accepts 3 and pads
- * with 0. Returns NULL if it is absent, or after a fault. */
+/* Returns an attribute with `width` components per vertex; if `width` is 4, 3 components are padded
+ * with 0. Returns NULL if the attribute is absent, or after a fault. */
 static float *read_attribute(const struct source *source, const char *name, uint32_t width)
 {
     struct gltf *gltf = source->object.gltf;

@@ -16,7 +16,7 @@ static bool equals(const char *word, const char *other)
     return strcmp(word, other) == 0;
 }
 
-/* Returns true if mode, filter and stride are valid, which meshoptimizer only asserts. */
+/* Returns true if mode, filter and stride are valid, which meshoptimizer checks by asserts only. */
 static bool is_valid(const struct compressed *compressed)
 {
     const size_t stride = compressed->stride;
@@ -52,8 +52,7 @@ static bool decode(const struct compressed *compressed, uint8_t *to)
     return true;
 }
 
-/* Returns true if the format version, the low half of the first byte, is too new for the library.
- */
+/* Returns true if the format version (low 4 bits of the first byte) is newer than the library's. */
 static bool is_newer_version(const struct compressed *compressed)
 {
     const unsigned most = equals(compressed->mode, "ATTRIBUTES") ? 0 : 1;

@@ -33,7 +33,7 @@ static float *read_instances(const struct gltf_object *attributes, const char *n
     return NULL;
 }
 
-/* Reads EXT_mesh_gpu_instancing: the node's mesh is drawn once per element of its attributes. */
+/* Reads EXT_mesh_gpu_instancing, whose attributes give a transform for each instance of a mesh. */
 static void read_instancing(const struct gltf_object *object, struct gltf_node *node)
 {
     const struct gltf_object instancing = gltf_extension(object, "EXT_mesh_gpu_instancing");
@@ -109,7 +109,7 @@ static void read_node(struct gltf *gltf, uint32_t index)
     read_weights(&object, node);
 }
 
-/* Appends a node to the traversal order of the scene. */
+/* Appends a node to the order in which nodes of the scene are visited. */
 static void list_node(struct gltf *gltf, const struct gltf_object *owner, uint32_t index,
                       uint32_t parent)
 {

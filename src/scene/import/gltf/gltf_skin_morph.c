@@ -22,7 +22,7 @@ static void add_deltas(float *to, const float *deltas, float weight, uint32_t ve
         to[i] += weight * deltas[i];
 }
 
-/* Returns the skinning matrices, joint times inverse bind matrix; the caller frees the array. */
+/* Returns the skinning matrices (joint times inverse bind matrix), which the caller frees. */
 static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
 {
     const struct gltf_object object = gltf_element(gltf, "skins", skin);

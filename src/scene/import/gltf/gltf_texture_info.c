@@ -2,7 +2,7 @@
 #include <math.h>
 #include "src/scene/import/gltf/gltf.h"
 
-/* JSON location of a texture reference: in a material, its pbrMetallicRoughness or an extension. */
+/* JSON location of a texture reference, in a material or in an object within it. */
 struct slot {
     const char *group; /* "" for the material itself */
     const char *key;
@@ -52,7 +52,7 @@ static uint32_t read_wrap(const struct gltf_object *sampler, const char *key)
     return MATERIAL_REPEAT;
 }
 
-/* Reads a sampler's wrap modes. Records NEAREST magnification as undrawn: filtering is linear. */
+/* Reads a sampler's wrap modes. Records NEAREST as undrawn, since filtering is always linear. */
 static void read_sampler(const struct gltf_object *sampler, struct gltf_texture *texture)
 {
     const uint64_t nearest = 9728;
@@ -85,7 +85,7 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     read_transform(info, texture);
 }
 
-/* Uses the vertices' second texture coordinates. Returns false if they hold another set already. */
+/* Selects the vertices' second UV set. Returns false if it already holds other coordinates. */
 static bool use_second_uv_set(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {
@@ -97,8 +97,8 @@ static bool use_second_uv_set(struct gltf_material *material, const struct gltf_
     return material->other_uv_set == texture->uv_set;
 }
 
-/* Computes the transform from the vertices' coordinates to a texture's. Returns false if the
- * texture needs a third coordinate set. */
+/* Computes the transform from the vertices' texture coordinates to those of a texture. Returns
+ * false if it needs a third coordinate set. */
 static bool compute_transform(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "src/scene/import/gltf/gltf.h"
 
-/* Checks that all members of an attributes object are indices of accessors. */
+/* Checks that all members of an attributes object are indices of existing accessors. */
 static void check_attributes(const struct gltf_object *attributes)
 {
     const char *key;
