@@ -85,7 +85,7 @@ struct gltf_material {
     uint32_t uv_set;       /* n of mesh_vertex.uv's TEXCOORD_n, or gltf_none */
     vec3s uv_rows[2];      /* transform of set `uv_set` to mesh_vertex.uv */
     uint32_t other_uv_set; /* n of mesh_extra.uv's TEXCOORD_n, or gltf_none */
-    float ior;             /* KHR_materials_ior; 0 if absent */
+    float ior;             /* KHR_materials_ior; 0 if absent or for its legacy value 0 */
 };
 
 /* Features of a file that the importer recognises but the renderer does not draw. */
