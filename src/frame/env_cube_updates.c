@@ -18,7 +18,7 @@ static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
     return mesh->vertices[mesh->indices[3 * triangle + i]].position;
 }
 
-/* Returns a bounding sphere of the vertices of `count` triangles, at least 1. */
+/* Returns a bounding sphere of `count` triangles; `count` must not be 0. */
 static struct frame_cube_moving_sphere sphere_around(const struct mesh *mesh,
                                                      const uint32_t *triangles, uint32_t count)
 {
@@ -80,8 +80,8 @@ static struct frame_cube_state face_inputs(const struct globals *globals)
     };
 }
 
-/* Returns true if a sphere may be visible in a face. A point is in the face's frustum if its
- * |right| and |up| are at most its `forward`. */
+/* Returns true if a sphere may be visible in a cube face. Points in the face's frustum have |right|
+ * and |up| coordinates of at most `forward`. */
 static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
                            const struct frame_cube_moving_sphere *sphere)
 {
@@ -126,7 +126,7 @@ static bool has_changed(const struct frame_cube *cube, uint32_t face,
     return false;
 }
 
-/* Frustum culling: returns true if the object's bounding sphere is inside or cuts the sides. */
+/* Returns true if the object's bounding sphere is at least partly within the frustum's sides. */
 static bool is_in_image(const struct globals *globals)
 {
     const mat4s rows = glms_mat4_transpose(globals->clip_from_world);
@@ -141,7 +141,7 @@ static bool is_in_image(const struct globals *globals)
     return true;
 }
 
-/* Returns true if an enabled technique makes the objects cast caustics or shadows. */
+/* Returns true if an enabled technique makes the objects transmit or block light. */
 static bool has_caustics(const struct frame_view *view)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
@@ -179,7 +179,7 @@ static bool same_sun_sample(const struct frame_cube_light *a, const struct frame
     return glms_vec2_eqv(a->jitter, b->jitter);
 }
 
-/* Returns true if the caustics have changed since the cube faces were drawn. */
+/* Returns true if the caustics have changed since they were drawn into the cube faces. */
 static bool light_differs(const struct frame_cube *cube, const struct frame_cube_light *now,
                           bool is_first)
 {

@@ -19,21 +19,21 @@ enum {
     FRAME_CUBE_ALL = (1 << FRAME_CUBE_FACES) - 1, /* one bit per face */
 };
 
-/* Inputs that determine what a face shows, except for the scene. */
+/* Inputs, besides the scene, that determine the content of a cube face. */
 struct frame_cube_state {
     vec3s background_color, sun_dir, sun_light, center;
     float sky_strength, sun_strength;
     mat4s world_from_movers;
 };
 
-/* Inputs that determine the caustics, except for the scene. View-dependent members are set to 0. */
+/* Inputs, besides the scene, that determine the caustics. View-dependent members are set to 0. */
 struct frame_cube_light {
     struct settings settings;
     struct globals globals;
     vec2s jitter; /* frame_view.light_jitter */
 };
 
-/* Bounding sphere of some moving triangles, in their rest pose (before world_from_movers). */
+/* Bounding sphere of a group of moving triangles before world_from_movers is applied. */
 struct frame_cube_moving_sphere {
     vec3s center;
     float radius; /* metres */
@@ -55,12 +55,11 @@ struct frame_cube {
 MUST_USE enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene);
 void frame_cube_finish(struct frame_cube *cube);
 
-/* Returns the cube faces and caustic maps that a frame must redraw. `globals` is
- * frame_view_globals(). */
+/* Returns the faces and maps that a frame must redraw; `globals` are from frame_view_globals(). */
 struct frame_updates frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                     const struct globals *globals);
 
-/* Records what a submitted frame has redrawn. */
+/* Records which faces and maps a submitted frame has redrawn. */
 void frame_cube_mark_drawn(struct frame_cube *cube, const struct frame_view *view,
                            const struct globals *globals, struct frame_updates due);
 

@@ -149,7 +149,7 @@ static enum status out_of_memory(void)
     return STATUS_TRY_AGAIN;
 }
 
-/* Lists the pass groups, with space for the readback passes. */
+/* Fills the table of pass groups, leaving space for the readback passes. */
 static bool list_techniques(struct frame_plan *p)
 {
     p->techniques = calloc(p->list.count + 1, sizeof(const struct rg_technique *));

@@ -35,7 +35,7 @@ struct frame_readback {
     char name[64]; /* of the pass and the buffer */
 };
 
-/* Compiled plan and the tables it was made from. Points into itself, so it must not be moved. */
+/* Compiled plan and its tables. It contains pointers to itself, so it must not be moved. */
 struct frame_plan {
     struct rg_plan *plan;
     struct frame_list list;
@@ -51,13 +51,13 @@ struct frame_plan {
     size_t import_count;
 };
 
-/* Compiles the request; needs no device. Logs every fault of the tables and returns STATUS_FAILED,
- * or logs and returns STATUS_TRY_AGAIN when out of memory; frame_plan_finish() must always be
- * called. */
+/* Compiles a frame request; needs no device. Logs errors and returns STATUS_FAILED if the tables
+ * are invalid or STATUS_TRY_AGAIN when out of memory. Always call frame_plan_finish() afterwards.
+ */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
-/* Recompiles the tables for request->view, which must be within the max_view of both requests. On
- * success the caller owns *former, the previous plan; on failure nothing changes. */
+/* Recompiles the tables for request->view, at most the max_view of this and the original request.
+ * On success the caller owns *previous, the replaced plan; on failure nothing changes. */
 MUST_USE enum status frame_plan_change_view(struct frame_plan *plan,
                                             const struct frame_request *request,
                                             struct rg_plan **previous);

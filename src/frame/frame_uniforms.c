@@ -11,8 +11,8 @@
 #include "src/tech/inclusions/medium_field.h"
 #include "src/tech/techniques.h"
 
-/* Margins of frame_view_reach(): rays begin slightly outside the sphere (refract_march_ray.glsl),
- * lookups are interpolated between texels, and samples are jittered. */
+/* Margins of frame_view_reach(), for rays that begin slightly outside the sphere
+ * (refract_march_ray.glsl), for bilinear lookups and for jittered samples. */
 #define REACH_SCALE 1.05f
 
 enum {
@@ -24,7 +24,7 @@ static float radians(float degrees)
     return degrees * 0.01745329252f;
 }
 
-/* Returns the mip level of the environment whose texels are as large as `pixel`, radians. */
+/* Returns the mip level of the environment map whose texels subtend an angle of `pixel` radians. */
 static float environment_lod(const struct scene *scene, float pixel)
 {
     float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
@@ -103,9 +103,9 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     return clip_from_world;
 }
 
-/* Computes the first and last pixel that a sphere covers along an image axis. Its centre is `ahead`
- * along the camera axis and `aside` along the image axis, metres; `half` is half the image's width
- * or height, pixels, and `edge` the tangent of half its field of view. */
+/* Computes the pixel range, with a margin, that a sphere covers along an image axis. `ahead` and
+ * `aside` are its centre's coordinates along camera axis and image axis, metres. `half` is half the
+ * image's width or height, pixels, and `edge` the tangent of half the field of view. */
 static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
 {
     const float bound = 4.0f * half;
@@ -128,7 +128,7 @@ static void span_orthographic(float aside, float radius, float half, float scale
     ends[1] = (int32_t)ceilf(half + fmaxf(fminf(high, bound), -bound)) + REACH_MARGIN;
 }
 
-/* Clips the pixel range `ends` to the image; at least one pixel is left. */
+/* Clips the pixel range `ends` to an image `side` pixels wide or high, to at least one pixel. */
 static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
 {
     const int32_t last = (int32_t)side - 1;
@@ -253,7 +253,7 @@ static void set_environment_sun(const struct frame_view *view, float radius, str
                                            (vec3s){ { 0.0f, 1.0f, 0.0f } });
 }
 
-/* Sets the sun of the built-in sky or the panorama as a light. Techniques have set its radius. */
+/* Sets the sun of the built-in sky or the panorama as a light. g->sun_radius must be set. */
 static void set_sun(const struct frame_view *view, struct globals *g)
 {
     const float radius = g->sun_radius;

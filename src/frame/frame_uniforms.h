@@ -8,22 +8,22 @@
 /* Returns the push constants of the image's camera. */
 struct surroundings_push frame_view_push(const struct frame_view *view);
 
-/* Returns the previous frame's clip_from_world by its camera (fov_deg 0: the current camera). */
+/* Returns clip_from_world of the previous frame's camera, or of the current one if fov_deg is 0. */
 mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier);
 
 /* Returns the pixels that may show points within `radii` (0 means 1) bounding radii of the object's
- * centre, with a margin for rays that overshoot; the whole image if the camera is within that
- * distance or the object is behind it. */
+ * centre, with a margin. Returns the whole image if the camera is within that distance or the
+ * object is behind the camera. */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
-/* Returns true if the object's bounding sphere exceeds the image, or the camera is near it. */
+/* Returns true if the object's bounding sphere extends beyond the image or is near the camera. */
 bool frame_view_exceeds_image(const struct frame_view *view);
 
-/* Returns the pixels of an image of `size` that may show the rotated box of one or all objects,
- * enlarged by `room` radii and one pixel; the whole image if a corner of the box is in front of the
- * near plane. `globals` is that of the object, or frame_view_globals(). */
+/* Returns the pixels of an image of `size` that may show `box`, rotated with its object and
+ * enlarged by `room` bounding radii and one pixel. Returns the whole image if a corner is in front
+ * of the near plane. `globals` are those of the object, or frame_view_globals() for all objects. */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
@@ -46,8 +46,8 @@ struct globals frame_view_globals(const struct frame_view *view,
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialization constants. They depend on scene, settings (of frame_resolve_settings()) and
- * refraction model (NULL: one that does not trace the scene's BVH), but not on camera and time. */
+/* Specialisation constants. They depend on the scene, settings from frame_resolve_settings() and
+ * the refraction model (NULL means one that does not trace the BVH), but not on camera or time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };
@@ -55,9 +55,9 @@ struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings,
                                             const struct technique *refraction);
 
-/* Returns `clip_from_world` with its depth remapped to 0 at the front and 1 at the back of a
- * sphere, along the camera axis. The near plane stays in front of the camera if that is inside the
- * sphere. *fitted is set to the distances of the near and the far plane, metres. */
+/* Returns `clip_from_world` with the depth range fitted to a sphere, from 0 at its front to 1 at
+ * its back along the camera axis. The near plane stays in front of a camera inside the sphere.
+ * *fitted is set to the distances of the near and the far plane, metres. */
 mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
                      vec2s *fitted);
 

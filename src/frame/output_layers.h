@@ -1,4 +1,4 @@
-/* output_layers.h: output layers (AOVs) of an image: beauty, and those of techniques_layer(). */
+/* output_layers.h: output layers (AOVs) of an image: beauty, and the layers of techniques. */
 #ifndef FIRN_FRAME_OUTPUT_LAYERS_H
 #define FIRN_FRAME_OUTPUT_LAYERS_H
 
@@ -6,7 +6,7 @@
 
 extern const struct frame_layer frame_beauty; /* present in every image */
 
-/* Layers are requested by bits: bit i is techniques_layer(i). */
+/* Maximum number of layers. In masks of requested layers, bit i is techniques_layer(i). */
 enum {
     FRAME_LAYER_MAX = 32
 };

@@ -71,7 +71,7 @@ static bool add_phase(struct frame_list *list, const struct technique_config *co
     return !list->builder.failed;
 }
 
-/* Returns the uniform buffer of the object at a position in the depth order. */
+/* Returns the uniform buffer of the object at a position in back-to-front order. */
 static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t depth_index)
 {
     char number[16];
@@ -100,8 +100,8 @@ static const struct rg_use *uses_with(struct pass_builder *builder, const struct
     return copy;
 }
 
-/* Assigns the pass groups from `first` on to the object at a position in the depth order: copies
- * their passes, with the object's uniform buffer and unique names. */
+/* Copies the passes of the pass groups from index `first` on for the object at a position in
+ * back-to-front order. The copies use the object's uniform buffer and have unique names. */
 static bool assign_to_object(struct frame_list *list, size_t first, uint32_t depth_index,
                              bool for_layers)
 {
@@ -140,7 +140,7 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds the passes of every object: for the image if `last` is PHASE_REFRACTION, else for layers. */
+/* Adds each object's passes for the image (`last` is PHASE_REFRACTION), otherwise for layers. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
@@ -220,8 +220,8 @@ static bool is_shared(const struct frame_list *list, const struct frame_list_obj
     return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Returns true if drawing to a target may be limited to the object's pixels: the target has the
- * view's size, and its content elsewhere is kept or never read. */
+/* Returns true if drawing to a target may be limited to the object's pixels, because the target has
+ * the view's size and its other pixels are kept or never read. */
 static bool is_local(const struct frame_list *list, const struct rg_target *target)
 {
     const struct rg_image *image = target->image;

@@ -7,7 +7,7 @@
 #include "src/tech/pass_builder.h"
 #include "src/tech/technique.h"
 
-/* Passes that draw the object at one position in the depth order, which varies between frames. */
+/* Passes that draw the object at one position in back-to-front order, which may vary per frame. */
 struct frame_list_object {
     const struct rg_buffer *globals; /* replaces frame_globals in the passes */
     struct rg_pass *passes;
@@ -17,7 +17,7 @@ struct frame_list_object {
     bool is_for_layers;   /* the passes draw it for layers */
 };
 
-/* Passes of a frame. Groups and objects point to memory of the builder, which the list owns. */
+/* Passes of a frame. Groups and objects point to memory of the `builder` below. */
 struct frame_list {
     struct rg_technique *pass_groups; /* in drawing order; owned */
     size_t count;
@@ -30,7 +30,7 @@ struct frame_list {
     struct low_res_images small;
 };
 
-/* Fills *list. Logs and returns STATUS_TRY_AGAIN when out of memory; *list is then {0}. */
+/* Collects a frame's passes. If out of memory, logs, zeroes *list and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status frame_list_init(struct frame_list *list,
                                      const struct technique_config *config);
 void frame_list_finish(struct frame_list *list); /* {0} is fine */
@@ -44,11 +44,11 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 /* Returns the settings after replacing those that the scene determines. */
 struct settings frame_settings(const struct settings *settings, const struct scene *scene);
 
-/* Returns the width of the environment cube's faces for images `height` pixels high, texels: the
- * setting env_cube.size or, if it is 0, the smallest power of two of at least 0.9 * height. */
+/* Returns the width of environment cube faces, texels, for an image `height`: env_cube.size or, if
+ * that is 0, the smallest power of two from 128 to 2048 that is at least 0.9 * height. */
 uint32_t frame_face_size(const struct settings *settings, uint32_t height);
 
-/* Returns the settings with `auto` resolved for a refraction model (or NULL) and height, pixels. */
+/* Returns the settings with `auto` resolved for a refraction model (or NULL) and image height. */
 struct settings frame_resolve_settings(const struct settings *settings,
                                        const struct technique *refraction, uint32_t height);
 

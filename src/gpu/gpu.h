@@ -20,7 +20,7 @@
 #include <volk.h>
 #include "src/base/status.h"
 
-/* Functions and instance extensions by which a window system presents images of a device. */
+/* Instance extensions and a function that a window system needs to present images. */
 struct gpu_window_system {
     const char *const *instance_extensions;
     uint32_t instance_extension_count;
@@ -28,9 +28,9 @@ struct gpu_window_system {
 };
 
 struct gpu_params {
-    const char *device; /* device index or name substring; NULL: best */
-    bool validate; /* enable validation and synchronization validation, if the layer is installed */
-    bool no_cache; /* disable the pipeline cache file */
+    const char *device; /* index or part of the name of a device; NULL selects the best one */
+    bool validate;      /* validation layer with synchronization validation, if installed */
+    bool no_cache;      /* disable the pipeline cache file */
     const struct gpu_window_system *windows; /* NULL: no windows; outlives the gpu */
 };
 
@@ -44,7 +44,7 @@ struct gpu {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
-    /* pipelines for reuse by later executors; NULL if memory was short */
+    /* pipelines for reuse by later executors; NULL if out of memory */
     struct rg_pipelines *pipelines;
     bool no_cache;           /* from the params */
     VkCommandPool pool;      /* for uploads */
@@ -60,11 +60,11 @@ struct gpu {
     uint32_t message_count; /* validation warnings and errors so far */
 };
 
-/* Opens a device into *gpu, which must not be moved afterwards. On failure *gpu is {0}. */
+/* Opens a device. *gpu must not be moved afterwards; on failure it is zeroed. */
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 
-/* Waits for the device, saves the pipeline cache and frees everything. A {0} or half-built gpu is
- * fine. *gpu is then {0} except for message_count, which includes messages about leaked objects. */
+/* Waits for the device, saves the pipeline cache and frees everything. *gpu may be zeroed or partly
+ * created. Afterwards it is zero except for message_count, which includes messages about leaks. */
 void gpu_destroy(struct gpu *gpu);
 
 /* Waits for the device and returns true if it is lost; then only gpu_destroy() may be called. */
@@ -102,9 +102,8 @@ MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
 /* Returns the VkResult's name, for example "VK_ERROR_DEVICE_LOST". */
 const char *gpu_result_name(VkResult result);
 
-/* Returns the status for a VkResult, as described above; only VK_SUCCESS is STATUS_OK.
- * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN if the memory of this process is limited, because drivers
- * return it when they reach the limit. */
+/* Converts a VkResult to a status; only VK_SUCCESS is STATUS_OK. With a process memory limit,
+ * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN, because drivers return it when they reach the limit. */
 enum status gpu_status(VkResult result);
 
 /* Logs "WHAT: NAME OF THE RESULT" and what to do about it; returns gpu_status(result). */
@@ -128,7 +127,7 @@ struct gpu_image {
 };
 
 /* Creates a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
- * Waits until the data are visible to later commands of the queue. *buffer is {0} for size 0. */
+ * Waits until the data are visible to later commands of the queue. If size is 0, zeroes *buffer. */
 MUST_USE enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, const void *data,
                                        VkDeviceSize size, const char *name);
@@ -155,17 +154,17 @@ MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
 
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 
-/* Check before any allocation that an image is not too large: sizes in pixels against the device's
- * limits (STATUS_USAGE), and `device_size` bytes of device memory with `host_size` bytes of
- * host-visible memory against the heaps (STATUS_TRY_AGAIN). Errors are logged. */
+/* Check before any allocation that an image is not too large. Return STATUS_USAGE if its size in
+ * pixels exceeds the device's limits, STATUS_TRY_AGAIN if `device_size` bytes of device memory and
+ * `host_size` bytes of host-visible memory exceed the heaps. Errors are logged. */
 MUST_USE enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t height);
 /* `side`: width of a face, texels */
 MUST_USE enum status gpu_check_cube(const struct gpu *gpu, uint32_t side);
-/* Checks the size of a scene's texture, with `depth` array layers (STATUS_DATA). */
+/* Returns STATUS_DATA if a scene's texture is too large; size.depth is its number of layers. */
 MUST_USE enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
 MUST_USE enum status gpu_check_memory(const struct gpu *gpu, VkExtent2D view,
                                       VkDeviceSize device_size, VkDeviceSize host_size);
-/* Checks `size` bytes of acceleration structures against the device's memory heap. */
+/* Checks that acceleration structures of `size` bytes fit in the device's memory heap. */
 MUST_USE enum status gpu_check_acceleration_memory(const struct gpu *gpu, VkDeviceSize size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);
 

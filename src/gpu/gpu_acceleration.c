@@ -6,7 +6,7 @@
 #include "src/gpu/gpu_internal.h"
 
 enum {
-    OFFSET_ALIGNMENT = 256, /* required alignment of a structure in its buffer, bytes */
+    OFFSET_ALIGNMENT = 256, /* required alignment of acceleration structures in a buffer, bytes */
 };
 
 static const char *const name = "acceleration structures";
@@ -70,7 +70,7 @@ static void describe_tlas(struct build *build, VkDeviceAddress instances, uint32
     describe(build, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, count);
 }
 
-/* Returns the size of a structure, bytes, and raises rays->scratch_size to what its build needs. */
+/* Returns the size of an acceleration structure, bytes; raises rays->scratch_size if necessary. */
 static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_acceleration *rays,
                             const struct build *build)
 {
@@ -86,7 +86,7 @@ static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_acceleration *rays
            OFFSET_ALIGNMENT;
 }
 
-/* Creates the structures in one buffer, one after another. */
+/* Creates acceleration structures one after another in a buffer. */
 static enum status create_structures(struct gpu *gpu, struct gpu_buffer *memory,
                                      const struct build *build, const VkDeviceSize *sizes,
                                      VkAccelerationStructureKHR *to)
@@ -119,7 +119,7 @@ static enum status create_storage(struct gpu *gpu, struct gpu_buffer *memory, Vk
                              size, false, name);
 }
 
-/* Computes the BLAS size of each group, bytes, and returns their sum. */
+/* Computes the size in bytes of each group's BLAS and returns the sum. */
 static VkDeviceSize blas_sizes(const struct gpu *gpu, struct gpu_acceleration *rays,
                                const struct gpu_blas_groups *groups, VkDeviceSize *sizes)
 {
@@ -201,7 +201,7 @@ void gpu_acceleration_destroy(struct gpu *gpu, struct gpu_acceleration *rays)
     free(rays);
 }
 
-/* Buffers that the builds read, and their scratch memory. */
+/* Input buffers and scratch memory of acceleration-structure builds. */
 struct inputs {
     struct gpu_buffer corners, instances, scratch;
     VkDeviceAddress scratch_address;

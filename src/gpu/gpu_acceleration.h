@@ -12,9 +12,9 @@
 
 #include "src/gpu/gpu.h"
 
-/* A group of triangles, one BLAS. A ray query identifies a triangle by its primitive index and the
- * instance's record offset, set to `first` (there are no shader binding tables). A custom index is
- * no alternative: lavapipe (Mesa 25.0) reads it at an invalid address for rays that miss. */
+/* A group of triangles, built as one BLAS. A ray query identifies a triangle by its primitive index
+ * and the instance's record offset, which is set to `first`. The custom index is not used, because
+ * lavapipe (Mesa 25.0) reads it at an invalid address for rays that miss. */
 struct gpu_blas_group {
     uint32_t first, count; /* triangles; the count is not 0 */
     uint8_t mask;          /* instance mask of ray queries */
@@ -29,7 +29,7 @@ struct gpu_blas_groups {
     float margin;           /* enlargement of each triangle, metres */
 };
 
-/* Frees the content of groups; {0} is fine. */
+/* Frees the content of *groups, which may be zeroed. */
 void gpu_blas_groups_finish(struct gpu_blas_groups *groups);
 
 struct gpu_acceleration {
@@ -43,13 +43,13 @@ struct gpu_acceleration {
     struct gpu_blas_groups built;             /* groups of the last build */
 };
 
-/* Creates empty structures for groups, of which only the counts are read. Fails if memory is too
- * small (gpu_check_acceleration_memory()). Needs gpu->has_rays. On failure *rays is NULL. */
+/* Creates structures without building them; reads only the counts of `groups`. Needs gpu->has_rays.
+ * Fails if memory is too small (gpu_check_acceleration_memory()); *rays is then NULL. */
 MUST_USE enum status gpu_acceleration_create(struct gpu *gpu, struct gpu_acceleration **rays,
                                              const struct gpu_blas_groups *groups);
 
-/* Builds the BLAS of groups that are not kept, and the TLAS. Moves the groups into *rays: *groups
- * is then {0}. Waits until shaders can trace the structures; nothing may trace them meanwhile. */
+/* Builds the TLAS and the BLAS of groups that are not kept. Moves the groups to *rays and zeroes
+ * *groups. Waits until shaders can trace the structures; nothing may trace them meanwhile. */
 MUST_USE enum status gpu_acceleration_build(struct gpu *gpu, struct gpu_acceleration *rays,
                                             struct gpu_blas_groups *groups);
 

@@ -15,11 +15,11 @@ static RENDERDOC_API_1_4_0 *find_renderdoc(void)
     pRENDERDOC_GetAPI get_api = NULL;
     void *library = dlopen("librenderdoc.so", RTLD_NOW | RTLD_NOLOAD);
     void *symbol = library ? dlsym(library, "RENDERDOC_GetAPI") : NULL;
-    memcpy(&get_api, &symbol, sizeof(get_api)); /* ISO C has no cast from object to function */
+    memcpy(&get_api, &symbol, sizeof(get_api)); /* ISO C forbids the cast */
     if (!get_api || get_api(eRENDERDOC_API_Version_1_4_0, (void **)&api) != 1)
         api = NULL;
     if (library)
-        dlclose(library); /* the library stays loaded, because its loader holds a reference */
+        dlclose(library); /* drops only the reference of dlopen(); the library stays loaded */
     return api;
 }
 

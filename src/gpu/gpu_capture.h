@@ -10,15 +10,15 @@
 
 #include "src/gpu/gpu.h"
 
-/* Returns a static text that says why frames cannot be captured and what to do, or NULL if they can
- * be. A device must be open. */
+/* Returns a static text that says why frames cannot be captured and what to do, or NULL if frames
+ * can be captured. A device must be open. */
 const char *gpu_capture_problem(void);
 
 /* Begins to capture all submitted work, until gpu_capture_end(). */
 void gpu_capture_begin(const struct gpu *gpu);
 
 /* Ends the capture, writes its file and copies the file's path to `path` (`size` bytes). If there
- * is no capture, logs why and returns STATUS_WRITE. */
+ * is no capture, logs an error and returns STATUS_WRITE. */
 MUST_USE enum status gpu_capture_end(const struct gpu *gpu, char *path, size_t size);
 
 #endif

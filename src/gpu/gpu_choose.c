@@ -7,8 +7,7 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* Required device limits: the render graph writes up to 8 colour attachments, and push-constant
- * structs have up to 128 bytes. */
+/* Required device limits: bytes of push constants, colour attachments of the render graph. */
 enum {
     PUSH_CONSTANTS_SIZE = 128,
     COLOR_ATTACHMENT_COUNT = 8,
@@ -95,7 +94,7 @@ static void chain(struct gpu_features *features, bool rays)
     };
 }
 
-/* Enables the feature if the device has it. Returns true if it does. */
+/* Enables the feature if the device has it, and returns true if so. */
 static bool enable(const struct feature *feature, const struct gpu_features *has,
                    struct gpu_features *requested)
 {

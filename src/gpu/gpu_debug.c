@@ -10,7 +10,7 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL count_message(
 {
     (void)types;
     struct gpu *gpu = user;
-    /* The loader reports drivers without a device here, which is not an error of firn. */
+    /* The Vulkan loader reports drivers that find no device here; that is not an error. */
     if (data->pMessageIdName && strcmp(data->pMessageIdName, "Loader Message") == 0)
         return VK_FALSE;
     gpu->message_count++;
@@ -27,7 +27,7 @@ VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu)
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
         .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                            VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-        /* no PERFORMANCE messages: they advise on hardware that this machine may lack */
+        /* no PERFORMANCE messages, which concern hardware that this machine may lack */
         .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
                        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
         .pfnUserCallback = count_message,

@@ -6,7 +6,7 @@
 #include "src/gpu/gpu_acceleration.h"
 #include "src/gpu/gpu_internal.h"
 
-/* Maximum number of devices, more than any machine has; further ones are ignored. */
+/* Maximum number of devices; further ones are ignored. */
 enum {
     DEVICES_MAX = 32,
 };

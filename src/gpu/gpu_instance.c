@@ -27,7 +27,7 @@ bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const 
     return false;
 }
 
-/* Lists the extensions of a layer, or of loader and drivers if `of` is NULL; caller frees *list. */
+/* Lists the extensions of layer `of`; if NULL, those of loader and drivers. Caller frees *list. */
 static VkResult list_extensions(const char *of, VkExtensionProperties **list, uint32_t *count)
 {
     *list = NULL;
@@ -124,7 +124,7 @@ VkResult gpu_instance_create(struct gpu *gpu, bool validate)
     if (result != VK_SUCCESS)
         return result;
 
-    /* volkLoadDevice() would serve a single device; firn also opens secondary ones */
+    /* volkLoadDevice() supports only one device, but firn also opens secondary devices */
     volkLoadInstance(gpu->instance);
     gpu->validated = offer.layer && offer.debug_utils;
     if (gpu->validated) {

@@ -1,4 +1,4 @@
-/* gpu_internal.h: declarations shared within src/gpu. Functions with a status log their errors. */
+/* gpu_internal.h: declarations shared within src/gpu. Functions that return a status log errors. */
 #ifndef FIRN_GPU_INTERNAL_H
 #define FIRN_GPU_INTERNAL_H
 
@@ -9,17 +9,17 @@ enum {
     GPU_STAGING_SIZE = 16 << 20,
 };
 
-/* Creates gpu->instance with the extensions of gpu->windows, and with `validate` gpu->messenger,
- * after volkInitialize(). Logs only a warning if the validation layer is missing. */
+/* Creates gpu->instance with the extensions of gpu->windows and, if `validate`, gpu->messenger.
+ * Call volkInitialize() first. A missing validation layer causes only a warning. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
-/* Returns advice for a machine without a usable driver: install one or, if a memory limit may keep
- * drivers from loading, raise it. */
+/* Returns advice for a machine without a usable driver: to install a driver, or to raise the
+ * process's memory limit, which may keep drivers from loading. */
 const char *gpu_driver_advice(void);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
 
-/* Returns the parameters of a debug messenger, which keeps the pointer to `gpu`. */
+/* Returns the parameters of a debug messenger; `gpu` must outlive the messenger. */
 VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu);
 
 /* Names an object for captures and messages, if `name` is given and debug utils are available. */
@@ -29,9 +29,9 @@ void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, c
 void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
                          struct gpu_device *device);
 
-/* Chooses a device from a list as --device does: by number if `requested` is all digits, else the
- * best one with `requested` in its name (NULL: the best of all). Types from best to worst are
- * discrete, integrated, virtual, CPU; of one type the first device is chosen. */
+/* Chooses a device: number `requested` if that is all digits, else the best one with `requested` in
+ * its name; NULL means the best of all. Types from best to worst are discrete, integrated, virtual,
+ * CPU; within a type, the first device is chosen. */
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
                                 const char *requested, uint32_t *index);
 
@@ -56,8 +56,8 @@ extern const char *const gpu_ray_extensions[GPU_RAY_EXTENSION_COUNT];
 MUST_USE VkResult gpu_device_extensions_find(VkPhysicalDevice physical,
                                              struct gpu_device_extensions *offer);
 
-/* Device features to enable. `core` is the head of a pNext chain that points into the struct, so it
- * must not be moved after gpu_features_choose(). */
+/* Device features to enable. `core` is the head of a pNext chain that points into this struct, so
+ * the struct must not be moved after gpu_features_choose(). */
 struct gpu_features {
     VkPhysicalDeviceFeatures2 core;
     VkPhysicalDeviceVulkan12Features v12;
@@ -67,16 +67,16 @@ struct gpu_features {
     bool rays; /* ray features are enabled */
 };
 
-/* Chains *requested and sets the features that firn requires, and optional ones that the device
- * has. Ray features are set only if `rays`: the device has gpu_ray_extensions. Returns the name of
- * the first required feature that is missing, or NULL. The device must support Vulkan 1.3. */
+/* Initialises *requested with the features that firn requires and optional ones that the device
+ * has. Ray features are included only if `rays`, which requires gpu_ray_extensions. Returns the
+ * name of the first missing required feature, or NULL. The device must support Vulkan 1.3. */
 const char *gpu_features_choose(VkPhysicalDevice physical, bool rays,
                                 struct gpu_features *requested);
 
 /* Creates gpu->pipeline_cache from an earlier run's file. Warns of a damaged file. */
 MUST_USE enum status gpu_pipeline_cache_load(struct gpu *gpu);
 
-/* Saves gpu->pipeline_cache for a later run. Failures are not logged: only speed is lost. */
+/* Saves gpu->pipeline_cache for a later run. Failures are not logged, as they only cost speed. */
 void gpu_pipeline_cache_save(const struct gpu *gpu);
 
 /* Returns true if the content of a cache file is undamaged and from this device and driver. */
@@ -95,13 +95,13 @@ enum gpu_memory_kind {
     GPU_MEMORY_ADDRESS, /* device-local, with a buffer address */
 };
 
-/* Allocates memory for `needs`. Returns STATUS_TRY_AGAIN if that is more than the device has. */
+/* Allocates memory for `needs`. Returns STATUS_TRY_AGAIN if the device has too little memory. */
 MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs,
                                          enum gpu_memory_kind kind, const char *name,
                                          VkDeviceMemory *memory);
 
-/* Creates a buffer with its own memory, host-visible if `host`, and undefined content. With
- * SHADER_DEVICE_ADDRESS in its usage it has an address. On failure *buffer is {0}. */
+/* Creates a buffer with undefined content and memory of its own, host-visible if `host`. It has a
+ * device address if `usage` includes SHADER_DEVICE_ADDRESS. On failure *buffer is zeroed. */
 MUST_USE enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, VkDeviceSize size, bool host,
                                        const char *name);
@@ -123,7 +123,7 @@ MUST_USE enum status gpu_upload_begin(struct gpu *gpu, struct gpu_upload *upload
 /* Submits `commands`, waits until they are done, and begins to record again. */
 MUST_USE enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload);
 
-/* Frees an upload's staging buffer and commands; {0} or half-built is fine. */
+/* Frees an upload's staging buffer and commands. *upload may be zeroed or partly created. */
 void gpu_upload_finish(struct gpu *gpu, struct gpu_upload *upload);
 
 #endif

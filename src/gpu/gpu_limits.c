@@ -68,8 +68,8 @@ static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
     return found;
 }
 
-/* Returns the usable size of a heap, bytes. CPU drivers may report too little: their heap is the
- * machine's memory, a quarter of which is left to other programs. */
+/* Returns the usable size of a heap, bytes. CPU drivers may report too little, so for them it is at
+ * least three quarters of the machine's memory. */
 static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
 {
     const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;

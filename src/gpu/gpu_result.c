@@ -81,7 +81,7 @@ const char *gpu_driver_advice(void)
                             "one for the CPU)";
 }
 
-/* Returns true if an unspecific result probably means that the process hit its memory limit. */
+/* Returns true if VK_ERROR_UNKNOWN probably means that the process hit its memory limit. */
 static bool is_out_of_limit(VkResult result)
 {
     return result == VK_ERROR_UNKNOWN && memory_limit() != 0;
@@ -95,7 +95,7 @@ enum status gpu_status(VkResult result)
     switch ((int)result) {
     case VK_SUCCESS:
         return STATUS_OK;
-    case VK_TIMEOUT: /* returned by a wait without a time limit */
+    case VK_TIMEOUT: /* even if a wait is unlimited */
     case VK_ERROR_DEVICE_LOST:
     case VK_ERROR_OUT_OF_HOST_MEMORY:
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:

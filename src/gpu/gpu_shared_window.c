@@ -47,7 +47,7 @@ static bool is_supported(const struct gpu *gpu, const VkImageCreateInfo *image)
            limit->width >= image->extent.width && limit->height >= image->extent.height;
 }
 
-/* Imports host memory as device memory. Returns false if it is NULL or cannot back the image. */
+/* Imports host memory as device memory. Returns false if `memory` is NULL or unsuitable. */
 static bool import(const struct gpu *gpu, const VkMemoryRequirements *needs, VkDeviceSize size,
                    void *memory, VkDeviceMemory *imported)
 {

@@ -20,10 +20,10 @@ enum {
 /* Callbacks by which a window provides shared memory and presents images in it. */
 struct gpu_shared_window {
     void *user;
-    /* Allocates `size` bytes that the server can read, until unmap(); returns NULL on failure. */
+    /* Allocates `size` bytes that the server can read, or returns NULL. unmap() frees them. */
     void *(*map)(void *user, uint32_t index, size_t size);
     void (*unmap)(void *user, uint32_t index);
-    /* Presents rows of `row_size` bytes, BGRA, four bytes per pixel. Does not wait; see wait(). */
+    /* Presents an image of 4-byte BGRA pixels in rows of `row_size` bytes, without waiting. */
     void (*show)(void *user, uint32_t index, VkExtent2D extent, uint32_t row_size);
     void (*wait)(void *user, uint32_t index); /* waits until the server has read the image */
 };
@@ -35,13 +35,13 @@ struct gpu_shared_window_image {
     uint32_t row_size; /* bytes */
 };
 
-/* Creates a canvas's images, BGRA, usable as colour attachments and transfer destinations. Returns
- * false, without logging, if memory or device do not allow it; then nothing is created. */
+/* Creates the BGRA images of a canvas, for use as colour attachments and transfer destinations. If
+ * memory or device do not allow it, returns false without logging and creates nothing. */
 MUST_USE bool gpu_shared_window_create_images(
     const struct gpu *gpu, const struct gpu_shared_window *canvas, VkExtent2D extent,
     struct gpu_shared_window_image images[GPU_SHARED_WINDOW_IMAGE_COUNT]);
 
-/* Destroys a canvas's images; {0} and half-built are fine. The device must be idle. */
+/* Destroys a canvas's images, which may be zeroed or partly created. The device must be idle. */
 void gpu_shared_window_destroy_images(
     const struct gpu *gpu, const struct gpu_shared_window *canvas,
     struct gpu_shared_window_image images[GPU_SHARED_WINDOW_IMAGE_COUNT]);

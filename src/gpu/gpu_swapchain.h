@@ -32,7 +32,7 @@ enum {
 
 #define GPU_SWAPCHAIN_NONE UINT32_MAX /* no image */
 
-/* Pseudo present mode: a canvas if possible, else FIFO. */
+/* Pseudo present mode: images of the canvas if possible, else FIFO. */
 #define GPU_SWAPCHAIN_ANY VK_PRESENT_MODE_MAX_ENUM_KHR
 
 struct gpu_swapchain {
@@ -53,15 +53,14 @@ struct gpu_swapchain {
     bool stale;         /* must be recreated */
 };
 
-/* Chooses a format with eight bits per channel, without sRGB encoding if possible, and a present
- * mode: `mode` or, with a warning, FIFO, which every surface supports. Creates no images: `stale`
- * is true. The canvas may be NULL. */
+/* Chooses a format of 8 bits per channel, if possible without sRGB encoding, and present mode
+ * `mode` or, with a warning, FIFO. Creates no images but sets `stale`. `canvas` may be NULL. */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                         VkSurfaceKHR surface, VkPresentModeKHR mode,
                                         const struct gpu_shared_window *canvas);
 
-/* Waits for the device and recreates the images. `size` is the window's size, pixels; it is used
- * for surfaces that let the program choose. */
+/* Waits for the device and recreates the images. `size`, the window's size in pixels, is used if
+ * the surface lets the program choose. */
 MUST_USE enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                             VkExtent2D size);
 
@@ -73,11 +72,11 @@ MUST_USE enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain
 MUST_USE enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                            uint32_t index);
 
-/* Waits for the device and frees everything. A {0} or half-built swapchain is fine. */
+/* Waits for the device and frees everything. *swapchain may be zeroed or partly created. */
 void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *swapchain);
 
-/* Convert between present modes and their names "auto", "fifo", "mailbox" and "immediate": return
- * NULL, or false, if there is none. */
+/* Convert between present modes and their names "auto", "fifo", "mailbox" and "immediate". Return
+ * NULL or false for unknown modes and names. */
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode);
 bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode);
 

@@ -70,7 +70,7 @@ static enum status submit(struct gpu *gpu, struct gpu_upload *upload)
 
 enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload)
 {
-    /* VK_WHOLE_SIZE needs no rounding to nonCoherentAtomSize; no-op for coherent memory */
+    /* VK_WHOLE_SIZE avoids rounding to nonCoherentAtomSize. */
     const VkMappedMemoryRange range = {
         .sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
         .memory = upload->staging.memory,

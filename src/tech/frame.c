@@ -61,7 +61,7 @@ const struct rg_image frame_display = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
-/* The size is the default of env_cube.size; frame_plan_init() replaces it. */
+/* Width and height are placeholders; frame_plan_init() sets the actual size. */
 const struct rg_image frame_env_cube = {
     .name = "env_cube.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -91,7 +91,7 @@ const struct rg_buffer frame_samples = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Imported images; the sizes are those of fallbacks, for scenes without the image. */
+/* Images imported from the scene, declared with the size of the fallback for scenes without one. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,

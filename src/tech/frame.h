@@ -23,7 +23,7 @@ struct frame_view {
     vec2s jitter;           /* subpixel offset of the sample, pixels */
     vec2s light_jitter;     /* photon jitter, in [-0.5, 0.5) */
     uint32_t face_size;     /* environment cube face size, texels */
-    /* Offset of an interleaved tile's pixels from the centre of their pixel block, image pixels. */
+    /* Offset of an interleaved tile's pixel from the centre of its block of pixels, in pixels. */
     vec2s tile;
     uint32_t sample; /* sample index, from 0 */
     float lod_bias;  /* mip bias of an interleaved tile (-log2 of its pixel spacing) */
@@ -33,7 +33,7 @@ struct frame_view {
 /* Returns the time of the previous frame in seconds, at least 0. */
 float frame_time_before(const struct settings *settings, float time);
 
-/* Computes the transforms of the objects, which rotate about `center`, and of orbiting bodies. */
+/* Computes the rotations about `center` of objects and orbiting bodies at `time`, seconds. */
 void frame_rotations(const struct frame_view *view, vec3s center, float time,
                      mat4s *world_from_object, mat4s *world_from_movers);
 
@@ -44,21 +44,21 @@ struct frame_object {
     uint32_t first_index, index_count; /* index range of the object's triangles */
     VkRect2D area, lookup_area;        /* as in struct rg_frame */
     VkRect2D reach;                    /* pixels that its rays may read */
-    uint32_t layer;                    /* objects of one layer never read each other's images */
+    uint32_t layer;                    /* index of the layer of objects that are drawn together */
     /* next object of the layer, drawn by the same passes; NULL if last */
     const struct frame_object *next;
-    /* Area drawn by its passes: the union of `reach` over the layer; empty if another object's
-     * passes draw it. */
+    /* Area drawn by the object's passes: the union of `reach` over the objects of its layer. Empty
+     * if another object's passes draw this one. */
     VkRect2D drawn;
 };
 
-/* Cached results that a frame has to redraw (src/frame/env_cube_updates.h). */
+/* Cached images that a frame has to redraw (src/frame/env_cube_updates.h). */
 struct frame_updates {
     uint32_t faces; /* bit mask of cube faces */
     bool light;     /* caustic and shadow maps */
 };
 
-/* State for record functions (declared in graph/rg.h), filled by the renderer once per frame. */
+/* Per-frame data read by the record functions of passes; the renderer fills it once per frame. */
 struct rg_frame {
     const struct settings *settings;
     const struct scene *scene;
@@ -82,14 +82,14 @@ struct rg_frame {
 /* Vertex layout of struct mesh_vertex (shaders/mesh_layout.h). */
 extern const struct rg_vertex_layout frame_mesh_layout;
 
-/* Uniform buffer of struct globals (shaders/globals.h), and the use that most passes start with. */
+/* Uniform buffer with a struct globals (shaders/globals.h), and the rg_use that binds it. */
 extern const struct rg_buffer frame_globals;
 #define FRAME_USE_GLOBALS \
     { \
         .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
     }
 
-/* Uses of an image: FRAME_READ fetches texels; FRAME_SAMPLE takes more fields, e.g. a sampler. */
+/* Initialise a struct rg_use: FRAME_READ for texel fetches, FRAME_SAMPLE with more members. */
 #define FRAME_READ(read_image, at) \
     { \
         .image = &(read_image), .access = RG_SAMPLED, .binding = (at) \
@@ -104,11 +104,11 @@ extern const struct rg_image frame_color;   /* linear radiance, alpha 1 */
 extern const struct rg_image frame_depth;   /* reversed depth: 0 is infinitely far */
 extern const struct rg_image frame_display; /* display image: 8 bits, sRGB-encoded */
 
-/* Environment cube (rgb: linear radiance; a: 1 / distance, 1 / metre) and its depth buffer.
- * frame_env_cube_baked, with faces of the view's size, is written to files. */
+/* Environment cube (rgb: linear radiance; a: 1 / distance in metres) and its depth buffer.
+ * frame_env_cube_baked, whose faces have the view's size, is the cube that is written to files. */
 extern const struct rg_image frame_env_cube, frame_env_cube_depth, frame_env_cube_baked;
 
-/* Mean of many samples, written by the renderer: tightly packed rows of frame_color's texels. */
+/* Mean of an image's samples, uploaded as tightly packed texels in the format of frame_color. */
 extern const struct rg_buffer frame_samples;
 
 /* Images imported from the scene. */
@@ -123,7 +123,7 @@ extern const struct rg_image frame_extras;
 /* Prefiltered environment light and split-sum table (shaders/brdf.h); 1x1 if unused. */
 extern const struct rg_image frame_surface_light, frame_surface_split;
 
-/* Samplers; settings and device limit the anisotropy. */
+/* Maximum anisotropy of samplers; settings and device may lower it. */
 #define FRAME_ANISOTROPY 16.0f
 extern const struct rg_sampler frame_linear;              /* bilinear, clamped, one mip level */
 extern const struct rg_sampler frame_environment_sampler; /* wraps around horizontally, trilinear */
@@ -132,16 +132,16 @@ extern const struct rg_sampler frame_texture_sampler;     /* repeats, trilinear,
 /* Returns the area of the view, in pixels, that contains the pass's object. */
 VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Returns the refractive object that a pass draws; the scene must have listed its objects. */
+/* Returns the refractive object that a pass draws. The scene must have at least one object. */
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Return a pass's drawn area for one of several objects; the pass of the layer's next object. */
+/* Implement rg_pass.area and rg_pass.more for passes that draw one of several objects. */
 VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame);
 
-/* Record functions of passes without push constants: draw the pass's object; a full-screen triangle
- * (fullscreen.vert); that triangle within lookup_area. */
+/* Record functions without push constants. They draw the pass's object, a full-screen triangle
+ * (fullscreen.vert), or the part of that triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
@@ -154,8 +154,8 @@ enum {
     FRAME_DENOISE_COUNT = 3
 };
 
-/* Outputs of shaders/trace/trace_denoise.glsl for the denoise pass: light and the fraction of
- * samples that gathered it, throughput, position. They are not offered as layers of --aov. */
+/* Inputs of the denoise pass, written by shaders/trace/trace_denoise.glsl: light with the fraction
+ * of samples that gathered it, throughput, and position. They are not available as --aov layers. */
 extern const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT];
 
 #endif

@@ -6,7 +6,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* KHR_materials_dispersion: red n - h, green n, blue n + h, with h = (n - 1) 0.025 dispersion. */
+/* Sets the indices n - h (red), n (green) and n + h (blue), by KHR_materials_dispersion. */
 static void disperse(float ior[static 3], float green, float dispersion)
 {
     const float half = (green - 1.0f) * 0.025f * dispersion;
@@ -43,11 +43,11 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
 
 float frame_media_air(const struct scene *scene)
 {
-    /* glTF assumes vacuum outside, the paper air. */
+    /* glTF assumes a vacuum around objects, the paper air. */
     return frame_media_are_from_settings(scene) ? REFRACT_IOR_AIR : 1.0f;
 }
 
-/* Returns the refractive index of the outside. */
+/* Returns the refractive index of the medium around the objects. */
 static float outside_of(const struct scene *scene, const struct settings *settings)
 {
     const float outside = refract_outside(scene, settings);

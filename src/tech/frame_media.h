@@ -10,16 +10,15 @@ struct frame_medium {
     vec3s absorption; /* absorption coefficients, 1 / metre */
     vec3s tint;       /* colour factor of transmitted light */
     float roughness;  /* of the surface, 0 to 1 */
-    float opacity;    /* fraction of refracted light that reaches the opaque, diffuse base */
+    float opacity;    /* opacity: fraction of refracted light that reaches the diffuse base */
     uint32_t rank;    /* nesting priority; outside: 0 */
     bool is_thin;     /* same medium on both sides */
     bool is_textured; /* textured: material_is_textured() */
 };
 
-/* Returns the medium of object `index` or, for the last index, of the outside. refract.ior
- * overrides all objects' indices if it differs from the value when the scene was loaded
- * (scene->model_ior); absorb.* and refract.dispersion override if they are not 0. Objects without a
- * material take all values from the settings. */
+/* Returns the medium of object `index`; the last index is the medium around the objects. Settings
+ * override materials: refract.ior if it was changed since the scene was loaded (scene->model_ior),
+ * absorb.* and refract.dispersion if they are not 0. Objects without material use settings only. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 
@@ -32,8 +31,8 @@ bool frame_media_are_from_settings(const struct scene *scene);
 /* Returns true if some medium is dispersive, so that each colour channel needs its own path. */
 bool frame_media_disperse(const struct scene *scene, const struct settings *settings);
 
-/* Returns the number of media including the outside; at least 2, because a scene without listed
- * objects counts as one object. */
+/* Returns the number of media: one per object, and the one around the objects. A scene that lists
+ * no objects counts as one object, so the result is at least 2. */
 uint32_t frame_media_count(const struct scene *scene);
 
 #endif

@@ -1,4 +1,4 @@
-/* layer.h: a layer (AOV) of an image, as --aov names it, and its channels in an EXR file. */
+/* layer.h: description of an image layer (AOV): its name for --aov and its EXR channels. */
 #ifndef FIRN_TECH_LAYER_H
 #define FIRN_TECH_LAYER_H
 

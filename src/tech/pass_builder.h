@@ -32,7 +32,7 @@ struct rg_target *pass_builder_copy_targets(struct pass_builder *builder,
                                             const struct rg_target *targets, uint32_t count);
 struct rg_use *pass_builder_copy_uses(struct pass_builder *builder, const struct rg_use *uses);
 
-/* Returns the concatenation of `count` lists of uses, each of which ends at {0} or is NULL. */
+/* Returns the concatenation of `count` lists of uses; a list is NULL or ends at an empty use. */
 const struct rg_use *pass_builder_join_uses(struct pass_builder *builder,
                                             const struct rg_use *const *lists, size_t count);
 

@@ -44,7 +44,7 @@ struct technique_config {
     bool is_limited;       /* draw only the pixels rays read */
     bool is_dispersive;    /* dispersive media: paths per colour channel */
     bool may_exceed_image; /* the object may exceed the image */
-    uint32_t object_count; /* refractive objects, each with own passes; 0 means 1 */
+    uint32_t object_count; /* number of refractive objects with separate passes; 0 means 1 */
     bool has_rays;         /* the device has ray queries */
     bool has_fast_rays;    /* hardware ray queries, not emulated ones */
     /* Set by refraction_model.choose: */
@@ -84,8 +84,8 @@ enum technique_scene {
     SCENE_OF_ANY,
 };
 
-/* Returns the passes of a pass group, or none if it is off. Tables that depend on `config` are
- * allocated from the builder (src/tech/pass_builder.h), which owns them. */
+/* Returns the passes of a pass group, or none if the technique is off. Tables that depend on
+ * `config` are allocated from the builder (src/tech/pass_builder.h), which owns them. */
 typedef struct rg_technique technique_passes_fn(const struct technique_config *config,
                                                 struct pass_builder *builder);
 
@@ -97,25 +97,25 @@ struct technique_pass_group {
     technique_passes_fn *make_passes; /* may be NULL */
 };
 
-/* A refraction model, as --refraction names it. */
+/* A refraction model, which --refraction selects by name. */
 struct refraction_model {
     const char *name;                      /* NULL: not a refraction model */
     const struct refract_shaders *shaders; /* NULL for the CPU reference */
-    float reach;                           /* face lookup radius, bounding radii; 0 means 1 */
+    float reach;                           /* radius of face lookups, bounding radii; 0 means 1 */
     /* Shades a full-screen triangle instead of front faces
      * (shaders/refract/refract_fullscreen.glsl): for models with expensive fragment shaders. */
     bool shades_fullscreen;
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
     bool traces_bvh;        /* traces rays through scene->bvh */
-    /* Return true if refracted rays intersect cracks (air gaps) and bubbles; NULL: never. */
+    /* Return true if refracted rays can hit cracks (air gaps), and bubbles; NULL means never. */
     bool (*refracts_cracks)(const struct settings *settings);
     bool (*refracts_bubbles)(const struct settings *settings);
     /* Sets the members of `config` that depend on the model, after all others; may be NULL. */
     void (*choose)(struct technique_config *config, const struct scene *scene);
-    /* Turns a pass of ice_caustics.c into one that traces photons through the scene's triangles,
-     * if rays hit surroundings. `own` lists the pass's further uses and ends at {0};
-     * targets and record function are kept. NULL: photons are rasterised. */
+    /* If rays hit surroundings, turns a pass of ice_caustics.c into one that traces photons through
+     * the scene's triangles. `own` lists additional uses and ends at an empty use; targets and
+     * record function are kept. If this function is NULL, photons are rasterised. */
     void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_builder *builder, const struct rg_use *own);
 };
@@ -123,11 +123,11 @@ struct refraction_model {
 /* A buffer that the host fills in every frame whose plan contains it. */
 struct technique_upload {
     const struct rg_buffer *buffer; /* RG_MEMORY_UPLOAD; NULL ends the list */
-    /* Writes the mapped memory of the buffer. */
+    /* Writes the buffer's mapped memory. */
     void (*write)(void *memory, const struct frame_view *view, const struct globals *globals);
 };
 
-/* Texels of an image of the scene; borrowed. */
+/* Texels of a scene's image; the scene owns them. */
 struct technique_texels {
     const void *texels;     /* NULL imports the fallback */
     uint32_t width, height; /* first mip level; never 0 */
@@ -137,13 +137,13 @@ struct technique_texels {
     bool no_mips; /* only one mip level */
 };
 
-/* Content of a buffer of the scene; borrowed. */
+/* Content of a scene's buffer; the scene owns it. */
 struct technique_bytes {
     const void *bytes; /* NULL imports zeros */
     size_t size;
 };
 
-/* An image or texel buffer of the scene, imported unless the plan draws it; {0} ends the list. */
+/* Image or buffer of the scene, imported unless the plan draws it; an empty import ends a list. */
 struct technique_import {
     const struct rg_image *image;
     struct technique_texels (*find)(const struct scene *scene);
@@ -153,7 +153,7 @@ struct technique_import {
     bool is_structure; /* acceleration structures of the BVH */
 };
 
-/* Inputs of a scene's plans and specialisation constants. */
+/* Inputs from which the specialisation constants of a scene's plans are computed. */
 struct technique_inputs {
     const struct scene *scene;
     const struct settings *settings;    /* from frame_resolve_settings() */
@@ -169,12 +169,12 @@ struct technique {
     const char *name;
     const char *help; /* one line, no full stop */
     const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
-    /* Returns true if the feature is on; its first setting 0 switches it off. NULL: always on. */
+    /* Returns true if the technique is on; it is off if its first setting is 0. NULL: always on. */
     bool (*is_on)(const struct settings *settings);
     bool is_traced;   /* the CPU reference models the feature */
     bool is_ice_only; /* by default, only ice has it */
-    bool is_hit; /* ray-traced models intersect it themselves, without passes of the technique */
-    /* Returns true if the feature makes objects of a scene transmit or block light; NULL: never. */
+    bool is_hit;      /* is_hit: ray tracing models hit the feature directly, without its passes */
+    /* Returns true if the technique makes objects transmit or block light; NULL means never. */
     bool (*affects_light)(const struct scene *scene);
     const char *title; /* display name; NULL: `name` */
     struct technique_pass_group pass_groups[TECHNIQUE_PASS_GROUP_COUNT];
@@ -184,13 +184,13 @@ struct technique {
     const struct technique_import *imports; /* may be NULL */
     /* Returns the mesh that frame_draw_mesh() draws; may be NULL. */
     const struct mesh *(*mesh)(const struct scene *scene);
-    /* Overwrites settings of the technique that the scene determines; may be NULL. */
+    /* Replaces the technique's settings that depend on the scene; may be NULL. */
     void (*follow_scene)(struct settings *settings, const struct scene *scene);
-    /* Replaces `auto` values by those of a refraction model or NULL; the hook may be NULL. */
+    /* Resolves `auto` settings for a refraction model or NULL. The hook itself may be NULL. */
     void (*resolve_auto)(struct settings *settings, const struct technique *refraction);
     /* Writes the technique's members of struct globals; may be NULL. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
-    /* Writes the technique's specialisation constants, by identifier; may be NULL. */
+    /* Writes the technique's specialisation constants to values[CONSTANT_...]; may be NULL. */
     void (*write_constants)(const struct technique_inputs *subject, uint32_t *values);
 };
 

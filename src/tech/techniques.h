@@ -1,6 +1,6 @@
-/* techniques.h: registry of all techniques, generated from the list in the root meson.build.
- * Setting groups, refraction models, layers, and pass groups of one phase have the order of this
- * list. */
+/* techniques.h: registry of all techniques, generated from the list in meson.build. The list
+ * defines the order of setting groups, refraction models, layers, and pass groups within a phase.
+ */
 #ifndef FIRN_TECH_TECHNIQUES_H
 #define FIRN_TECH_TECHNIQUES_H
 
@@ -18,7 +18,7 @@ const struct technique *techniques_refraction(size_t i);
 /* Returns the refraction model of that name, or NULL. */
 const struct technique *techniques_find_refraction(const char *name);
 
-/* Sets the technique's first setting to 0, so that is_on(), which must exist, returns false. */
+/* Switches a technique off by setting its first setting to 0. It must have a function is_on(). */
 void techniques_switch_off(struct settings *settings, const struct technique *technique);
 
 /* Returns layer i in list order, or NULL at the end. */

@@ -3,14 +3,14 @@
 #define FIRN_TECH_ICE_ICE_DEPTH_H
 #include "src/tech/technique.h"
 
-/* Depth by globals.fitted_clip_from_world (0 near, 1 far) of the nearest front face (1 if there is
- * none) and the farthest back face (0 if there is none); fitted_depth.glsl converts to metres. */
+/* Depth of the nearest front face (1 if there is none) and of the farthest back face (0 if there is
+ * none), from 0 (near) to 1 (far); fitted_depth.glsl converts it to metres. */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
-/* View-space depth of front and back, and thickness along the ray, in metres; 0 without ice. */
+/* View-space depth of front and back face and thickness along the ray, metres; 0 without ice. */
 extern const struct rg_image ice_depth_layers;
 
-/* Fields of a pass in fitted depth that rejects fragments behind the farthest back face. */
+/* Sets up a pass's depth test to reject fragments behind the farthest back face. */
 #define ICE_DEPTH_BEFORE_BACK \
     .depth = { &ice_depth_back, RG_LOAD_KEEP }, .depth_read_only = true, \
     .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL

@@ -35,7 +35,7 @@ const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
     LAYERS("ice_interval.far", 7), LAYERS("ice_interval.far", 8),
 };
 
-/* Draws all faces; with RG_PER_LAYER once per layer, keeping the nearest faces not yet peeled. */
+/* Depth peeling: draws all faces once per layer and keeps the nearest ones not yet peeled. */
 static const struct rg_pass peel = {
     .depth = { .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1.0f, 0 } } },
     .depth_compare = VK_COMPARE_OP_LESS,
@@ -110,7 +110,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
         peel_all(far_first, builder, far, "ice_interval.middle", "ice_interval.last");
     passes->uses = globals_use;
     passes->frag = &ice_interval_first_frag;
-    /* peels behind the last layer of the nearer image */
+    /* the first layer of `far` lies behind the last layer of `near` */
     far_first->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
     far_first->frag = &ice_interval_next_frag;
     *last = count;

@@ -8,9 +8,9 @@ struct ice_interval_params {
     uint32_t count; /* maximum intervals per pixel */
 };
 
-/* Images for k intervals at index k - 1; ice_interval_index() selects the one in use. Each interval
- * has two layers of fitted depth. The nearer and the farther half of the layers are separate
- * images, because one image would exceed device limits in large views. */
+/* Images for k intervals at index k - 1. An interval has two depth layers, its entry and exit. The
+ * nearer and the farther half of all layers are separate images, because a single image would
+ * exceed device limits in large views. */
 extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
 extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];
 
@@ -18,7 +18,7 @@ extern const struct rg_image ice_interval_count; /* number of intervals in each 
 
 extern const struct setting_group ice_interval_settings;
 
-/* Returns the index of the images in use. */
+/* Returns the index in use in ice_interval_near and ice_interval_far. */
 uint32_t ice_interval_index(const struct settings *settings);
 
 #endif

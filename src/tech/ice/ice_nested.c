@@ -98,7 +98,7 @@ static const struct rg_pass passes[] = {
     FACES("ice_nested.far_innermost", 5, FAR, BEHIND(2)),
 };
 
-/* Returns the medium of the object with priority `rank`; 0, the outside, if there is none. */
+/* Returns the medium of the object whose nesting priority is `rank`; 0 (outside) if none has it. */
 static uint32_t medium_of(const struct model *model, uint32_t rank)
 {
     for (uint32_t i = 0; i < model->object_count; i++) {

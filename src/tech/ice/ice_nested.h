@@ -1,28 +1,28 @@
 /*
  * ice_nested.h: depth layers of nested objects and cavities.
  *
- * Level 0 lies between a pixel's nearest and farthest face; each further level lies between the
- * nearest and the farthest of the faces strictly inside the previous one.
+ * Level 0 is the interval between a pixel's nearest and farthest face. Each further level is the
+ * interval between the nearest and the farthest of the faces strictly inside the previous level.
  */
 #ifndef FIRN_TECH_ICE_ICE_NESTED_H
 #define FIRN_TECH_ICE_ICE_NESTED_H
 #include "shaders/ice/ice_nested.h"
 #include "src/tech/technique.h"
 
-/* Image layers: near and far face of level 0, then of level 1, and so on. Depth is by
- * globals.clip_from_world, as in ice_normal.h. Normals: xyz: unit, world, pointing out of the
- * level; w: 1 + medium in the level at this face, or 0 if there is no face. */
+/* Layers 2 i and 2 i + 1 show the near and the far face of level i. Depth is that of
+ * globals.clip_from_world. Normals: xyz is the world-space unit normal, pointing out of the level;
+ * w is 1 + the medium inside the level at the face, or 0 if there is no face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
-/* Depth layers of the area that extends beyond the image, if technique_config.is_wide. */
+/* Depth and normals in an area larger than the image, drawn if technique_config.is_wide. */
 extern const struct rg_image ice_nested_wide_depths, ice_nested_wide_normals;
 
 extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */
 
-/* Returns true if objects are nested in others. */
+/* Returns true if the scene has nested objects. */
 bool ice_nested_is_in(const struct scene *scene);
 
-/* Returns true if the number of media is within the limit of the maps. */
+/* Returns true if the scene has few enough media for the nested-object maps. */
 bool ice_nested_fits(const struct scene *scene);
 
 /* Returns the number of objects that are not nested in another one. */

@@ -83,7 +83,7 @@ const struct rg_image ice_normal_wide_front_depth = {
     .scale = ICE_NORMAL_WIDE,
 };
 
-/* depth buffer used if the content of frame_depth must be kept */
+/* depth buffer of the front faces, used if the content of frame_depth must be kept */
 static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -212,8 +212,8 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_object(cmd, frame);
 }
 
-/* Returns true if front faces must not be drawn to frame_depth, because it holds a finished image
- * or the depth of other objects, which only the refraction model's own passes may extend. */
+/* Returns true if front faces must not be drawn to frame_depth, because it contains the depth of a
+ * finished image or of other objects, which only the refraction model's passes may extend. */
 static bool keeps_depth(const struct technique_config *config)
 {
     const bool are_many = config->object_count > 1;
@@ -221,7 +221,7 @@ static bool keeps_depth(const struct technique_config *config)
            (are_many && !config->refraction->refraction.shades_fullscreen);
 }
 
-/* Makes a pass clear the normals: in a limited area a clear costs less than an extra pass. */
+/* Makes a pass clear its normals itself, which is cheaper than an extra pass in a limited area. */
 static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
 {
     struct rg_target *color = pass_builder_copy_targets(builder, pass->color, pass->color_count);
@@ -258,8 +258,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
     return (struct rg_technique){ "ice_normal", copies, count };
 }
 
-/* Returns a pass that draws the back faces of all objects for the layer: refraction models
- * overwrite the map per object, so that it ends with those of the last one. */
+/* Returns a pass that draws the back faces of all objects for the AOV layer. It is needed because
+ * refraction models overwrite the normals for each object. */
 static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_builder *builder)
 {

@@ -3,7 +3,7 @@
 #define FIRN_TECH_ICE_ICE_NORMAL_H
 #include "src/tech/technique.h"
 
-/* xyz: outward unit normal, world, facing away from the camera; w: 1, or 0 if there is no face */
+/* xyz: outward unit normal of the back face, world space; w: 1, or 0 if there is no back face */
 extern const struct rg_image ice_normal_back;
 
 extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the camera */
@@ -12,18 +12,18 @@ extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the 
  * interpolated from the vertices. Undefined where there is no front face. */
 extern const struct rg_image ice_normal_shading;
 
-/* rgb: tinted transmittance of the front and back surface; a: roughness. 1, 1, 1 if there is no
- * face. Only if technique_config.is_textured. */
+/* rgb: tinted transmittance of the front or back surface, 1 if there is no face; a: roughness. Only
+ * drawn if technique_config.is_textured. */
 extern const struct rg_image ice_normal_front_material, ice_normal_back_material;
 
-/* Radiance of the opaque base at front faces, if technique_config.is_textured. */
+/* Radiance of the opaque base at front faces. Only drawn if technique_config.is_textured. */
 extern const struct rg_image ice_normal_front_base;
 
-/* Depth of the faces by globals.clip_from_world: near plane / distance; 0 without a face. */
+/* Depth of the faces: near-plane distance / distance, or 0 if there is no face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
-/* G-buffers of an area larger than the image on all sides, by globals.wide_scale, if
- * technique_config.is_wide: for rays inside an object that extends beyond the image. */
+/* G-buffers of an area 1.5 times as wide and high as the image, if technique_config.is_wide, for
+ * rays inside an object that extends beyond the image. */
 #define ICE_NORMAL_WIDE 1.5f
 extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
 extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;

@@ -23,7 +23,7 @@
 
 static rg_record_fn record_planes;
 
-/* Imported struct air_layers of the scene, declared with the size of the fallback image. */
+/* Imported textures of air planes (struct air_layers), declared with the fallback image's size. */
 static const struct rg_image air_layers = {
     .name = "frame.air",
     .format = VK_FORMAT_R8G8_UNORM,

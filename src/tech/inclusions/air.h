@@ -18,7 +18,7 @@ extern const struct rg_image air_media;
 extern const struct rg_sampler air_media_sampler;
 #define AIR_USE_MEDIA FRAME_SAMPLE(air_media, MEDIUM_TEXELS, .sampler = &air_media_sampler)
 
-/* Returns true if there is air and it is a scattering medium. */
+/* Returns true if the ice encloses air that is rendered as a scattering medium. */
 bool air_is_medium(const struct settings *settings);
 
 extern const struct technique air;

@@ -103,7 +103,7 @@ static const struct rg_use refracted_uses[] = {
     { 0 },
 };
 
-/* Depth and normal maps of the ice, in which light is traced from bubbles to the surface. */
+/* Depth and normal maps of the ice, for ray marching from bubbles to the surface. */
 static const struct rg_use traced_uses[] = {
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
@@ -131,8 +131,8 @@ static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
-/* Fragment shaders of bubbles seen along refracted rays: unrefracted light, light traced through
- * the ice, and light traced through a scattering medium. */
+/* Fragment shaders for bubbles along refracted rays. First index: light is not refracted, traced
+ * through the ice, or traced through a scattering medium. Second index: spheres, all shapes. */
 static const struct rg_shader *const refracted_frags[3][2] = {
     { &bubbles_refracted_frag, &bubbles_shapes_refracted_frag },
     { &bubbles_traced_frag, &bubbles_shapes_traced_frag },
@@ -215,8 +215,8 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* Returns true if bubbles can be searched along refracted rays: with several objects, the depth and
- * normal maps hold the nearest faces only. */
+/* Returns true if refracted rays can hit bubbles. With several objects they cannot, because the
+ * depth and normal maps contain only the nearest faces. */
 bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
@@ -264,8 +264,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
 
 struct far_bubble {
     struct bubbles_drawn drawn;
-    /* Sort key: power of the camera's position with respect to the bounding sphere (squared tangent
-     * length); for an orthographic camera the distance along its axis. */
+    /* Sort key: power of the camera position with respect to the bounding sphere, i.e. the squared
+     * tangent length; for an orthographic camera, the distance along its axis. */
     float power;
 };
 

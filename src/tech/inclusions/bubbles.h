@@ -11,7 +11,7 @@ extern const struct rg_image bubbles_depth;
 /* Returns true if composite.c shows the bubbles along rays refracted at the ice's surface. */
 bool bubbles_are_refracted(const struct technique_config *config);
 
-/* Array of struct bubbles_drawn, world space; the first scene->bubbles.count are valid. */
+/* Array of struct bubbles_drawn in world space; the first scene->bubbles.count are valid. */
 extern const struct rg_buffer bubbles_all;
 
 /* Fills bubbles_all back to front, so that nearer bubbles are blended over farther ones. */

@@ -87,7 +87,7 @@ static const struct clipping convex = {
     .before_back = true,
 };
 
-/* No clipping: for cracks that were cut at load time or are drawn over the whole image. */
+/* No clipping, for cracks that were clipped at load time or are drawn over the whole image. */
 static const struct clipping none = {
     .uses = globals_use,
     .normal_uses = globals_use,
@@ -321,7 +321,7 @@ bool cracks_are_traced(const struct settings *settings, const struct technique *
            params->refract == CRACKS_REFRACT_GAP && !params->shading.surface;
 }
 
-/* Makes the colour pass. Without cracks it only clears the layer; culled unless requested. */
+/* Makes the colour pass. Without cracks it only clears the layer, and is culled if not needed. */
 static struct rg_technique make_color(const struct technique_config *config,
                                       struct pass_builder *builder)
 {

@@ -27,11 +27,11 @@ struct cracks_params {
     uint32_t refract;     /* enum cracks_refract */
 };
 
-/* Premultiplied colour: highlights, and reflections of air gaps. */
+/* Premultiplied colour of cracks: highlights, and reflections at air gaps. */
 extern const struct rg_image cracks_color;
 
-/* Depth and normal of a pixel's most reflective gap, for refraction models that continue the path
- * there; 0 if there is none. Only written if cracks_are_traced(). */
+/* Depth and normal of the most reflective air gap in each pixel, where refraction models continue
+ * the path; 0 if there is none. Only written if cracks_are_traced(). */
 extern const struct rg_image cracks_hits;
 
 extern const struct setting_group cracks_settings;

@@ -7,7 +7,7 @@ extern const struct technique frost;
 extern const struct setting_group frost_settings;
 
 struct frost_params {
-    float amount;    /* maximum scattered fraction of light; 0 for no frost */
+    float amount;    /* maximum fraction of light that the frost scatters; 0 for no frost */
     float roughness; /* of the slopes; squared: GGX alpha */
 };
 

@@ -42,7 +42,7 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
     return &made->image;
 }
 
-/* Makes a pass read reduced images: by texel fetches if it is reduced itself, else bilinearly. */
+/* Makes a pass read low-resolution images, bilinearly unless the pass has that resolution too. */
 static void read_small(struct low_res_images *small, struct rg_pass *pass, bool is_small)
 {
     struct rg_use *uses = pass_builder_copy_uses(small->builder, pass->uses);
@@ -110,7 +110,7 @@ static struct rg_technique draw_depths_again(struct low_res_images *small,
     return (struct rg_technique){ group->name, passes, count };
 }
 
-/* Reduces the passes that blend inclusions into an image, and adds upsampling for its readers. */
+/* Makes passes that blend inclusions draw at low resolution, and adds passes that upsample them. */
 static void change_inclusions(struct low_res_images *small, struct rg_technique *group, float scale)
 {
     struct rg_pass *passes =

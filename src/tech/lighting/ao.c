@@ -43,7 +43,7 @@ static const struct rg_image map = {
     .persistent = true, /* read between updates, too */
 };
 
-/* Height fields of the surroundings, from above: upward faces, and the lowest undersides. */
+/* Depth buffers of the surroundings from above: upward faces (`heights`), lowest undersides. */
 static const struct rg_image heights = {
     .name = "ao.heights",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -120,7 +120,7 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* half side of the ambient occlusion map, in radii of the bounding sphere */
+/* half the width of the square ambient occlusion map, in radii of the bounding sphere */
 static const float reach = 4.0f;
 
 static const struct setting rows[] = {
@@ -151,7 +151,7 @@ static bool is_on(const struct settings *settings)
     return strength_of(settings) > 0.0f;
 }
 
-/* Returns the mean density of a medium in a ball or cube (equal depth distributions). */
+/* Returns the mean relative density of a medium in a ball or cube (equal depth distributions). */
 static float cloud_mean(void)
 {
     const int steps = 32;
@@ -163,7 +163,7 @@ static float cloud_mean(void)
     return sum / (float)steps;
 }
 
-/* Returns the average medium of an occluder, over the objects that it consists of. */
+/* Returns the medium of an occluder, averaged by volume over its objects. */
 static struct ao_medium medium_of(const struct frame_view *view, const struct globals *globals,
                                   const struct ao_shape *shape)
 {
@@ -190,7 +190,7 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
     return medium;
 }
 
-/* Moves an occluder's corner towards its vertical axis, to match the shape's surface area. */
+/* Moves a box corner towards the vertical axis, so that the box gets the occluder's volume. */
 static vec3s slimmed_corner(const struct ao_shape *shape, vec3s corner)
 {
     const vec3s middle = box_center(shape->box);

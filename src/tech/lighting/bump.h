@@ -1,10 +1,10 @@
 /*
  * bump.h: bump mapping of the ice's surface.
  *
- * Seipel and Nivfors 2006, section 3.1 c: a bump map, and a mask where melting has smoothed the
- * surface. They perturb the front faces' normal (shaders/lighting/bump.glsl) for refraction,
- * reflection and highlights. The vertex-based eq. 4 and the layer N use the mesh's normal. Back
- * faces are smooth.
+ * A bump map and a mask of areas smoothed by melting (Seipel and Nivfors 2006, section 3.1 c)
+ * perturb the normals of front faces for refraction, reflection and highlights
+ * (shaders/lighting/bump.glsl). Fresnel reflectance at vertices (eq. 4) and the AOV layer N use the
+ * mesh's normals. Back faces are not bump-mapped.
  */
 #ifndef FIRN_TECH_LIGHTING_BUMP_H
 #define FIRN_TECH_LIGHTING_BUMP_H

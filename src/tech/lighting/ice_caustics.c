@@ -37,7 +37,7 @@
 static rg_record_fn record_ground, record_shade, record_photons, record_clear, record_splat;
 static rg_record_fn record_layers;
 
-/* Images that are read in frames which do not redraw them are persistent. */
+/* Declare images in the sun's view. Those that later frames read unchanged are persistent. */
 #define SUN_VIEW_IMAGE(title, texel, is_kept) \
     { \
         .name = (title), .format = (texel), .width = ICE_CAUSTICS_PHOTONS, \
@@ -414,7 +414,7 @@ static struct rg_technique make_maps(const struct technique_config *config,
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 
-/* Makes the pass of the AOV layer: sunlight on the visible surroundings. */
+/* Makes the pass of the AOV layer that shows sunlight on the visible surroundings. */
 static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_builder *builder)
 {
@@ -452,7 +452,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
                                scene_near_plane(view->scene), view->light_jitter);
 }
 
-/* Writes the view of the caustic map: the sun's view of the ice with a wider angle. */
+/* Writes the view of the caustic map: the sun's view of the ice, widened by the factor `reach`. */
 void ice_caustics_write_light(void *memory, const struct frame_view *view,
                               const struct globals *globals)
 {

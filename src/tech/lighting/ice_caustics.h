@@ -7,7 +7,7 @@
 struct ice_caustics_params {
     uint32_t light; /* ICE_CAUSTICS_NONE, ... */
     float reach;    /* half map width, bounding radii */
-    /* 1: the ice blocks direct sunlight, so that only its caustics light the shadow */
+    /* 1 if the ice blocks direct sunlight, so that only caustics light its shadow */
     uint32_t shadow;
     uint32_t ground; /* 1: surroundings shadow each other */
 };
@@ -24,10 +24,10 @@ extern const struct setting_group ice_caustics_settings;
 
 extern const struct technique ice_caustics;
 
-/* Uses of passes whose shaders include lib/sun_shadow_caustics.glsl; ends at {0}. */
+/* Resource uses of passes whose shaders include lib/sun_shadow_caustics.glsl. */
 extern const struct rg_use ice_caustics_uses[];
 
-/* Write the contents of the two buffers (struct technique_upload). */
+/* Write the contents of ice_caustics_globals and ice_caustics_light (technique_upload.write). */
 void ice_caustics_write_globals(void *memory, const struct frame_view *view,
                                 const struct globals *globals);
 void ice_caustics_write_light(void *memory, const struct frame_view *view,

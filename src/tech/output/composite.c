@@ -1,9 +1,9 @@
 /*
- * composite.c: composites the inclusions (air, bubbles, cracks, premultiplied, in this order) on
- * top of the ice and adds the highlights of the light sources.
+ * composite.c: composites air, bubbles and cracks (premultiplied, in this order) over the ice and
+ * adds the highlights of the light sources.
  *
- * The shader has a fixed set of bindings; those of techniques that are off are bound to the
- * highlights and not read.
+ * The shader has a fixed set of bindings. If a technique is off, its bindings refer to the
+ * highlights and are not read.
  */
 #include "shaders/output/composite.h"
 #include <string.h>
@@ -48,7 +48,7 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* Returns CONSTANT_COMPOSITE: the layers to composite, which the refraction model does not draw. */
+/* Returns CONSTANT_COMPOSITE: bits of the layers that the refraction model has not drawn yet. */
 static uint32_t layers_of(const struct settings *settings, const struct technique *refraction,
                           bool renders_media)
 {
@@ -56,7 +56,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
     const struct inclusion_target_params *target =
         settings_of(settings, &inclusion_target_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
-    /* The refraction model has drawn cracks except for their highlights. */
+    /* The refraction model has already drawn traced cracks, except for light-source highlights. */
     const bool is_without_cracks = cracks_are_traced(settings, refraction) && !light->count;
     return (highlight.is_on(settings) ? COMPOSITE_HAS_HIGHLIGHT : 0u) |
            (air.is_on(settings) && !((uses_bvh || renders_media) && air_is_medium(settings))

@@ -5,7 +5,7 @@
 #include "src/tech/technique.h"
 
 extern const struct rg_image gbuffer_normal; /* unit, outward, world; 0: no surface */
-/* xyz: world, metres; w: distance along the view axis, metres, or GBUFFER_NOTHING */
+/* xyz: world-space position, metres; w: view-space depth, metres, or GBUFFER_NOTHING */
 extern const struct rg_image gbuffer_position;
 extern const struct rg_image gbuffer_depth; /* reversed depth of surroundings and object */
 extern const struct technique gbuffer;

@@ -68,8 +68,8 @@ static const struct rg_use scene_uses[] = {
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
-/* Passes that draw front faces find the nearest by a depth test; those that shade a full-screen
- * triangle use the depth of ice_normal.front. */
+/* color_pass and layer_pass draw front faces and find the nearest by a depth test. pixel_color_pass
+ * and pixel_layer_pass shade a full-screen triangle and use the depth of ice_normal.front. */
 static const struct rg_pass color_pass = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
@@ -319,7 +319,7 @@ float refract_outside(const struct scene *scene, const struct settings *settings
     return scene->has_pool ? REFRACT_IOR_AIR : params->outside;
 }
 
-/* KHR_materials_dispersion: red n - h, green n, blue n + h, with h = (n - 1) 0.025 dispersion. */
+/* Writes index ratios for n - h (red), n (green) and n + h (blue), by KHR_materials_dispersion. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct refract_params *params = settings_of(view->settings, &refract_settings);

@@ -8,21 +8,21 @@
 #include "shaders/refract/refract.h"
 #include "src/tech/technique.h"
 
-/* Layers on the ice's front faces; 0 elsewhere. With dispersion, exit and path are for green. */
+/* AOV layers of the ice's front faces; 0 elsewhere. Exit and path are those of green light. */
 extern const struct rg_image refract_exit;       /* unit exit direction of the path */
 extern const struct rg_image refract_refraction; /* linear refracted radiance */
 extern const struct rg_image refract_reflection; /* linear reflected radiance */
 extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
-/* x: length of the path inside, metres, 0 if the model does not compute it; y: number of total
- * internal reflections; z: 1 if the first inner surface reflects totally, otherwise 0 */
+/* x: length of the path inside the object, metres, or 0 if the model does not compute it; y: number
+ * of total internal reflections; z: 1 if the first inner surface reflects totally, otherwise 0 */
 extern const struct rg_image refract_path;
 
 extern const struct setting_group refract_settings;
 
 struct refract_params {
     float ior;        /* of the object, for green */
-    float outside;    /* outside index; REFRACT_IOR_AIR counts as 1 for files with materials */
-    float dispersion; /* 20 / Abbe number; 0: not dispersive */
+    float outside;    /* refractive index outside; with file materials, REFRACT_IOR_AIR means 1 */
+    float dispersion; /* 20 / Abbe number; 0: none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
     uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */
@@ -43,20 +43,20 @@ struct refract_medium_shaders {
 
 /* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
-    /* Shaders for image and layers, compiled from refract_STEM.frag without and with bump mapping.
-     * NULL bump_frag: the model has no bump mapping. */
+    /* Fragment shaders for image and layers, without and with bump mapping, compiled from
+     * refract_STEM.frag. `bump_frag` is NULL if the model has no bump mapping. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
-    /* Variants for ice_normal's material images; NULL: the model ignores tints and textures. */
+    /* Variants for textured or tinted objects (ice_normal's material images); NULL if none. */
     const struct rg_shader *material_frag, *material_layers_frag;
     /* Variants for nested objects, if technique_config.is_nested. */
     const struct rg_shader *nested_frag, *nested_layers_frag;
     /* NULL: scattering media are rendered clear */
     const struct refract_medium_shaders *medium_shaders;
-    /* Shading of the object for rays reflected by surroundings (ssr.c), without and with
-     * material images; uses the model's `vert` and `uses`. NULL: they read the image. */
+    /* Variants that shade the object for rays reflected by surroundings (ssr.c), without and with
+     * material images. If NULL, these rays read the object's colour from the image. */
     const struct rg_shader *ssr_frag, *ssr_material_frag;
-    /* Vertex shader; NULL: refract.vert, refract_bump.vert with bump mapping, or
-     * refract_fullscreen.vert for models shaded by pixel. */
+    /* Vertex shader. NULL selects refract.vert, refract_bump.vert with bump mapping, or
+     * refract_fullscreen.vert for models that shade a full-screen triangle. */
     const struct rg_shader *vert;
     const struct rg_use *uses;             /* besides globals and bump map */
     const struct rg_use *wide_uses;        /* replaces `uses` if technique_config.is_wide */
@@ -66,25 +66,25 @@ struct refract_shaders {
     rg_record_fn *record;                  /* NULL: frame_draw_object() */
 };
 
-/* Returns true if a refraction model renders scattering media and the scene has some. */
+/* Returns true if the scene has scattering media and the refraction model renders them. */
 bool refract_has_medium(const struct technique *refraction, const struct scene *scene,
                         const struct settings *settings);
 
-/* Uses of passes with material images and with scattering media; they end at {0}. */
+/* Resource uses for material images and for scattering media; an empty use {0} ends each list. */
 extern const struct rg_use refract_material_uses[], refract_medium_uses[];
 
-/* Implements refraction_model.choose for raster models: material images are used if there is a
+/* Implements refraction_model.choose for raster models. Selects material images if the model has a
  * shader for them and bump mapping is off. */
 void refract_choose(struct technique_config *config, const struct scene *scene);
 
-/* Use of the environment cube by models with refract_fullscreen_mean.vert. */
+/* Binding of the environment cube for models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
 
-/* Make a refraction model's passes. The image pass precedes the background, so that the depth test
- * rejects hidden background; the layer pass follows it, since surroundings may hide the object. */
+/* Make a refraction model's passes. The image is drawn before the background, which the depth test
+ * rejects where hidden; layers are drawn after it, because surroundings may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
 #define REFRACT_PASS_GROUPS \
     { \

@@ -42,7 +42,7 @@ const struct rg_image ssr_specular = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-/* Colours of the objects with mip levels; level 0 is undefined beyond a margin around them. */
+/* Colour of the refractive objects, with mips; level 0 is undefined beyond a margin around them. */
 static const struct rg_image object_color = {
     .name = "ssr.objects",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -54,8 +54,8 @@ static const struct rg_image object_depth = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-/* Hits of reflected rays at half resolution: point relative to the camera, direction, a depth
- * buffer that marks hits, and the premultiplied colour refracted there, undefined without a hit. */
+/* Half-resolution images of reflected rays that hit an object: hit point relative to the camera,
+ * ray direction, hit mask (a depth buffer), and premultiplied refracted colour. */
 static const struct rg_image hit_point = {
     .name = "ssr.hit_point",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -164,7 +164,7 @@ static const struct rg_pass screen_passes[] = {
     },
 };
 
-/* Returns the texels of a mip level that cover an area of level 0, plus a margin in texels. */
+/* Returns the area of a mip level that covers an area of level 0, plus a margin in texels. */
 static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D size)
 {
     const int32_t x = area.offset.x >> mip, y = area.offset.y >> mip;
@@ -177,7 +177,7 @@ static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D 
                          (uint32_t)((last_y < height ? last_y : height) - first_y) } };
 }
 
-/* Copies with a smaller margin for each mip level, so that only written texels are read. */
+/* Copies the objects with a margin, so that the next mip level reads only written texels. */
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_scissor(cmd, area_at(frame->object_area, 0, 4, rg_cmd_extent(cmd)));
@@ -190,7 +190,7 @@ static void record_half(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-/* Returns the longest bounding box diagonal of an object. */
+/* Returns the longest bounding-box diagonal among the objects. */
 static float thickness_of(const struct scene *scene)
 {
     float most = 0.0f;
@@ -302,8 +302,8 @@ static struct rg_technique make_object_passes(const struct technique_config *con
     return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
 }
 
-/* Returns the shader that refracts reflected rays in the object, or NULL to reuse the camera's
- * view. With several or nested objects, the depth and normal maps no longer exist at this point. */
+/* Returns the shader that refracts reflected rays in the object; NULL if the rays read the image.
+ * With several or nested objects it is NULL, as depth and normal maps have been overwritten. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);

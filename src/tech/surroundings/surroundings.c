@@ -1,7 +1,7 @@
 /*
  * surroundings.c: passes that draw the surroundings, and behind them the sky or environment map.
  *
- * Drawn after the ice, if there is any: pixels hidden by it then cost only a depth test.
+ * They run after the ice is drawn, so that pixels hidden by ice cost only a depth test.
  */
 #include "src/tech/surroundings/surroundings.h"
 #include "shaders/brdf.h"
@@ -94,14 +94,14 @@ static const struct rg_shader *const frags[3][2] = {
     { &surroundings_extra_frag, &surroundings_extra_caustics_frag },
 };
 
-/* Variants that write the inputs of screen-space reflections, which need materials. */
+/* Shader variants that also write the inputs of screen-space reflections; they need materials. */
 static const struct rg_shader *const ssr_frags[3][2] = {
     { NULL },
     { &surroundings_materials_ssr_frag, &surroundings_materials_caustics_ssr_frag },
     { &surroundings_extra_ssr_frag, &surroundings_extra_caustics_ssr_frag },
 };
 
-/* Variants that compute most of the lighting per vertex. */
+/* Shader variants that compute most of the lighting per vertex. */
 static const struct rg_shader *const vertices_verts[2][2] = {
     { &surroundings_vertices_vert, &surroundings_vertices_caustics_vert },
     { &surroundings_vertices_extra_vert, &surroundings_vertices_extra_caustics_vert },
@@ -125,7 +125,7 @@ static void light_vertices(struct rg_pass *pass, struct pass_builder *builder,
 struct rg_technique surroundings_make(struct pass_builder *builder,
                                       const struct surroundings_pass_params *params)
 {
-    /* The sky covers all pixels without surroundings, so the colour needs no clear. */
+    /* The sky is drawn to all pixels that no surroundings cover, so colour needs no clear. */
     const enum rg_load color_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
     const bool has_extras = params->has_materials && params->has_extras;

@@ -18,7 +18,7 @@ struct surroundings_pass_params {
     rg_when_fn *when;                               /* condition for both passes */
 };
 
-/* Builds the two passes in memory that `builder` owns. */
+/* Builds the passes of the surroundings and the sky in memory that `builder` owns. */
 struct rg_technique surroundings_make(struct pass_builder *builder,
                                       const struct surroundings_pass_params *params);
 

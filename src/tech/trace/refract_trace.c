@@ -151,13 +151,13 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
     return false;
 }
 
-/* Returns a rotation about a vertical axis as trace_bvh_pose() of trace_bvh.glsl does. */
+/* Returns the cosine, sine, x and z of a rotation about a vertical axis (trace_bvh_pose()). */
 static vec4s rotation_of(mat4s pose)
 {
     return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };
 }
 
-/* Writes the ray tracer's uniforms; scene_build_bvh() has built the BVH. */
+/* Writes the ray tracer's uniforms. scene_build_bvh() must have been called. */
 static void write_frame(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     struct trace_frame *trace = memory;
@@ -287,7 +287,7 @@ static const struct rg_use light_uses[] = {
     { 0 },
 };
 
-/* Shadow and caustic maps of the sun; without them nothing blocks its light. */
+/* Fallback of the sun's shadow and caustic maps; without the maps nothing blocks sunlight. */
 static const struct rg_fallback no_map = { { 0 } };
 static const struct rg_use sun_uses[] = {
     { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT },

@@ -162,9 +162,9 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
 }
 
-/* Values of trace.min_branch=auto. The lower one is below the reflectance of ice at normal
- * incidence, 0.018, so that the first reflection of each path is followed. The upper one is for
- * scenes in which that takes half as long again, or whose environment cube has larger errors. */
+/* Minimum throughput for trace.min_branch=auto. The lower value is below the reflectance of ice at
+ * normal incidence, 0.018, so that the first reflection of each path is followed. The other is for
+ * scenes in which that takes 1.5 times as long, or with larger cube-map errors. */
 static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)

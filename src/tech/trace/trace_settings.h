@@ -28,12 +28,12 @@ extern const struct setting_group trace_settings;
 /* Returns the feature bits of CONSTANT_TRACE that a scene needs. */
 uint32_t trace_features(const struct scene *scene, const struct settings *settings);
 
-/* Returns true if lighting of surroundings is ray traced and some of them are lit. */
+/* Returns true if the diffuse lighting of surroundings is ray traced and some of them are lit. */
 bool trace_has_diffuse_light(const struct scene *scene, const struct settings *settings);
 
-/* Returns true if rays that leave the objects hit the triangles of the surroundings, by
- * trace.surroundings. With `auto` they do if there are several objects, one that is scattering, not
- * fully transmissive or textured, or surroundings within a bounding box diagonal of the centre. */
+/* Returns true if rays that leave the objects hit the surroundings. With trace.surroundings=auto
+ * they do if lighting is ray traced, there are several objects, one is scattering, textured or
+ * partly opaque, or surroundings are within a bounding-box diagonal of the centre. */
 bool trace_hits_surroundings(const struct scene *scene, const struct settings *settings);
 
 /* Returns true if objects or surroundings may rotate. */

@@ -7,14 +7,14 @@
 /* Light map on the floor's plane (lib/caustics_map.glsl), relative to light through level water. */
 extern const struct rg_image caustics_light;
 
-/* AOV layer: sunlight on the ground of a pixel, relative to that below level water (caustics_light)
- * or without the ice (ice_caustics.h); 0 in other pixels. */
+/* AOV layer: sunlight on the ground visible in a pixel, relative to sunlight below level water
+ * (caustics_light) or without the ice (ice_caustics.h); 0 in pixels that show no ground. */
 extern const struct rg_image caustics_layer;
 
 extern const struct technique caustics;              /* passes depend on the method */
 extern const struct setting_group caustics_settings; /* struct caustics_params */
 
-/* Returns true if pool caustics are on: any method other than `none`. */
+/* Returns true if pool caustics are on, i.e. the method is not `none`. */
 bool caustics_are_lit(const struct settings *settings);
 
 #endif

@@ -129,7 +129,7 @@ enum {
     PASS_COUNT = 6
 };
 
-/* Shader variants: without and with ice, without and with caustics. */
+/* Shader variants, indexed by whether there is ice and whether there are caustics. */
 static const struct rg_shader *const color_frags[2][2] = {
     { &water_frag, &water_caustics_frag },
     { &water_iced_frag, &water_iced_caustics_frag },
@@ -149,7 +149,7 @@ static const struct rg_shader *const below_layers_frags[2] = {
     &water_below_iced_caustics_aov_frag,
 };
 
-/* Appends a pass; `uses` are shared by all shading passes. */
+/* Appends a copy of `pass` with the given resource uses and fragment shader. */
 static void add_pass(struct rg_technique *technique, struct rg_pass *passes,
                      const struct rg_pass *pass, const struct rg_use *uses,
                      const struct rg_shader *frag)
