@@ -30,7 +30,7 @@ enum rg_clock {
     RG_CLOCK_COUNT,
 };
 
-/* What to measure. {0}: nothing. */
+/* Measurements to make; a zeroed struct makes none. */
 struct rg_measure {
     enum rg_clock clock;
     bool statistics; /* pipeline statistics; costs some time */

@@ -58,7 +58,7 @@ struct spirv_id {
     uint32_t name;
     uint32_t stride;                       /* of an array in bytes */
     uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
-    uint32_t variable;                     /* `variables` index plus 1; 0: none */
+    uint32_t variable;                     /* `variables` index plus 1, or 0 */
     bool buffer_block, in_interface;
 };
 

@@ -43,15 +43,15 @@ struct scattering_media scattering_media_find(const struct model *model, bool is
             (struct scattering_medium){ .box = mesh_box(&model->object) };
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
-        const struct scattering_medium cloud = {
+        const struct scattering_medium medium = {
             .object = i,
             .density = model->materials[object->material].scattering_optical_depth,
             .box = object->box,
         };
-        if (!(cloud.density > 0.0f) && !(is_asked && i == 0))
+        if (!(medium.density > 0.0f) && !(is_asked && i == 0))
             continue;
         if (scattering_media.count < SCATTERING_MEDIA_MAX)
-            scattering_media.all[scattering_media.count++] = cloud;
+            scattering_media.all[scattering_media.count++] = medium;
         else
             scattering_media.left_out++;
     }
@@ -59,12 +59,12 @@ struct scattering_media scattering_media_find(const struct model *model, bool is
 }
 
 static struct mesh object_triangles(const struct model *model,
-                                    const struct scattering_medium *cloud)
+                                    const struct scattering_medium *medium)
 {
     struct mesh part = model->object;
     if (model->object_count) {
-        part.indices += model->objects[cloud->object].first_index;
-        part.index_count = model->objects[cloud->object].index_count;
+        part.indices += model->objects[medium->object].first_index;
+        part.index_count = model->objects[medium->object].index_count;
     }
     return part;
 }

@@ -20,7 +20,7 @@ struct pass_builder;
 struct scene;
 struct technique;
 
-/* What a compiled plan renders. */
+/* The image that a compiled plan renders. */
 enum technique_purpose {
     TECHNIQUE_IMAGE,   /* one sample of an image */
     TECHNIQUE_CAPTURE, /* environment cube, captured once */

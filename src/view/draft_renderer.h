@@ -22,7 +22,7 @@ struct draft_renderer_params {
     uint64_t version; /* version of the viewport's renderers */
 };
 
-/* What the draft leaves out. */
+/* Features and detail that the draft leaves out. */
 enum draft_renderer_level {
     DRAFT_RENDERER_FULL,          /* nothing that is easily noticed */
     DRAFT_RENDERER_COARSE_MESH,   /* uses coarser meshes */

@@ -238,7 +238,7 @@ static bool write_media(struct bvh *bvh, const struct model *model)
 }
 
 /* Builds the BVHs of all scene parts. In an animated pose, refits those of the rest pose instead,
- * except for inclusions, which are generated anew for each pose. */
+ * except for inclusions, which are generated for each pose. */
 static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {

@@ -264,7 +264,7 @@ static struct technique_texels find_layers(const struct scene *scene)
 
 static const uint8_t clear[2] = { 0 };
 
-static struct technique_texels find_clouds(const struct scene *scene)
+static struct technique_texels find_density_fields(const struct scene *scene)
 {
     const struct scattering_media *found = &scene->scattering_media;
     if (!found->count)
@@ -287,7 +287,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 
 static const struct technique_import imports[] = {
     { &air_layers, find_layers, clear },
-    { &air_media, find_clouds, clear },
+    { &air_media, find_density_fields, clear },
     { 0 },
 };
 

@@ -8,20 +8,20 @@ struct medium_field medium_field_at(const struct scene *scene, const struct sett
                                     uint32_t index)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
-    const struct scattering_medium *cloud = &scene->scattering_media.all[index];
-    const vec3s sides = glms_vec3_sub(cloud->box.max, cloud->box.min);
+    const struct scattering_medium *field = &scene->scattering_media.all[index];
+    const vec3s sides = glms_vec3_sub(field->box.max, field->box.min);
     const vec3s texels = { { MEDIUM_SIZE, MEDIUM_SIZE, MEDIUM_SIZE } };
-    const float own = cloud->density * params->scattering_media;
-    const float density = cloud->density > 0.0f     ? own
+    const float own = field->density * params->scattering_media;
+    const float density = field->density > 0.0f     ? own
                           : air_is_medium(settings) ? params->density
                                                     : 0.0f;
     return (struct medium_field){
-        .min_corner = cloud->box.min,
+        .min_corner = field->box.min,
         .extinction = density / fmaxf(glms_vec3_max(sides), 1e-20f),
         .texels_per_metre = glms_vec3_div(texels, sides),
         .first_layer = (float)(MEDIUM_SIZE * index),
-        .from = cloud->filled.min,
-        .to = cloud->filled.max,
+        .from = field->filled.min,
+        .to = field->filled.max,
     };
 }
 

@@ -152,7 +152,7 @@ static bool is_on(const struct settings *settings)
 }
 
 /* Returns the mean relative density of a medium in a ball or cube (equal depth distributions). */
-static float cloud_mean(void)
+static float medium_mean_density(void)
 {
     const int steps = 32;
     float sum = 0.0f;
@@ -169,18 +169,18 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
 {
     const uint32_t outside = frame_media_count(view->scene) - 1;
     const float around = frame_medium_at(view->scene, view->settings, outside).ior[1];
-    const float reduced = (1.0f - globals->medium_g) * cloud_mean();
+    const float reduced = (1.0f - globals->medium_g) * medium_mean_density();
     struct ao_medium medium = { .ior = 1.0f };
     for (uint32_t i = 0; i < shape->member_count; i++) {
         const struct ao_member *member = &shape->members[i];
         const struct frame_medium object_medium =
             frame_medium_at(view->scene, view->settings, member->object);
-        const struct medium_field cloud =
+        const struct medium_field field =
             medium_field_of(view->scene, view->settings, member->object);
         const float weight = fmaxf(member->volume_fraction, 0.0f);
         medium.ior += weight * (object_medium.ior[1] / around - 1.0f);
         medium.absorption = glms_vec3_muladds(object_medium.absorption, weight, medium.absorption);
-        medium.scattering += weight * reduced * cloud.extinction;
+        medium.scattering += weight * reduced * field.extinction;
         if (i == 0) {
             medium.tint = object_medium.tint;
             medium.diffuse_fraction = object_medium.opacity;

@@ -22,7 +22,7 @@ extern const struct setting_group refract_settings;
 struct refract_params {
     float ior;        /* of the object, for green */
     float outside;    /* refractive index outside; with file materials, REFRACT_IOR_AIR means 1 */
-    float dispersion; /* 20 / Abbe number; 0: none */
+    float dispersion; /* 20 / Abbe number; 0 if there is none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
     uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */

@@ -129,7 +129,7 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
     texels[TRACE_TINT] = vec4_of(medium->tint, medium->is_thin ? 1.0f : 0.0f);
 }
 
-static void fill_clouds(struct trace_frame *trace, const struct frame_view *view)
+static void fill_media(struct trace_frame *trace, const struct frame_view *view)
 {
     const struct scene *scene = view->scene;
     for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
@@ -191,7 +191,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         const struct frame_medium medium = frame_medium_at(view->scene, view->settings, i);
         fill_medium(&trace->media[(size_t)bvh_medium(bvh, medium.rank) * TRACE_MEDIUM], &medium);
     }
-    fill_clouds(trace, view);
+    fill_media(trace, view);
     const mat4s object_from_world = glms_mat4_inv(globals->world_from_object);
     const vec3s eye = glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f);
     const struct bvh_interior_list inside = bvh_interior_list_at(bvh, eye);

@@ -99,11 +99,11 @@ static void read_priority(const struct gltf_object *object, struct material *m)
 /* Reads "extras": { "cloud": 6 }, the optical depth of scattering across the object. */
 static void read_scattering(const struct gltf_object *object, struct material *m)
 {
-    const json_t *cloud = json_object_get(json_object_get(object->json, "extras"), "cloud");
-    const double value = json_number_value(cloud);
-    if (!cloud)
+    const json_t *density = json_object_get(json_object_get(object->json, "extras"), "cloud");
+    const double value = json_number_value(density);
+    if (!density)
         return;
-    if (json_is_number(cloud) && value >= 0 && value <= (double)MATERIAL_SCATTERING_MAX)
+    if (json_is_number(density) && value >= 0 && value <= (double)MATERIAL_SCATTERING_MAX)
         m->scattering_optical_depth = (float)value;
     else
         (void)gltf_fault(object, "extras.cloud: expected a number from 0 to %g",
