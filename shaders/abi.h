@@ -15,7 +15,7 @@
 #define vec4s            vec4
 #define mat4s            mat4
 #define uint32_t         uint
-#define ABI_STRUCT(name) name /* type of a member that is a struct */
+#define ABI_STRUCT(name) name /* GLSL: without the keyword `struct` */
 #else
 #include <stdint.h>
 

@@ -17,8 +17,8 @@
 #define LIT_DIFFUSE_LAYER 7
 #define LIT_LAYERS        8
 
-/* Side of the split-sum table (factors of f0 and f90): roughness 0 to 1 along the columns, the
- * square root of the cosine along the rows. */
+/* Side of the split-sum BRDF table, texels. A texel holds factors of f0 and f90; x is the square
+ * root of n_dot_v, y is the roughness, both from 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
 #define LIT_LIGHT_SPREAD 0.001f /* minimum lobe width for punctual lights */
@@ -26,7 +26,7 @@
 
 /* Columns of the RGBA32F light texture, one row per light (src/scene/punctual_light.c). */
 #define LIT_LIGHT_POSITION  0 /* position, metres; w: 0 if directional */
-#define LIT_LIGHT_DIRECTION 1 /* unit direction; w: range, metres, 0 without a limit */
+#define LIT_LIGHT_DIRECTION 1 /* unit direction; w: range in metres, or 0 */
 #define LIT_LIGHT_COLOR     2 /* illuminance, lux, or intensity, candela */
 #define LIT_LIGHT_CONE      3 /* cosines of a spot light's inner and outer cone angles */
 #define LIT_LIGHT_WIDTH     4
@@ -61,7 +61,7 @@ ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
                     glm_clamp(roughness, 0.0f, 1.0f) * last);
 }
 
-/* Factors on environment light: `specular` for the prefiltered specular radiance, `diffuse` for the
+/* Factors by which a surface scales prefiltered environment light: specular radiance, and the
  * radiance of a white diffuse surface. */
 struct lit_environment_factors {
     vec3s specular, diffuse;

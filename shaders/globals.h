@@ -25,15 +25,15 @@ struct globals {
     float sky_strength;                /* factor on the procedural sky's radiance */
     vec3s sun_dir;                     /* unit vector towards the sun */
     float sun_strength;                /* sun's irradiance relative to the sky's */
-    vec3s sun_light; /* radiance of a white diffuse surface that faces the sun, by sunlight alone */
+    vec3s sun_light;         /* sunlight: radiance of a white diffuse surface that faces the sun */
     float sun_spread;        /* minimum width of the sun's specular lobe (brdf.h) */
-    float sun_radius;        /* angular radius of an added sun disc, radians, or 0 */
+    float sun_radius;        /* added sun disc's angular radius, radians */
     vec3s center;            /* bounding sphere's centre, world, metres */
     float radius;            /* radius of the object's bounding sphere, metres */
     vec2s fitted;            /* near and far planes, metres */
     float time;              /* animation time, seconds */
     float bump_strength;     /* factor on the bump map's slopes */
-    float bump_scale;        /* tiles of the bump map per metre, or per unit of uv */
+    float bump_scale;        /* repetitions per metre or uv unit */
     vec3s etas;              /* `eta` for red, green, blue */
     float outside_in_air;    /* outside's index relative to air */
     vec3s absorb;            /* object's absorption, 1 / metre */
@@ -42,7 +42,7 @@ struct globals {
     ABI_STRUCT(medium_field) medium; /* object's medium; extinction 0: clear */
     float medium_g;                  /* Henyey-Greenstein g of scattering media */
     uint32_t medium_steps;           /* media: ray marching steps per segment */
-    vec2s wide_scale;                /* image size relative to ice_normal's wide maps */
+    vec2s wide_scale;                /* image size / wide map size */
     vec3s cube_center;               /* environment cube's capture point, world, metres */
     vec3s local_min, local_max;      /* environment lookups' projection box, world, metres */
     float sample_random;             /* stratified random number; first sample: 0.5 */

@@ -1,5 +1,5 @@
-/* material_layout.h: layout of the material texture, one row per material, four floats per texel.
- * Row 0 is for vertices without material; src/scene/material_table.c writes it. */
+/* material_layout.h: layout of the material texture, which src/scene/material_table.c writes: one
+ * row per material, four floats per texel. Row 0 is for vertices without material. */
 #ifndef SHADERS_MATERIAL_LAYOUT_H
 #define SHADERS_MATERIAL_LAYOUT_H
 
@@ -8,7 +8,7 @@
 #define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
 /* normal scale, occlusion strength; flags: textured ice, water layer */
 #define MATERIAL_ROW_SCALES 3
-/* Two texels per texture use: u row, layer + 1; v row, 9 * uv_set + 3 * wrap_v + wrap_u. */
+/* Texels per texture: (u transform, layer + 1), (v transform, 9 * uv_set + 3 * wrap_v + wrap_u). */
 #define MATERIAL_ROW_TEXTURES 4
 #define MATERIAL_ROW_WIDTH    22
 

@@ -10,14 +10,14 @@
 
 /* bits of mesh_vertex.material */
 #define MESH_TEXTURE_MASK  0xffffu  /* texture layer + 1, or 0 */
-#define MESH_TILES         0xffffu  /* marks a pool's tiles; CPU reference only */
+#define MESH_TILES         0xffffu  /* pool's tiles; CPU reference only */
 #define MESH_UNLIT         0x10000u /* colour is emitted radiance */
 #define MESH_CUTOUT        0x20000u /* alpha below one half is discarded */
 #define MESH_ORBITS        0x40000u /* transformed by globals.world_from_movers */
-#define MESH_SURFACE_SHIFT 19u      /* shift of the material index + 1; 0 without a material */
+#define MESH_SURFACE_SHIFT 19u      /* first bit: material index + 1 */
 #define MESH_SURFACE_MAX   8191u
 
-/* Layout of the texture of struct mesh_extra: texels of a vertex are consecutive, row by row. */
+/* Size of the texture that stores struct mesh_extra; a vertex's texels are consecutive in a row. */
 #define MESH_EXTRA_WIDTH  4096 /* texels */
 #define MESH_EXTRA_HEIGHT 4096 /* maximum, supported by every device */
 #define MESH_EXTRA_TEXELS 2    /* texels per vertex: tangent; uv */

@@ -1,4 +1,4 @@
-/* ice_depth.frag: fragment shader of the AOVs of the ice's front and back depth and thickness. */
+/* ice_depth.frag: fragment shader that writes the ice's front depth, back depth and thickness. */
 #version 460
 #include "ice/ice_depth.h"
 #include "lib/fitted_depth.glsl"

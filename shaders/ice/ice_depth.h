@@ -1,4 +1,4 @@
-/* ice_depth.h: bindings of the ice's front and back depth, distinct from those of refract.h. */
+/* ice_depth.h: bindings of the ice's front and back depth maps. */
 #ifndef SHADERS_ICE_ICE_DEPTH_H
 #define SHADERS_ICE_ICE_DEPTH_H
 

@@ -22,7 +22,7 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* Returns depth-peeled layer `i` of this pixel; `near` holds the first half of the layers. */
+/* Returns peeled layer `i` of this pixel; `near` has the first half of the layers. */
 float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

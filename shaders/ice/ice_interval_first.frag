@@ -1,4 +1,4 @@
-/* ice_interval_first.frag: fragment shader of the depth peeling of the ice's faces, first layer. */
+/* ice_interval_first.frag: fragment shader that peels the first depth layer of the ice's faces. */
 #version 460
 #include "ice/ice_interval.glsl"
 

@@ -1,10 +1,10 @@
-/* ice_interval_next.frag: fragment shader of the depth peeling of the ice's faces, later layers. */
+/* ice_interval_next.frag: fragment shader that peels the next depth layer of the ice's faces. */
 #version 460
 #include "ice/ice_interval.glsl"
 
 layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray previous;
 
-/* Depth peeling: discards faces up to the previous layer; the depth test keeps the nearest. */
+/* Discards faces up to the previous peeled layer; the depth test then keeps the nearest one. */
 void main()
 {
     float layer = ice_interval_layer(gl_FragCoord.z, gl_FrontFacing);

@@ -17,7 +17,7 @@ layout(location = ICE_MATERIAL_FRESNEL) in float fresnel_paper; /* eq. 4, per ve
 layout(location = ICE_MATERIAL_COLOR) in vec3 color;
 layout(location = ICE_MATERIAL_UV) in vec2 uv;
 
-/* Returns the textured surface parameters; `mapped_n` becomes the normal-mapped outward normal. */
+/* Returns the textured surface parameters; sets `mapped_n` to the normal-mapped outward normal. */
 object_material ice_material_at(out vec3 mapped_n)
 {
     vec3 base = lit_texel(textures, push.row, MATERIAL_USE_BASE_COLOR, uv, 1.0).rgb;

@@ -1,5 +1,5 @@
-/* ice_material_front.frag: fragment shader of the G-buffer of textured ice's front faces, with the
- * radiance of the opaque base. */
+/* ice_material_front.frag: fragment shader of the G-buffer of textured ice's front faces, which
+ * also shades the opaque base. */
 #version 460
 #include "ice/ice_material.glsl"
 

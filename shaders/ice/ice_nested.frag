@@ -1,5 +1,5 @@
-/* ice_nested.frag: fragment shader of the depth peeling of nested objects; with ICE_NESTED_INNER,
- * inside the surrounding level. */
+/* ice_nested.frag: fragment shader that peels the depth layers of nested objects. ICE_NESTED_INNER
+ * is for the levels below the outermost one. */
 #version 460
 #include "ice/ice_nested.h"
 
@@ -14,12 +14,12 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 normal;
 
-/* xyz: unit normal out of this nesting level; w: 1 + index of the medium inside the level */
+/* xyz: unit outward normal of the nesting level; w: 1 + index of the medium inside the level */
 layout(location = 0) out vec4 face;
 layout(location = 1) out float depth;
 
-/* Peels one nesting level: the depth test keeps its nearest or farthest face, and inner levels
- * discard faces outside the surrounding level. */
+/* Writes a face of one nesting level; the depth test keeps the nearest or farthest one. Faces
+ * outside the surrounding level are discarded. */
 void main()
 {
     depth = gl_FragCoord.z;

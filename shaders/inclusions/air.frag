@@ -1,4 +1,4 @@
-/* air.frag: fragment shader of the opacity of milky air in the ice, drawn as textured planes. */
+/* air.frag: fragment shader that writes the opacity of milky air, drawn as textured planes. */
 #version 460
 #include "ice/ice_depth.h"
 #include "inclusions/air.h"

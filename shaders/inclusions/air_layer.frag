@@ -1,4 +1,4 @@
-/* air_layer.frag: fragment shader of the layer (AOV) of milky air: its light times its opacity. */
+/* air_layer.frag: fragment shader that writes milky air's radiance times its opacity (AOV). */
 #version 460
 #include "output/composite.h"
 

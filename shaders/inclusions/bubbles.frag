@@ -19,7 +19,7 @@ void main()
 {
     vec3 e = primary_ray_dir(eye_to_square);
     float along = dot(eye_to_center, e);
-    vec3 aside = along * e - eye_to_center; /* perpendicular, from the centre to the ray */
+    vec3 aside = along * e - eye_to_center; /* perpendicular from centre to ray */
     if (constant_orthographic != 0u)
         aside = eye_to_square - eye_to_center;
     float b = length(aside) / radius;

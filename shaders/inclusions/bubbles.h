@@ -14,7 +14,7 @@ struct bubbles_drawn {
     vec3s center;  /* metres */
     float radius;  /* perpendicular to the axis */
     vec3s axis;    /* unit; unused for spheres */
-    float stretch; /* the half length along the axis is radius + stretch; 0 for a sphere */
+    float stretch; /* half length along the axis minus `radius`; 0 for a sphere */
     uint32_t is_capsule;
 };
 

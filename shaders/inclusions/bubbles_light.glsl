@@ -1,7 +1,6 @@
-/* bubbles_light.glsl: light that bubbles reflect and transmit. With BUBBLES_TRACED, the ray from
- * the bubble is traced through the ice in the refraction model's depth and normal maps until it
- * leaves; otherwise the environment cube is looked up directly. BUBBLES_REFRACTED adds a depth
- * output, in which composite.frag searches the hits of refracted rays. */
+/* bubbles_light.glsl: light that bubbles reflect and transmit, looked up in the environment cube.
+ * With BUBBLES_TRACED, rays from bubbles are first marched through the ice until they leave it.
+ * BUBBLES_REFRACTED adds a depth output, in which composite.frag finds hits of refracted rays. */
 #ifndef BUBBLES_LIGHT_GLSL
 #define BUBBLES_LIGHT_GLSL
 #include "lib/ice_clip.glsl"
@@ -51,7 +50,7 @@ bool march_is_in_ground(vec3 point)
     return refract_is_below_ground(point);
 }
 
-/* Limits of the ray march from a bubble: errors hardly show in its small, distorted image. */
+/* Low limits for rays from bubbles, in whose small, distorted images errors hardly show. */
 const uint bubble_bounces = 2u;
 const uint bubble_halvings = 4u;
 
@@ -63,8 +62,8 @@ march_space bubble_space()
     return space;
 }
 
-/* Returns the radiance that arrives at a bubble from a direction. A ray that ends in the ground is
- * looked up in the environment cube by its end point. */
+/* Returns the radiance that arrives at a bubble from a direction. If the ray ends in the ground,
+ * the environment cube is looked up in the direction of the end point. */
 vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
 {
     refract_path ray = refract_path(dir, frame.eye + eye_to_bubble, 0.0, 0.0, 0.0);
@@ -83,7 +82,7 @@ vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
     return light;
 }
 
-/* Traces the stronger of reflected and transmitted ray; the weaker one looks up the cube map. */
+/* Traces the stronger of the two rays; the weaker one only looks up the environment cube. */
 vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
     bool is_reflected = fresnel >= cover;

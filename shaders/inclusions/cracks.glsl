@@ -1,4 +1,4 @@
-/* cracks.glsl: position and bump-mapped normal of a point of a crack, and its shading. */
+/* cracks.glsl: shading of cracks: view ray, bump-mapped normal, reflectance and highlights. */
 #ifndef CRACKS_GLSL
 #define CRACKS_GLSL
 #include "inclusions/cracks.h"
@@ -46,7 +46,7 @@ vec3 crack_reflectance(crack_point c)
     return cracks_reflectance(-dot(c.n, c.e), frame.outside_in_air / frame.eta, crack_width());
 }
 
-/* Returns the Blinn-Phong highlights of the lights on the camera's side of a crack. */
+/* Returns the sum of the Blinn-Phong highlights of all lights on the camera's side of a crack. */
 float crack_highlight(crack_point c)
 {
     float sum = 0.0;

@@ -3,7 +3,7 @@
 #define SHADERS_INCLUSIONS_CRACKS_H
 #include "abi.h"
 
-/* Bindings of crack passes. FRONT and BACK clip to a convex object, NEAR and FAR to intervals. */
+/* Bindings of crack passes. Clipping uses depth maps (FRONT, BACK) or peeled layers (NEAR, FAR). */
 #define CRACKS_FRONT    1
 #define CRACKS_BACK     2
 #define CRACKS_NEAR     3
@@ -15,16 +15,16 @@
 #define CRACKS_NORMAL       1
 #define CRACKS_EYE_TO_POINT 2
 #define CRACKS_OPEN         3 /* CRACKS_SQUARED_GAP of the vertex */
-#define CRACKS_LIGHTS       4 /* array; xyz: camera to light; w: highlight */
+#define CRACKS_LIGHTS       4 /* vectors to lights; w: highlight strength */
 #define CRACKS_SHADING      8 /* struct cracks_shading */
 
-/* Reflectance along the unrefracted ray above which a gap hides weaker ones in cracks.hits. */
+/* Gaps that reflect more than this hide less reflective ones in the image cracks.hits. */
 #define CRACKS_HIT_REFLECTANCE 0.2f
 
 #define CRACKS_MAX 64 /* maximum of cracks.count */
 
-/* Squared gap width at a vertex, relative to cracks_shading.gap. Interpolated from the middle to
- * the rim, its root is the elliptic opening profile of a crack under tension (Sneddon 1946). */
+/* Squared gap width at a vertex, relative to cracks_shading.gap. Interpolating the square between
+ * middle and rim gives the elliptic profile of a crack under tension (Sneddon 1946). */
 #define CRACKS_SQUARED_GAP(color) ((color).r)
 
 struct cracks_shading {

@@ -1,12 +1,11 @@
-/* cracks_hit.frag: writes the cracks with which refraction models intersect refracted rays
- * (refract_cracks.glsl). A gap that is highly reflective along the unrefracted ray hides weaker
- * ones, even nearer ones. */
+/* cracks_hit.frag: writes the image of cracks that refracted rays are intersected with
+ * (refract_cracks.glsl). A highly reflective crack hides less reflective ones, even nearer ones. */
 #version 460
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 #include "refract/inclusion_march.glsl"
 
-layout(location = 0) out vec4 hit; /* r: depth; gba: normal times 1 + width in micrometres */
+layout(location = 0) out vec4 hit; /* r: depth; gba: normal times (1 + width in micrometres) */
 
 void main()
 {

@@ -1,4 +1,4 @@
-/* cracks_noise.h: roughness of cracks, for shaders and C: gradient of three octaves of noise. */
+/* cracks_noise.h: rough crack normals from the gradient of noise in three octaves (C and GLSL). */
 #ifndef SHADERS_INCLUSIONS_CRACKS_NOISE_H
 #define SHADERS_INCLUSIONS_CRACKS_NOISE_H
 #include "abi_math.h"
@@ -35,7 +35,7 @@ ABI_FUNCTION vec3s crack_noise_gradient(vec3s p)
     uint32_t z = ABI_UINT(ABI_INT(below.z));
     vec3s t = glms_vec3_sub(p, below);
     vec3s s = ABI_VEC3(crack_fade(t.x), crack_fade(t.y), crack_fade(t.z));
-    float across[4]; /* differences along x at the four corners in y and z */
+    float across[4]; /* `across`: differences along x */
     float along[4];
     for (uint32_t i = 0u; i < 4u; i++) {
         uint32_t row = y + (i & 1u);
@@ -58,7 +58,7 @@ ABI_FUNCTION vec3s crack_octave(vec3s p, float frequency, float shift)
         ABI_VEC3(p.x * frequency + shift, p.y * frequency + shift, p.z * frequency + shift));
 }
 
-/* Returns the normal n perturbed by noise of slope `bump` at p, in radii of the object's sphere. */
+/* Returns normal `n` perturbed by noise of slope `bump`; `p` is in radii of the bounding sphere. */
 ABI_FUNCTION vec3s crack_perturbed(vec3s n, vec3s p, float bump)
 {
     vec3s slope = glms_vec3_add(glms_vec3_scale(crack_octave(p, 5.0f, 0.0f), 0.6f),

@@ -20,7 +20,7 @@ layout(location = REFRACT_NORMAL) in vec3 normal;
 
 layout(location = 0) out vec4 color; /* premultiplied alpha */
 
-/* Returns the irradiance of the frost: the procedural sky's, or the blurred cube map along `n`. */
+/* Returns the frost's irradiance from the procedural sky or, otherwise, the blurred cube map. */
 vec3 light_on(vec3 n)
 {
     if (constant_background == GLOBALS_SKY)
@@ -28,7 +28,7 @@ vec3 light_on(vec3 n)
     return texture(blurred, n).rgb;
 }
 
-/* Blends from a blurred view behind (thin frost) to a white diffuse surface (thick frost). */
+/* Blends the blurred view through thin frost with the white diffuse surface of thick frost. */
 void main()
 {
     vec3 n = normalize(normal);

@@ -33,7 +33,7 @@ struct medium_field {
     vec3s from, to; /* bounding box of the non-zero densities, inside the grid's box */
 };
 
-/* Returns the density relative to its maximum at a relative depth from 0 to 1. */
+/* Returns the density, 0 to 1, at a relative depth from 0 (surface) to 1 (deepest point). */
 ABI_FUNCTION float medium_relative_density(float depth)
 {
     float core = glm_smoothstep(MEDIUM_CORE_BEGIN, MEDIUM_CORE_FULL, depth);

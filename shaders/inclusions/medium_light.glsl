@@ -19,7 +19,7 @@
 
 layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray densities;
 
-const int medium_sun_steps = 3;       /* shadow ray steps, each twice as long as the last */
+const int medium_sun_steps = 3;       /* shadow ray steps, each twice as long as the one before */
 const float medium_blur = 4.55 - 1.0; /* prefiltered layer for the forward lobe */
 
 /* Returns the relative density, 0 to 1, of a field at an object-space point. */
@@ -66,8 +66,8 @@ vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_s
     return vec3(center - 0.5 * slope + 0.25 * curvature, slope - curvature, curvature);
 }
 
-/* Returns the sunlight scattered into a direction after an optical depth on its path, which widens
- * the phase function; relative to the sunlight on a white diffuse surface. */
+/* Returns the in-scattered sunlight relative to the sunlight on a white diffuse surface. `depth`,
+ * the optical depth towards the sun, attenuates it and widens the phase function. */
 float medium_sun_scattering(float cosine, float depth)
 {
     float g = frame.medium_g;
@@ -107,7 +107,7 @@ vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
 }
 
 /* Ray-marches a segment of length `t` from an object-space point. Returns its optical depth and
- * in-scattered sunlight. Takes `steps` samples in the density's box; none if `remaining` is 0. */
+ * in-scattered sunlight. `remaining` equals `steps`, or 0 to skip the segment. */
 medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)
 {

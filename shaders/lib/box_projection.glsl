@@ -7,8 +7,8 @@
 #ifndef BOX_PROJECTION_GLSL
 #define BOX_PROJECTION_GLSL
 
-/* Returns the lookup direction. `dir` may have any length. Returns `dir`, as for an infinitely far
- * environment, if the point is outside, the box is inverted or the length is 0. */
+/* Returns the lookup direction of a ray; `dir` may have any length. If the point is outside, the
+ * box is inverted or the length is 0, returns `dir`, as for an infinitely distant environment. */
 vec3 box_projection_dir(vec3 point, vec3 dir, vec3 low, vec3 high, vec3 captured)
 {
     bool inside = all(greaterThanEqual(point, low)) && all(lessThanEqual(point, high));

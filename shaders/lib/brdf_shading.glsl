@@ -13,7 +13,7 @@ layout(set = 0, binding = SURROUNDINGS_DATA_TEXTURES) uniform sampler2DArray dat
 layout(set = 0, binding = SURROUNDINGS_BRDF_TABLE) uniform sampler2D splits;
 layout(set = 0, binding = SURROUNDINGS_LIGHTS) uniform sampler2D lights;
 
-/* Returns `n` perturbed by a normal map; `u_dir` and `minus_v_dir`: directions of u and -v. */
+/* Returns `n` perturbed by a normal map; `u_dir`, `minus_v_dir` are the directions of u and -v. */
 vec3 normal_map_by_axes(vec3 n, vec3 texel, vec2 scales, vec3 u_dir, vec3 minus_v_dir)
 {
     vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
@@ -38,7 +38,7 @@ vec3 normal_map_by_derivatives(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2
     return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
 }
 
-/* Perturbs a normal by the normal map of a material row; `outward` is the vertex normal. */
+/* Perturbs a normal by a material's normal map; `outward` is the vertex normal. */
 #ifdef SURROUNDINGS_EXTRA
 #define NORMAL_MAP(row, n, outward, texel, scales, point, uv) \
     normal_map_by_tangent(row, n, outward, texel, scales, point, uv)
@@ -83,7 +83,7 @@ vec3 lit_specular(vec3 dir, float roughness, float lod)
     return mix(sharper, blurred, layer - first);
 }
 
-/* Returns a surface's radiance by unshadowed punctual lights; `base`: see lit_by_light_on(). */
+/* Returns a surface's radiance by unshadowed punctual lights; `base` is as in lit_by_light_on(). */
 vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
 {
     vec3 sum = vec3(0.0);
@@ -115,7 +115,7 @@ vec2 lit_split(float roughness, float n_dot_v)
 }
 
 #if !defined LIT_NO_DERIVATIVES && !defined LIT_PER_VERTEX
-/* Returns the environment map's mip level for a pixel's reflected cone, at least `min_lod`. */
+/* Returns the environment map's mip level for a mirror reflection, at least `min_lod`. */
 float lit_mirror_lod(vec3 dir, float min_lod)
 {
     float width = float(textureSize(environment, 0).x);

@@ -17,8 +17,8 @@ vec2 bubble_double(vec2 deflection)
                 2.0 * deflection.x * deflection.y);
 }
 
-/* Returns the deflection of transmitted light, 2 (theta_t - theta_i). eta b must be at most 1;
- * above that, reflection is total. */
+/* Returns the deflection of transmitted light, 2 (theta_t - theta_i). The product of `eta` and `b`
+ * must be at most 1, beyond which reflection is total. */
 vec2 bubble_transmitted(float b, float eta)
 {
     vec2 incident = vec2(sqrt(1.0 - b * b), b);
@@ -33,7 +33,7 @@ vec2 bubble_reflected(float b)
     return bubble_double(vec2(b, sqrt(1.0 - b * b)));
 }
 
-/* Rotates direction e towards `outward`, which is unit and perpendicular to e. */
+/* Rotates direction `e` by the deflection towards `outward`, a unit vector perpendicular to `e`. */
 vec3 bubble_rotate(vec3 e, vec3 outward, vec2 deflection)
 {
     return deflection.x * e + deflection.y * outward;

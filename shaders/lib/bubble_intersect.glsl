@@ -3,8 +3,8 @@
 #ifndef BUBBLE_INTERSECT_GLSL
 #define BUBBLE_INTERSECT_GLSL
 
-/* Returns the distances at which a ray enters and leaves a sphere or, if `dir` is perpendicular to
- * an axis, a cylinder; x > y if it misses. `square` is the squared length of `dir`. */
+/* Returns the distances at which a ray enters and leaves a sphere or, if `from` and `dir` are
+ * perpendicular to its axis, a cylinder; x > y if it misses. `square` is dot(dir, dir). */
 vec2 bubble_intersect_sphere(vec3 from, vec3 dir, float square, float radius)
 {
     float along = dot(from, dir) / square;
@@ -14,7 +14,7 @@ vec2 bubble_intersect_sphere(vec3 from, vec3 dir, float square, float radius)
     return root2 > 0.0 ? vec2(-along - root, -along + root) : vec2(1e30, -1e30);
 }
 
-/* Returns entry and exit distances for a sphere or cylinder and any length of `dir`. */
+/* Returns a ray's entry and exit distances for a sphere or cylinder; `dir` may have any length. */
 vec2 bubble_intersect_ball(vec3 from, vec3 dir, float radius)
 {
     return bubble_intersect_sphere(from, dir, max(dot(dir, dir), 1e-20), radius);
@@ -34,7 +34,7 @@ vec2 bubble_intersect_capsule(vec3 from, vec3 dir, vec3 axis, float half_length,
     return vec2(min(cut.x, min(low.x, high.x)), max(cut.y, max(low.y, high.y)));
 }
 
-/* Scales an ellipsoid around the origin to a sphere. */
+/* Transforms a vector so that the ellipsoid around the origin becomes a sphere. */
 vec3 bubble_to_sphere(vec3 v, vec3 axis, float stretch, float radius)
 {
     return v + (radius / (radius + stretch) - 1.0) * dot(v, axis) * axis;

@@ -1,8 +1,8 @@
 /*
  * caustics_map.glsl: coordinates of the pool's caustic map, on the plane of the floor.
  *
- * A wall is mapped to where the sun's light through calm water would continue behind it to the
- * floor. A margin around the map receives light that waves deflect.
+ * A point of a wall is mapped to where sunlight through calm water would hit the floor if the wall
+ * were not there. A margin around the map receives light that waves deflect.
  */
 #ifndef LIB_CAUSTICS_MAP_GLSL
 #define LIB_CAUSTICS_MAP_GLSL
@@ -21,8 +21,8 @@ vec4 caustics_map_region(pool_params pool, vec3 inside)
     return vec4(lower, upper - lower);
 }
 
-/* Returns the height above the floor at which light to a point of the map hits a wall; 0 on the
- * floor. `facing` becomes the wall's normal. */
+/* Returns the height above the floor at which sunlight for a map point hits a wall, or 0 if it
+ * reaches the floor. Sets `facing` to the wall's normal. */
 float caustics_map_height(pool_params pool, vec3 inside, vec2 at, out vec2 facing)
 {
     vec2 slope = inside.xy / -inside.z;

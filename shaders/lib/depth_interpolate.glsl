@@ -7,8 +7,8 @@
 #ifndef DEPTH_INTERPOLATE_GLSL
 #define DEPTH_INTERPOLATE_GLSL
 
-/* Returns the depth interpolated between four texels in textureGather() order, at `fraction` right
- * of and below the first: bilinear if all have a face, otherwise nearest. */
+/* Returns the depth at `fraction`, 0 to 1, between four texels in textureGather() order: bilinearly
+ * interpolated if all have a face, otherwise that of the nearest texel. */
 float depth_interpolate(vec4 d, vec2 fraction)
 {
     float low = fma(fraction.x, d.z - d.w, d.w);

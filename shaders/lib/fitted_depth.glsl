@@ -1,4 +1,4 @@
-/* fitted_depth.glsl: converts depth by globals.fitted_clip_from_world to metres. */
+/* fitted_depth.glsl: converts depth-buffer values of globals.fitted_clip_from_world to metres. */
 #ifndef FITTED_DEPTH_GLSL
 #define FITTED_DEPTH_GLSL
 #include "lib/globals.glsl"

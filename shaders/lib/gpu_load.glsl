@@ -3,6 +3,6 @@
 float busy(float x, uint rounds)
 {
     for (uint i = 0u; i < rounds; i++)
-        x = x * (1.75 - 0.5 * x); /* stays within (0, 1.54) if it begins there */
+        x = x * (1.75 - 0.5 * x); /* stays within (0, 1.54) */
     return x;
 }

@@ -2,8 +2,8 @@
 #ifndef GRID_STRIP_GLSL
 #define GRID_STRIP_GLSL
 
-/* Returns the grid corner of a strip vertex, for `cells` squares per side. Rows are joined by
- * degenerate triangles: cells * (2 * cells + 4) vertices. */
+/* Returns the grid corner of a strip vertex; the grid has `cells` squares per side. Degenerate
+ * triangles join its rows, so that there are cells * (2 * cells + 4) vertices. */
 uvec2 grid_strip_corner(uint index, uint cells)
 {
     uint row_length = 2u * cells + 4u;

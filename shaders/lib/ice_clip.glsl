@@ -1,5 +1,5 @@
 /* ice_clip.glsl: clips fragments to the ice, between the nearest front face and the farthest back
- * face of their pixel (Seipel and Nivfors 2006, section 3.3). Targets have the view's size. */
+ * face of their pixel (Seipel and Nivfors 2006, section 3.3). Targets have the depth maps' size. */
 #ifndef LIB_ICE_CLIP_GLSL
 #define LIB_ICE_CLIP_GLSL
 #include "ice/ice_depth.h"
@@ -7,7 +7,7 @@
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D ice_clip_front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D ice_clip_back;
 
-/* Returns true if a fragment is inside the ice; `depth` is by globals.fitted_clip_from_world. */
+/* Returns true if a depth-buffer value of globals.fitted_clip_from_world is inside the ice. */
 bool ice_clip_keeps(float depth)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

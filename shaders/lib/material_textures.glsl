@@ -1,4 +1,4 @@
-/* material_textures.glsl: access to the material texture and to textures of materials. */
+/* material_textures.glsl: reads material parameters and samples the materials' textures. */
 #ifndef MATERIAL_TEXTURES_GLSL
 #define MATERIAL_TEXTURES_GLSL
 #include "lib/specialization_constants.glsl"
@@ -17,7 +17,7 @@ vec4 material_texel(uint row, int column)
 /* ---- textures ---- */
 
 #if defined(SURROUNDINGS_EXTRA) || defined(LIT_NO_DERIVATIVES)
-/* Optional attributes (struct mesh_extra) at the shaded point; set by main() or the ray tracer. */
+/* Optional vertex attributes (mesh_extra) at the shaded point, set by main() or the ray tracer. */
 vec2 lit_second_uv;
 vec4 lit_tangent;
 #endif
@@ -32,7 +32,7 @@ float lit_wrap(float x, float wrap, float size)
     return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
 }
 
-/* Returns wrapped texture coordinates; `wraps` is encoded as in the material row. */
+/* Returns wrapped texture coordinates; `wraps` is 3 * wrap_v + wrap_u (material_layout.h). */
 vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
 {
     vec2 size = vec2(textureSize(of, 0).xy);
@@ -41,8 +41,8 @@ vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
                 lit_wrap(at.y, wrap_v, size.y));
 }
 
-/* Samples a texture: along rays at mip level 0 (LIT_NO_DERIVATIVES), at vertices at a level of
- * about 64 texels, their typical density (LIT_PER_VERTEX), otherwise with derivatives. */
+/* Samples a texture. Derivatives select the mip level, except in the ray tracer (level 0) and per
+ * vertex (level 64 texels wide, because vertices are sparse). */
 vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 {
 #ifdef LIT_NO_DERIVATIVES
@@ -54,7 +54,7 @@ vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 #endif
 }
 
-/* Returns a texel of a material's texture, white if there is none. `blur` scales the footprint. */
+/* Returns a material's texture sample, or white if it has none. `blur` scales the footprint. */
 vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
@@ -73,7 +73,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
-/* Returns a material's base colour; without a texture of its own, that of layer `layer` - 1. */
+/* Returns a material's base colour; a material without texture uses texture layer `layer` - 1. */
 vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
     bool has_texture = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
@@ -98,7 +98,7 @@ vec4 material_base_color(uint material, vec2 uv)
 }
 #endif
 
-/* Returns true if AOVs skip a surface point: an alpha-tested hole, or blended below half alpha. */
+/* Returns true if AOVs skip a surface point that is cut out or blended with alpha below 1/2. */
 bool material_is_hole(uint material, float alpha)
 {
     uint row = material >> MESH_SURFACE_SHIFT;

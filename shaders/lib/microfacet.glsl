@@ -1,4 +1,4 @@
-/* microfacet.glsl: GGX VNDF sampling and scrambled Sobol points, as src/reference/microfacet.c. */
+/* microfacet.glsl: GGX VNDF sampling and scrambled Sobol points (C: src/reference/microfacet.c). */
 #ifndef LIB_MICROFACET_GLSL
 #define LIB_MICROFACET_GLSL
 
@@ -25,7 +25,7 @@ uint microfacet_scrambled(uint x, uint seed)
     return bitfieldReverse(x);
 }
 
-/* Returns the second Sobol dimension: Pascal's triangle modulo 2 applied to the reversed index. */
+/* Returns the second dimension of a Sobol point, whose matrix is Pascal's triangle modulo 2. */
 uint microfacet_sobol_second(uint index)
 {
     uint x = bitfieldReverse(index);

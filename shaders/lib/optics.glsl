@@ -10,20 +10,20 @@
 #ifndef LIB_OPTICS_GLSL
 #define LIB_OPTICS_GLSL
 
-/* Blends front and back normals, SN eq. 1; not normalised: length 1 - 2a at the silhouette. */
+/* Blends front and back normals (SN eq. 1); the result's length is 1 - 2a at the silhouette. */
 vec3 optics_blend_normals(vec3 n_f, vec3 n_b, float a)
 {
     return n_f * (1.0 - a) - n_b * a;
 }
 
-/* Returns the radicand of SN eq. 2; below 0, reflection is total. */
+/* Returns the radicand in Snell's law (SN eq. 2); it is negative if reflection is total. */
 float optics_refract_k(vec3 e, vec3 n, float eta)
 {
     float c = dot(n, e);
     return 1.0 - eta * eta * (1.0 - c * c);
 }
 
-/* Refracts e, SN eq. 2, GLSL's refract(); returns the reflected direction on total reflection. */
+/* Refracts `e` like GLSL's refract() (SN eq. 2), or reflects it if reflection is total. */
 vec3 optics_refract(vec3 e, vec3 n_r, float eta)
 {
     float k = optics_refract_k(e, n_r, eta);
@@ -32,20 +32,20 @@ vec3 optics_refract(vec3 e, vec3 n_r, float eta)
     return eta * e - (eta * dot(n_r, e) + sqrt(k)) * n_r;
 }
 
-/* Reflects e at the front face, SN eq. 3, GLSL's reflect(). */
+/* Reflects `e` at the front face, like GLSL's reflect() (SN eq. 3). */
 vec3 optics_reflect(vec3 e, vec3 n_f)
 {
     return e - 2.0 * dot(n_f, e) * n_f;
 }
 
-/* Approximates Fresnel reflectance by SN eq. 4: 0 at normal incidence, where ice has 0.0179. */
+/* Approximates Fresnel reflectance (SN eq. 4); 0 at normal incidence, where ice has 0.0179. */
 float optics_fresnel_paper(vec3 e, vec3 n)
 {
     float f = 1.0 - abs(dot(e, n));
     return f * f * f;
 }
 
-/* Mixes reflected and refracted radiance, SN eq. 6. (Eq. 5 is missing from the paper.) */
+/* Mixes reflected and refracted radiance by the reflectance `f` (SN eq. 6). */
 vec3 optics_compose(vec3 reflected, vec3 refracted, float f)
 {
     return f * reflected + (1.0 - f) * refracted;
@@ -65,8 +65,8 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
 }
 
 /* Returns the reflectance of a thin gap with parallel sides, including multiple reflections in the
- * gap: it transmits (1 - R) / (1 + R). `eta` is that of the first side. Transmitted light keeps its
- * direction. No interference: the gap is wider than a wavelength. */
+ * gap: it transmits (1 - R) / (1 + R). `eta` is the index before the gap over the gap's. Light
+ * keeps its direction. There is no interference, because the gap is wider than a wavelength. */
 float optics_gap(vec3 e, vec3 n, float eta)
 {
     float r = optics_fresnel(e, n, eta);

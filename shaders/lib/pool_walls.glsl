@@ -15,7 +15,7 @@ vec3 pool_to_world(vec3 v)
     return vec3(v.x, v.z, -v.y);
 }
 
-/* Returns the direction to the sun; at the horizon if it has set. */
+/* Returns the unit direction to the sun, kept just above the horizon. */
 vec3 pool_sun_dir()
 {
     vec3 dir = pool_from_world(frame.sun_dir);
@@ -28,7 +28,7 @@ vec3 pool_sun_inside(float ior)
     return refract(-pool_sun_dir(), vec3(0.0, 0.0, 1.0), 1.0 / ior);
 }
 
-/* Returns the distance from a point inside a box to its side; dir may be 0 along an axis. */
+/* Returns the distance along a ray from inside a box to its side; `dir` may be 0 along an axis. */
 float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
 {
     vec3 far = mix(upper, lower, lessThan(dir, vec3(0.0)));

@@ -1,4 +1,4 @@
-/* pose.glsl: animation transforms of meshes; all are rotations and also apply to normals. */
+/* pose.glsl: rotations of the object and of orbiting surroundings, for points and normals. */
 #ifndef LIB_POSE_GLSL
 #define LIB_POSE_GLSL
 #include "lib/globals.glsl"

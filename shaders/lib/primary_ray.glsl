@@ -13,11 +13,11 @@ vec3 primary_ray_dir(vec3 eye_to_point)
     return normalize(eye_to_point);
 }
 
-/* Returns a pixel's ray parameter for primary_ray_at(); linear in screen space. */
+/* Returns a pixel's primary ray in the form that primary_ray_at() takes, linear in screen space. */
 vec3 primary_ray(vec2 ndc)
 {
     mat4 m = frame.clip_from_world;
-    /* The first rows of a projection matrix are the image axes divided by half the image's size. */
+    /* The x and y rows of a projection matrix are the image axes divided by half the image size. */
     vec3 x = vec3(m[0][0], m[1][0], m[2][0]);
     vec3 y = vec3(m[0][1], m[1][1], m[2][1]);
     vec3 w = vec3(m[0][3], m[1][3], m[2][3]);

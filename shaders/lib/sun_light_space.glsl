@@ -1,5 +1,5 @@
-/* sun_light_space.glsl: light space of the sun for shadow and caustic maps (ice_caustics_light), as
- * `light`. Depth is reversed: near plane over distance, 0 if there is no surface. */
+/* sun_light_space.glsl: the sun's light space for shadow and caustic maps, as uniform `light`.
+ * Depth is reversed: near plane over distance, 0 if there is no surface. */
 #ifndef SUN_LIGHT_SPACE_GLSL
 #define SUN_LIGHT_SPACE_GLSL
 #include "lib/globals.glsl"
@@ -20,20 +20,20 @@ vec2 ice_light_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Returns a point offset along `n` towards the sun by the shadow bias, against self-shadowing; `n`
- * is either normal of the surface. */
+/* Returns a point moved along `n` towards the sun by the shadow bias, to avoid self-shadowing; `n`
+ * may point to either side of the surface. */
 vec3 ice_light_biased(vec3 point, vec3 n)
 {
     return point + (dot(n, frame.sun_dir) < 0.0 ? -light.shadow_bias : light.shadow_bias) * n;
 }
 
-/* Converts a clip-space position in the caustic map to that in the shadow map. */
+/* Converts a clip-space position from the caustic map's to the shadow map's light space. */
 vec4 ice_light_shadow_map_clip(vec4 clip)
 {
     return vec4(clip.xy * (light.reach / ICE_CAUSTICS_SHADOW_MAP_REACH), clip.zw);
 }
 
-/* Samples a light-space image of the ice at a position of the caustic map; 0 outside the image. */
+/* Samples a light-space image of the ice at a caustic map uv; returns 0 outside the image. */
 vec4 ice_light_sample(sampler2D image, vec2 uv)
 {
     vec2 at = (uv - 0.5) * light.reach + 0.5;

@@ -6,7 +6,7 @@
 
 layout(set = 0, binding = SURROUNDINGS_EXTRAS) uniform sampler2D extras;
 
-/* Returns extra texel `index` of the current vertex. */
+/* Returns texel `index` of the current vertex's struct mesh_extra. */
 vec4 vertex_extra_texel(int index)
 {
     int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;

@@ -15,7 +15,7 @@
 #define AO_HEIGHTS_RANGE 3.0f  /* range of the height fields, in units of ao_occluders.height */
 #define AO_HEIGHTS_GAP   0.01f /* minimum height, relative to AO_HEIGHTS_RANGE */
 
-/* Box occluder; `sky` and `ground` are the fractions of transmitted light from sky and ground. */
+/* Box occluder, which brings fractions `sky` and `ground` of sky and ground light to its base. */
 struct ao_occluder {
     vec3s min, max; /* box corners, object space, metres */
     vec3s sky, ground;
@@ -28,7 +28,7 @@ struct ao_occluders {
     float strength;  /* 0: no effect; 1: full occlusion */
     vec3s center;    /* centre of the map, on the plane of the objects' base; world, metres */
     float half_side; /* half the map's side, metres */
-    float height;    /* height above the objects' base at which occlusion ends, metres */
+    float height;    /* height above the objects' base beyond which nothing is occluded, metres */
 };
 
 #endif

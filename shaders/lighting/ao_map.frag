@@ -28,8 +28,8 @@ const int azimuth_steps = 10;   /* samples per azimuth, in geometric progression
 const float first_step = 1.5 / float(AO_HEIGHTS_SIZE); /* in sides of the map */
 const float full_radius = 0.6;                         /* relative radius where the fade begins */
 
-/* Returns the contribution of an edge between unit directions to the polygon form factor: half the
- * angle between them divided by pi, along the normal of their plane. */
+/* Returns an edge's term of the polygon form factor: the angle between its unit directions `a` and
+ * `b` over 2 pi, along the normal of their plane. */
 vec3 edge(vec3 a, vec3 b)
 {
     vec3 normal = cross(a, b);
@@ -85,8 +85,8 @@ vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
                textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
 }
 
-/* Returns the height of the surroundings above the plane, metres; 0 where the free space below them
- * is higher than their own thickness, as below a table. */
+/* Returns the surroundings' height above the plane in metres, or 0 where they have more free space
+ * below them than they are thick, like a table top. */
 float height_at(vec2 uv)
 {
     float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;
@@ -94,7 +94,7 @@ float height_at(vec2 uv)
     return is_solid ? AO_HEIGHTS_RANGE * ao.height * top : 0.0;
 }
 
-/* Returns the fraction of a uniform sky that surroundings occlude at their top (Max 1988). */
+/* Returns the fraction of a uniform sky that is below the horizon (horizon mapping, Max 1988). */
 float occluded_by_surroundings(vec2 uv)
 {
     float height = height_at(uv);
@@ -127,7 +127,7 @@ void main()
     for (uint i = 0u; i < ao.count; i++) {
         vec3 cover = mat3(frame.world_from_object) * blocked_by(i, object_point, object_up);
         float form_factor = clamp(length(cover), 1e-6, 1.0);
-        float sine = sqrt(form_factor); /* sine of the half-angle, if the occluder is a disc */
+        float sine = sqrt(form_factor); /* half-angle of an equivalent disc */
         /* Form factor of a sphere clipped at the horizon (Hill and Heitz 2017). */
         float blocked =
             form_factor *

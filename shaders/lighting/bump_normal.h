@@ -2,14 +2,14 @@
  * bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C.
  *
  * A surface gradient perturbs the normal independently of the parametrisation (Mikkelsen 2010, Bump
- * Mapping Unparametrized Surfaces on the GPU), so that the gradients of the three planes can be
- * added and no tangents are needed.
+ * Mapping Unparametrized Surfaces on the GPU), so that the gradients of the three triplanar
+ * projections can be added and no tangents are needed.
  */
 #ifndef SHADERS_LIGHTING_BUMP_NORMAL_H
 #define SHADERS_LIGHTING_BUMP_NORMAL_H
 #include "abi_math.h"
 
-/* Texture offsets of the planes perpendicular to y and z, so that the planes' centres differ. */
+/* Texture offsets of the projections along y and z, so that the three differ at the origin. */
 #define BUMP_OFFSET_Y ABI_VEC2(0.37f, 0.61f)
 #define BUMP_OFFSET_Z ABI_VEC2(0.71f, 0.23f)
 
@@ -23,7 +23,7 @@ ABI_FUNCTION vec3s bump_weights(vec3s n)
     return ABI_VEC3(x / all, y / all, z / all);
 }
 
-/* Returns the normal perturbed by a height gradient, tilted away from rising height. */
+/* Returns the normal tilted away from the direction in which the height rises. */
 ABI_FUNCTION vec3s bump_perturbed(vec3s normal, vec3s gradient)
 {
     vec3s aside = glms_vec3_sub(normal, gradient);

@@ -5,8 +5,7 @@
 
 #define DIFFUSE_SAMPLING_RAYS 2 /* diffuse rays per sample; every second one is guided */
 
-/* Offsets that decorrelate the random sequences of the ray types. Diffuse rays use
- * DIFFUSE_SAMPLING_SEED and the following ones, one for each ray. */
+/* Offsets that decorrelate the random sequences of the ray types; diffuse rays add their index. */
 #define DIFFUSE_SAMPLING_SEED          20u
 #define DIFFUSE_SAMPLING_GLOSSY_SEED   40u
 #define DIFFUSE_SAMPLING_SUN_SEED      41u
@@ -22,7 +21,7 @@ ABI_FUNCTION vec3s diffuse_sampling_sphere(vec2s at)
     return ABI_VEC3(r * cosf(angle), r * sinf(angle), z);
 }
 
-/* Returns a direction at an angle of the given cosine to an axis; `turn`: azimuth in turns. */
+/* Returns a direction at an angle of the given cosine to an axis; `turn` is the azimuth, 0 to 1. */
 ABI_FUNCTION vec3s diffuse_sampling_around(vec3s axis, float cosine, float turn)
 {
     float sine = sqrtf(fmaxf(1.0f - cosine * cosine, 0.0f));
@@ -64,7 +63,7 @@ ABI_FUNCTION float diffuse_sampling_weight(vec3s n, vec4s guide, vec3s dir)
     return diffuse_pdf / fmaxf(0.5f * diffuse_pdf + 0.5f * guide_pdf, 1e-9f);
 }
 
-/* Returns a uniformly distributed direction to a disc of an angular radius in radians. */
+/* Returns a uniformly distributed direction to a disc; `radius` is angular, in radians. */
 ABI_FUNCTION vec3s diffuse_sampling_disc_dir(vec3s to_disc, float radius, vec2s at)
 {
     return diffuse_sampling_around(to_disc, 1.0f - at.x * (1.0f - cosf(radius)), at.y);

@@ -5,7 +5,7 @@
 
 /* member of struct globals */
 struct highlight_params {
-    float strength;  /* peak radiance of the highlight of a light of strength 1 */
+    float strength;  /* peak radiance of the highlight of a light with strength 1 */
     float shininess; /* Blinn-Phong exponent */
 };
 

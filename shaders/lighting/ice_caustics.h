@@ -13,7 +13,7 @@
 #define ICE_CAUSTICS_WEIGHT   4096.0f /* fixed-point weight of a lossless photon */
 #define ICE_CAUSTICS_GROUP    8       /* workgroup size along x and y */
 
-/* Bindings of ice_caustics_ground.* and of the photon pass, which also uses 2 to 5 of refract.h. */
+/* Bindings of ice_caustics_ground.* and of the photon pass; 2 to 5 are bindings of refract.h. */
 #define ICE_CAUSTICS_LIGHT  6 /* struct ice_caustics_light */
 #define ICE_CAUSTICS_GROUND 7 /* light-space depth of the ground */
 #define ICE_CAUSTICS_FRONT  8 /* light-space depth of the ice */
@@ -31,11 +31,11 @@
 /* Binding in shaders that look up the caustic map (lib/sun_light_space.glsl). */
 #define ICE_CAUSTICS_MAP 9 /* rgb: caustics; a: ice shadow coverage */
 
-/* Light space of the caustic map: the light-space view of the ice, widened by `reach`. */
+/* Light space of the caustic map: the light-space view of the ice, `reach` times as wide. */
 struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;
-    float front;       /* distance from the light-space camera at which the ground begins, metres */
+    float front;       /* minimum distance of ground from the light-space camera, metres */
     float shadow_bias; /* offset of shadow map look-ups along the surface normal, metres */
 };
 

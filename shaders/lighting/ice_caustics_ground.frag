@@ -1,4 +1,4 @@
-/* ice_caustics_ground.frag: fragment shader of the ground behind the ice in the sun's depth map. */
+/* ice_caustics_ground.frag: fragment shader of the light-space depth of ground behind the ice. */
 #version 460
 #include "lib/sun_light_space.glsl"
 
@@ -6,7 +6,7 @@ layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D front;
 
 layout(location = 0) in vec3 point;
 
-/* Keeps surfaces behind the ice's front faces, so that roofs above it do not count as ground. */
+/* Discards surfaces between the sun and the ice, so that roofs do not count as ground. */
 void main()
 {
     vec4 clip = ice_light_clip(point);

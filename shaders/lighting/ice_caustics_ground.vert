@@ -1,4 +1,4 @@
-/* ice_caustics_ground.vert: vertex shader of the ground behind the ice in the sun's depth map. */
+/* ice_caustics_ground.vert: vertex shader of the light-space depth of ground behind the ice. */
 #version 460
 #include "lib/pose.glsl"
 #include "lib/sun_light_space.glsl"

@@ -1,6 +1,6 @@
 /* ice_caustics_photons.frag: photon pass, one photon per texel of the ice's front faces in light
- * space; writes its landing point in the caustic map and its energy. The faces are read from depth
- * and normal maps or, with REFRACT_BUMP, rasterised again with bump mapping. */
+ * space. Writes each photon's energy and its landing point in the caustic map. The faces are read
+ * from depth and normal maps or, with REFRACT_BUMP, rasterised again with bump mapping. */
 #version 460
 #ifndef REFRACT_BUMP
 #define REFRACT_PHOTONS
@@ -57,7 +57,7 @@ vec3 sun_ray(vec3 e)
     return normalize(e + away * (cos(angle) * a + sin(angle) * b));
 }
 
-/* Returns the length of a ray up to the edge of the map, where |x| or |y| equals w. */
+/* Returns a ray's length to the edge of the caustic map, where clip-space |x| or |y| equals w. */
 float length_to_map_edge(vec4 clip, vec4 dir_clip)
 {
     float limit = ground_last * frame.radius;
@@ -84,8 +84,8 @@ bool march_is_in_ground(vec3 point)
 }
 
 /* Intersects a ray with the depth map of the ground: steps of growing length, then bisection.
- * Returns the map coordinates in xy, and in z 1 for a hit or 0. The depth map is treated as solid:
- * a ray that passes behind a surface hits it. */
+ * Returns the map coordinates in xy; z is 1 for a hit, otherwise 0. The depth map is treated as
+ * solid: a ray that passes behind a surface hits it. */
 vec3 land(vec3 point, vec3 dir)
 {
     vec4 clip = ice_light_clip(point);

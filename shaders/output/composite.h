@@ -9,7 +9,7 @@
 #define COMPOSITE_CRACKS      4
 #define COMPOSITE_ENVIRONMENT 5 /* equirectangular environment map */
 
-/* With BUBBLES_REFRACTED: front faces' depth and normal, bubbles' depth (inclusion_march.glsl). */
+/* Bindings with BUBBLES_REFRACTED: the front faces' depth and normal, and the bubbles' depth. */
 #define COMPOSITE_FRONT_DEPTH  6
 #define COMPOSITE_SHADING      7
 #define COMPOSITE_BUBBLE_DEPTH 8
@@ -18,7 +18,7 @@
 
 #define COMPOSITE_LOW_RES 1 /* low-resolution image that composite_upsample.frag upsamples */
 
-/* Bits of CONSTANT_COMPOSITE: images; IS_LOW_RES: all but the highlights have low resolution. */
+/* Bits of CONSTANT_COMPOSITE: existing images; all but highlights may have low resolution. */
 #define COMPOSITE_HAS_HIGHLIGHT (1u << COMPOSITE_HIGHLIGHT)
 #define COMPOSITE_HAS_AIR       (1u << COMPOSITE_AIR)
 #define COMPOSITE_HAS_BUBBLES   (1u << COMPOSITE_BUBBLES)

@@ -1,4 +1,4 @@
-/* composite.vert: vertex shader of compositing: full-screen triangle with the light of milky air;
+/* composite.vert: vertex shader of compositing: full-screen triangle with milky air's radiance;
  * BUBBLES_REFRACTED adds view parameters. */
 #version 460
 #include "lib/air_light.glsl"

@@ -1,5 +1,5 @@
-/* composite_refracted.glsl: searches the bubbles' depth image for the hits of refracted rays, for
- * composite.frag with BUBBLES_REFRACTED. Error: bubbles are shaded as along unrefracted rays. */
+/* composite_refracted.glsl: finds the hits of refracted rays in the bubbles' depth image, for
+ * composite.frag with BUBBLES_REFRACTED. Error: bubbles found are shaded for unrefracted rays. */
 #ifndef COMPOSITE_REFRACTED_GLSL
 #define COMPOSITE_REFRACTED_GLSL
 #include "lib/optics.glsl"

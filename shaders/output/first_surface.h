@@ -4,7 +4,7 @@
 #include "abi.h"
 
 #define FIRST_SURFACE_PREVIOUS  12 /* uniforms of the previous frame */
-#define FIRST_SURFACE_POSITIONS 13 /* vertex positions of the previous frame, in texture rows */
+#define FIRST_SURFACE_POSITIONS 13 /* previous frame's vertex positions, texture */
 #define FIRST_SURFACE_STARTS    14 /* first vertex of each object of the surroundings */
 #define FIRST_SURFACE_WIDTH     2048
 
@@ -17,7 +17,7 @@ struct first_surface_previous {
 };
 
 struct first_surface_push {
-    uint32_t id;     /* object number, or that of the surroundings; 0: no surface */
+    uint32_t id;     /* object number (surroundings: base number) */
     uint32_t first;  /* the mesh's first vertex in FIRST_SURFACE_POSITIONS */
     uint32_t object; /* 1: refractive object; 0: surroundings */
     uint32_t count;  /* number of objects in FIRST_SURFACE_STARTS */

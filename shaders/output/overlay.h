@@ -11,7 +11,7 @@
 #define OVERLAY_COLOR    2
 
 struct overlay_push {
-    vec2s clip_from_pixel; /* pixels to clip space: scale, then -1 */
+    vec2s clip_from_pixel; /* clip = clip_from_pixel * pixel - 1 */
 };
 
 #endif

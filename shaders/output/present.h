@@ -5,8 +5,8 @@
 
 #define PRESENT_IMAGE 0
 
-/* Specialization constant id: 1 if the swapchain's format converts shader output to sRGB. As a push
- * constant, lavapipe would execute the decoding for every pixel even where it is off. */
+/* Specialisation constant that is 1 if the swapchain's format converts shader output to sRGB. If it
+ * were a push constant, lavapipe would execute the decoding for every pixel even if it is off. */
 #define PRESENT_ENCODES 0
 
 /* Two images side by side are separated by a bright and a dark column, visible on any content. */
@@ -17,7 +17,7 @@
 /* Placement of the image in the window. The vertex shader computes the texture coordinates, which
  * saves a third of the scaling pass's time on lavapipe. */
 struct present_push {
-    vec2s uv_from_clip; /* scale of the image's texture coordinates, (0, 0) to (1, 1) */
+    vec2s uv_from_clip; /* uv per unit of clip space */
     vec2s uv_of_center; /* texture coordinates at the centre of the window */
     uint32_t x, y;      /* position of the image's first pixel in the window */
 };

@@ -37,7 +37,7 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     return glms_vec3_add(glms_vec3_scale(c, scale), ABI_VEC3(white, white, white));
 }
 
-/* AgX by Sobotka (2022), fitted by Wrensch (2023). Undoes the fit's encoding with gamma 2.2. */
+/* AgX curve of a channel (Sobotka 2022), as fitted by Wrensch (2023); the result has gamma 2.2. */
 ABI_FUNCTION float tonemap_agx_channel(float c)
 {
     float min_ev = -12.47393f, max_ev = 4.026069f;

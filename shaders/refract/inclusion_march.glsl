@@ -15,11 +15,11 @@ const float inclusion_none = 1e30;
 struct inclusion_ray {
     vec4 from, dir;    /* origin and direction, projected to texels */
     float depth;       /* depth at the origin */
-    float depth_slope; /* its derivative along the ray, never 0 */
-    bool is_across;    /* at a large angle to the view axis; can hit steep inclusions */
+    float depth_slope; /* derivative of the depth along the ray, never 0 */
+    bool is_across;    /* ray at a large angle to the view axis, which can hit steep inclusions */
 };
 
-/* Returns the depth of a point; `from_center` is its offset from the bounding sphere's centre. */
+/* Returns a point's depth, 1 to 2; `from_center` is relative to the bounding sphere's centre. */
 float inclusion_depth(vec3 from_center, vec3 forward, float radius)
 {
     return clamp(1.5 + 0.5 * dot(from_center, forward) / radius, 1.0, 2.0);
@@ -31,7 +31,7 @@ ivec2 inclusion_texel(inclusion_ray ray, float t)
     return ivec2(at.xy / at.w + 0.5);
 }
 
-/* Returns the inclusion's depth minus the ray's at distance `t`; below -2 if there is none. */
+/* Returns an inclusion's depth minus the ray's at `t`; below -2 if there is no inclusion. */
 float inclusion_depth_difference(sampler2D image, inclusion_ray ray, float t)
 {
     float depth = texelFetch(image, inclusion_texel(ray, t), 0).r;

@@ -4,14 +4,14 @@
 #include "abi.h"
 
 #define REFRACT_ENV_CUBE 1 /* cube map of the radiance around the object */
-/* G-buffers of the ice: outward normals; depth by globals.clip_from_world, 0 where no face is. */
+/* G-buffers of the ice: outward normals, and depth-buffer values that are 0 if there is no face. */
 #define REFRACT_NORMAL_BACK  2
 #define REFRACT_DEPTH_BACK   3
 #define REFRACT_NORMAL_FRONT 4
 #define REFRACT_DEPTH_FRONT  5
 #define REFRACT_SHADING      7 /* shading normal of front faces */
 #define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_fullscreen.glsl) */
-/* Front depth as ray-marched by models with REFRACT_FULLSCREEN; may be wider than the image. */
+/* Front depth for ray marching with REFRACT_FULLSCREEN; may extend beyond the image. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
 /* Material images written by ice_normal.c, with REFRACT_MATERIAL. */
@@ -37,7 +37,7 @@
 #define REFRACT_FULLSCREEN_FRAME 1 /* locations 1 to 8 (refract_uniforms.glsl) */
 #define REFRACT_FULLSCREEN_MEAN  9 /* mean radiance, 1 / nearest distance */
 
-/* Varyings of all these vertex shaders for highlight.glsl. */
+/* Varyings for highlight.glsl, written by every vertex shader of the ice. */
 #define REFRACT_LIGHTS    11 /* locations 11 to 14 */
 #define REFRACT_SHININESS 15
 
@@ -45,7 +45,7 @@
 #define REFRACT_OUT_COLOR     0
 #define REFRACT_OUT_HIGHLIGHT 1
 
-/* Colour targets of the pass that writes a refraction model's layers. */
+/* Colour targets of the pass that writes a refraction model's AOVs. */
 #define REFRACT_OUT_EXIT       0
 #define REFRACT_OUT_REFRACTION 1
 #define REFRACT_OUT_REFLECTION 2

@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Push
     refract_blend_params params;
 };
 
-/* Only the front face refracts without a back face, or if the blended normal faces away. */
+/* Refracts at the front normal where no back face exists or the blended normal faces away. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);

@@ -12,8 +12,8 @@ struct march_bracket {
     bool near_front; /* front face is nearer at `within` */
 };
 
-/* Returns the root of the linearly interpolated signed distance minus a quarter of `exact`, or the
- * middle of the bracket if the distances are unknown. */
+/* Returns the root of the linearly interpolated signed distance, moved inwards by `exact` / 4, or
+ * the middle of the bracket if the distances are unknown. */
 float march_root(march_bracket ends, float exact)
 {
     bool known = ends.distance_within > 0.0 && ends.distance_beyond < 0.0 &&

@@ -30,7 +30,7 @@ ivec2 refract_texel(vec4 clip)
     return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
 }
 
-/* Returns the interpolated depth; `at` is in texels from the first centre, `texel` is 1 / size. */
+/* Returns an interpolated depth; `at` is in texels from the first one's centre. */
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);

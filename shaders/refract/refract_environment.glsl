@@ -29,8 +29,8 @@ const float cube_nearest = 0.0;
 
 const int cube_refinements = 3; /* root search iterations per hit */
 
-/* Relative distance behind a surface from which a ray is taken to pass behind the surface's edge;
- * what the ray then hits is hidden from the cube's centre. */
+/* Rays that are farther behind a surface than this, relative to its distance, pass behind its edge.
+ * What they then hit is not in the cube map. */
 const float cube_occluded_min = 0.15;
 
 /* Returns the distance of a point behind the surface in the cube map, negative in front; linear

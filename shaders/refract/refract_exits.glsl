@@ -24,7 +24,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
-#ifdef REFRACT_SSR /* reflections are faint: one exit is enough */
+#ifdef REFRACT_SSR /* one exit is enough for faint reflections */
 #define EXITS        1u
 #define EXITS_BRANCH 1.0
 #else
@@ -55,7 +55,7 @@ const float exits_weak_throughput = 0.1;
 struct exits_ray {
     vec3 weight;       /* path throughput, relative to the pixel */
     float crack;       /* distance to a reflecting crack, or inclusion_none */
-    vec3 crack_n;      /* unit normal of the last crack before the next face, or 0 */
+    vec3 crack_n;      /* unit normal of the last crack before the next face, 0 if none */
     refract_path path; /* up to the next face */
     vec3 n;            /* next face's outward normal, or 0 */
     float reflectance; /* Fresnel reflectance of the face */
@@ -71,7 +71,8 @@ struct exits_ray {
 /* Radiance of a pixel, and the branch that is still to be followed. */
 struct exits_pixel {
     vec3 light;
-    exits_ray other; /* the weaker branch; weight below 0: none yet; weight 0: already followed */
+    /* weaker branch; weight is negative if there is none, 0 once it is followed */
+    exits_ray other;
 };
 
 float exits_mean(vec3 weight)
@@ -79,8 +80,8 @@ float exits_mean(vec3 weight)
     return dot(weight, vec3(1.0 / 3.0));
 }
 
-/* Intersects a path with a crack in front of its next face. The path keeps the stronger branch; the
- * weaker one is stored in `pixel`, or looks up the environment at once. */
+/* Intersects a path with a crack in front of its next face. The path continues with the stronger
+ * branch; the weaker one is stored in `pixel` or looks up the environment at once. */
 void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
 {
     cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);

@@ -1,6 +1,6 @@
-/* refract_front_face.glsl: position and normal of the visible front face: from varyings of
- * refract*.vert, bump mapped with REFRACT_BUMP; from the G-buffer ice_normal.front with
- * REFRACT_FULLSCREEN; set by main() with REFRACT_PHOTONS. */
+/* refract_front_face.glsl: position and normal of the visible front face. By default they are
+ * varyings, bump mapped with REFRACT_BUMP. With REFRACT_FULLSCREEN they are read from the G-buffer
+ * ice_normal.front; with REFRACT_PHOTONS, main() sets them. */
 #ifndef REFRACT_FRONT_FACE_GLSL
 #define REFRACT_FRONT_FACE_GLSL
 #include "lib/primary_ray.glsl"

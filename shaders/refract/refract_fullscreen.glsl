@@ -24,9 +24,9 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* Reads the front face of this pixel. For the image, the depth test rejects pixels without ice, and
- * this function those that show only other objects; for AOVs it discards both, and pixels where
- * surroundings hide the ice. */
+/* Reads the front face of this pixel. The AOV pass discards pixels without visible ice. In the
+ * image pass, the depth test rejects pixels without ice, except those that show other objects,
+ * which are discarded here. */
 void refract_front_read()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

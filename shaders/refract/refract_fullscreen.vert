@@ -1,4 +1,4 @@
-/* refract_fullscreen.vert: vertex shader of per-pixel refraction models: full-screen triangle;
+/* refract_fullscreen.vert: vertex shader of per-pixel refraction models: full-screen triangle.
  * REFRACT_FULLSCREEN_WITH_MEAN adds the environment's mean radiance. */
 #version 460
 #define REFRACT_FULLSCREEN_VERTEX
@@ -16,7 +16,7 @@ layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat out float out_nea
 
 const uint mean_count = 256u;
 const float mean_golden = 2.39996323; /* golden angle, radians */
-const float mean_brightest = 16.0;    /* clamps the sun, which most directions miss */
+const float mean_brightest = 16.0;    /* radiance limit; most samples miss the sun */
 
 /* Computes mean radiance and nearest distance of the environment cube along a spherical spiral. */
 void mean_compute()

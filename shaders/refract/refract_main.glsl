@@ -34,7 +34,7 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Returns the side of a cube with the object's diagonal, metres: the diameter of proxy spheres. */
+/* Returns the proxy sphere's diameter, metres: the side of the bounding sphere's inscribed cube. */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);
@@ -55,7 +55,7 @@ float refract_reflectance(vec3 e, vec3 n_f)
 }
 
 #ifndef REFRACT_EXITS
-/* Returns the refracted radiance of one colour channel; `path` becomes its path. */
+/* Returns the refracted radiance of one colour channel and sets `path`. */
 vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 {
     path = refract_follow(e, n_f, channel);
@@ -77,7 +77,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 #include "refract/refract_exits.glsl"
 #endif
 
-/* Shades a visible point of the ice. The returned path is that of green. */
+/* Shades a visible point of the ice; the result's `path` is that of green light. */
 refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;

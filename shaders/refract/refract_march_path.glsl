@@ -6,7 +6,7 @@
 #include "refract/refract_path.glsl"
 
 #ifdef MARCH_GROUND
-/* Returns true if a point is in the ground, where no air is below the ice's base. */
+/* Returns true if a point is in the ground, where the ice's base touches no air. */
 bool march_is_in_ground(vec3 point);
 #endif
 
@@ -17,7 +17,7 @@ vec3 march_scattered;            /* radiance scattered into the path traced last
 float march_transmittance_media; /* medium transmittance; initialised by callers */
 #endif
 
-/* Traces a path to its exit. `leaving` becomes the last surface's transmittance, 0 if trapped. */
+/* Traces a path to its exit. Sets `leaving` to the last face's transmittance, 0 if trapped. */
 void march_continue(march_space space, float eta, inout refract_path path, out float leaving)
 {
     leaving = 0.0;

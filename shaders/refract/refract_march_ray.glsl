@@ -27,7 +27,7 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 #endif
 
-/* Constants of a march, loaded once: lavapipe reads uniforms in a loop for each ray. */
+/* Constants of a march, loaded once, because lavapipe loads uniforms for each ray separately. */
 struct march_space {
     mat4 map_from_world; /* projection to texels, x / w and y / w (refract_depth_at()) */
     vec2 texel;
@@ -52,11 +52,11 @@ march_space march_space_of_frame()
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
-/* Offset of a ray's origin from its surface, in bounding radii: texels are coarse. */
+/* Offset of a ray's origin from its surface, in bounding radii, because texels are coarse. */
 const float march_start = 0.02;
 
 /* Returns signed distances of a point: x in front of the back faces, y behind the front faces,
- * negative outside. The unit is stored depth times w, linear along a ray for flat faces. */
+ * negative outside. The unit, stored depth times w, is linear along a ray for flat faces. */
 vec2 march_signed_distances(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -168,7 +168,7 @@ float march_find_exit(march_space space, vec3 point, vec3 dir, bool hidden, out 
             break;
     }
     near_front = ends.near_front;
-    /* On a continuous face, 4 * exact changes the signed distance by a small part of this. */
+    /* Behind a continuous face, the signed distance changes little over 4 * exact. */
     float probe = march_signed_distance(
         march_signed_distances(space, fma(vec4(ends.within + 4.0 * exact), map_dir, from)));
     jumps = probe < -0.25 * difference && probe > march_outside_silhouette;

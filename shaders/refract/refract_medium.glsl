@@ -6,7 +6,7 @@
 #include "lib/pose.glsl"
 
 /* Ray-marches a medium from a world-space point along `dir` up to length `t`. Returns the
- * in-scattered radiance times `transmittance`, which is multiplied by the segment's. */
+ * in-scattered radiance times `transmittance`, and multiplies that by the segment's own. */
 vec3 refract_in_scatter(medium_field field, vec3 point, vec3 dir, float t,
                         inout float transmittance)
 {

@@ -36,7 +36,7 @@ const int nested_ends_max = 6;
 const int nested_segments_max = 40; /* maximum number of segments per pixel */
 const uint nested_steps = 2u;       /* factor on the ray marching steps */
 
-/* Transformation of world space to texels of the depth layers. */
+/* Transformation from world space to texels of the depth layers. */
 struct nested_space {
     mat4 map_from_world; /* projection to texels, x / w and y / w */
     vec2 texel;          /* 1 / the depth layers' size */
@@ -93,8 +93,8 @@ float nested_signed_distance(vec2 dists)
     return min(dists.x, dists.y);
 }
 
-/* Returns the signed distance of a point to the faces of its level and of the next one; negative
- * outside of its level or inside the next. */
+/* Returns a point's signed distance to the faces of its level and of the next one; negative outside
+ * of its level or inside the next. */
 float nested_level_distance(nested_space space, int level, vec4 at, out bool is_in_next)
 {
     float dist = nested_signed_distance(nested_signed_distances(space, level, at));
@@ -137,7 +137,7 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
         ends.distance_within = ends.distance_beyond;
     }
     bool done = params.march.halvings == 0u;
-    float moved = 0.0; /* last moved end: 1: within; -1: beyond */
+    float moved = 0.0; /* 1: `within` moved last; -1: `beyond` */
     for (uint i = 1u;; i++) {
         bool is_in_next;
         float t = march_root(ends, 0.0);
@@ -163,8 +163,8 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
     return vec2(ends.within, ends.beyond);
 }
 
-/* Returns the outward normal of a level's face nearest to a point in it; 0 if there is no face.
- * `medium` becomes the medium inside the level behind the face. */
+/* Returns the outward normal of a level's face that is nearest to a point; 0 if there is none. Sets
+ * `medium` to the medium behind the face, inside the level. */
 vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -180,7 +180,7 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
 }
 
-/* Compares all indices instead of indexing: a variable index moves the array to memory. */
+/* Compares all indices, because indexing by a variable would move the array to memory. */
 void nested_push_end(vec3 point, vec3 dir, vec3 throughput)
 {
     for (int k = 0; k < nested_ends_max; k++)
@@ -270,8 +270,8 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     return face;
 }
 
-/* Continues a ray from a face. Returns the throughput that is not followed and is given the mean
- * radiance of the surroundings. A ray that has ended has zero throughput. */
+/* Continues a ray from a face; its throughput becomes zero if it ends. Returns the throughput that
+ * is not followed, for which the caller adds the surroundings' mean radiance. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;

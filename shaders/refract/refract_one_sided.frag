@@ -1,4 +1,4 @@
-/* refract_one_sided.frag: fragment shader of the refraction model of the front face alone. */
+/* refract_one_sided.frag: fragment shader of the refraction model that ignores back faces. */
 #version 460
 #include "refract/refract_main.glsl"
 

@@ -2,7 +2,7 @@
 #version 460
 #include "refract/refract_main.glsl"
 
-/* Refracts as a sphere of the object's size: its back deflects like its front, never totally. */
+/* Refracts as a sphere does: by the same angle on entry and exit, without total reflection. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];

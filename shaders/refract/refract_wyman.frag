@@ -3,8 +3,8 @@
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 
-/* Returns the thickness along the front normal: the distance to the back face where a sphere of the
- * object's size would end, or less if there is no ice in that pixel. */
+/* Returns the thickness along the front normal. The back face is read where a sphere of the
+ * object's size would end; the distance is halved while that pixel shows no ice. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();
@@ -25,7 +25,7 @@ float thickness_along(vec3 point, vec3 n_f)
     return guess;
 }
 
-/* Refracts as in Wyman 2005, eq. 2: the ratio of the angles interpolates both thicknesses. */
+/* Refracts as in Wyman 2005, eq. 2: interpolates two thicknesses by the ratio of the angles. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];

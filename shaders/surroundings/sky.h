@@ -28,7 +28,7 @@ ABI_FUNCTION vec3s sky_radiance_with_sun(vec3s dir, vec3s sun_dir, float sun_str
 }
 
 /* Returns the radiance of a sun disc of an angular radius in radians, normalised so that a facing
- * white diffuse surface has radiance 1. The disc is widened to the radius `blur` if larger. */
+ * white diffuse surface has radiance 1. The disc's radius is at least `blur`. */
 ABI_FUNCTION float sky_disc(vec3s dir, vec3s sun_dir, float radius, float blur)
 {
     float wide = fmaxf(radius, blur);
@@ -47,7 +47,7 @@ ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
 }
 
 /* Returns an estimate of the sky's radiance, prefiltered for a reflection of the given roughness.
- * Excludes the sun's disc, which is a light source of its own. */
+ * Excludes the sun's disc, which is lit as a separate light source. */
 ABI_FUNCTION vec3s sky_glossy(vec3s dir, float roughness, vec3s sun_dir, float sun_strength)
 {
     float c = glm_clamp(glms_vec3_dot(dir, sun_dir), 0.0f, 1.0f);

@@ -21,7 +21,7 @@ layout(location = 0) in vec3 ray;
 
 const int halvings = 4; /* bisections of the step in which the ray hits an object */
 
-/* Segment of a reflected ray inside the objects' bounding box; its end points in clip space. */
+/* Segment of a reflected ray inside the objects' bounding box; end points are in clip space. */
 struct segment {
     float t_enter, t_leave; /* the ray misses the box if t_leave <= t_enter */
     vec4 from, to;
@@ -48,8 +48,8 @@ segment segment_in_box(vec3 point, vec3 dir)
     return p;
 }
 
-/* Returns the depth of a point behind the objects' front faces, metres along the view axis;
- * negative in front of the objects and beside them. */
+/* Returns a point's depth behind the objects' front faces, in metres along the view axis; negative
+ * in front of the objects and beside them. */
 float depth_behind_front(vec4 clip)
 {
     vec2 uv = image_uv(clip);

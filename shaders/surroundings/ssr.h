@@ -9,24 +9,24 @@
 #define SSR_OBJECT_DEPTH 4 /* objects' depth; 0 where none */
 #define SSR_SURFACE      5 /* ssr_surface */
 #define SSR_SPECULAR     6 /* ssr_specular */
-#define SSR_REFRACTED    7 /* half resolution: colour refracted along the reflected rays */
+#define SSR_REFRACTED    7 /* half resolution: reflected rays' refracted colour */
 
 /* Bindings of ssr_refract.frag, in addition to the refraction model's. */
 #define SSR_HIT_POINT 20 /* hit point of the reflected ray, relative to the camera */
 #define SSR_HIT_DIR   21 /* direction of the reflected ray */
 
-/* Clamp on reflected radiance: sun glints depend on the view direction, so the camera's are in the
- * wrong place, and they alias at half resolution. */
+/* Clamp on reflected radiance. Sun glints depend on the view direction, so that reflections show
+ * them in the wrong place, and they alias at half resolution. */
 #define SSR_RADIANCE_MAX 2.0f
 
 struct ssr_push {
     vec3s box_min;            /* bounding box of the objects, object space, metres */
     uint32_t steps;           /* ray march steps inside the box */
     vec3s box_max;            /* object space, metres */
-    float thickness;          /* depth behind a front face within which a ray hits it, metres */
-    vec2s area_min, area_max; /* scissored area, pixels; unbounded at the image's edges */
+    float thickness;          /* assumed thickness behind front faces, metres */
+    vec2s area_min, area_max; /* scissored area, pixels; infinite at image edges */
     vec2s area_edge;          /* fade width at the scissored area's edges, pixels */
-    float pixel; /* side of a pixel at distance 1, or at any distance if orthographic, metres */
+    float pixel; /* pixel size at distance 1 or, if orthographic, at any distance, metres */
 };
 
 #endif

@@ -13,18 +13,18 @@
 /* split-sum BRDF table; ice_caustics.h has bindings 6 to 9 */
 #define SURROUNDINGS_BRDF_TABLE 10
 
-/* Additional outputs of the surroundings, inputs of the screen-space reflections. */
+/* Additional outputs of the surroundings pass, which screen-space reflections read. */
 #define SURROUNDINGS_OUT_SURFACE  1 /* octahedral normal, roughness, mean specular reflectance */
-#define SURROUNDINGS_OUT_SPECULAR 2 /* specular radiance of the environment, replaced at hits */
+#define SURROUNDINGS_OUT_SPECULAR 2 /* environment's specular radiance, which SSR hits replace */
 
 /* Push constants of one view: the camera's, or a face of a cube map. */
 struct surroundings_push {
     mat4s clip_from_world;
     vec3s eye;             /* camera position, world, metres */
     float environment_lod; /* mip level of the environment map that matches the size of a pixel */
-    vec3s right;           /* vector from the image's centre to its right edge, at distance 1 */
-    vec3s up;              /* vector from the image's centre to its upper edge, at distance 1 */
-    vec3s forward;         /* vector from the camera to the image's centre, at distance 1 */
+    vec3s right;           /* half the image's width at distance 1, as a vector to the right */
+    vec3s up;              /* half the image's height at distance 1, as a vector upwards */
+    vec3s forward;         /* unit view direction */
     uint32_t inverse;      /* 1: alpha is 1 / distance from the camera, 1 / metre; 0: alpha is 1 */
 };
 

@@ -29,7 +29,7 @@ layout(location = 6) out vec4 out_tangent;
 
 void main()
 {
-    /* `precise`: the AOV passes test for equal depth with this pass */
+    /* `precise`, because the AOV passes test for equal depth */
     precise vec3 point = pose_surroundings(position, material);
     precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

@@ -49,7 +49,7 @@ float footprint_blur()
     return longer > 0.0 ? clamp(sqrt(area / longer), 0.5, 1.0) : 1.0;
 }
 
-/* Returns the sunlight on the surface in units of brdf.h; `caustics` becomes the caustics' part. */
+/* Returns the sunlight on the surface; sets `caustics` to the part that the ice has refracted. */
 vec3 sun_light(out vec3 caustics)
 {
     caustics = vec3(0.0);

@@ -32,7 +32,7 @@ vec4 texel_at(sampler2DArray of, vec2 at, vec2 lookup)
     return lookup.x < 0.0 ? vec4(1.0) : texel;
 }
 
-/* Returns the emitted radiance if it has a texture; otherwise the vertex shader has added it. */
+/* Returns the emission if it has a texture; otherwise the vertex shader has already added it. */
 vec3 emitted()
 {
     if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)

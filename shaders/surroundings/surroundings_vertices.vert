@@ -84,8 +84,8 @@ void write_texture_lookups(uint row)
     out_lookups = vec4(base.layer, base.wraps, emissive.layer, emissive.wraps);
 }
 
-/* Computes the lighting of a vertex; returns the sunlight on its diffuse base. Both are linear in
- * the base's albedo, by which the fragment shader multiplies them. */
+/* Computes a vertex's lighting and returns the sunlight on its diffuse base. All outputs are linear
+ * in the base's albedo, by which the fragment shader multiplies them. */
 vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
@@ -111,7 +111,7 @@ vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 
 void main()
 {
-    /* `precise`: the AOV passes test for equal depth with this pass */
+    /* `precise`, because the AOV passes test for equal depth */
     precise vec3 point = pose_surroundings(position, material);
     precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

@@ -67,8 +67,8 @@ struct trace_path {
     int left;   /* number of segments left */
     bool is_in_bubble;
     bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
-    /* factor for sky radiance if the ray reaches the sky without a hit; 0 after refraction by an
-     * object; below 0 if the ray started inside an object */
+    /* factor on sky radiance if the ray reaches the sky without a hit; 0 after refraction by an
+     * object; negative if the ray started inside an object */
     float open;
     vec3 d_origin, d_dir; /* ray differentials of origin and direction */
 };
@@ -106,7 +106,7 @@ struct trace_ray_end {
 
 trace_ray_end ends[trace_ends_max];
 int end_count, ends_left;
-/* end of the path of result.last; zero throughput if it is inside an object */
+/* end of the path that sets result.last; zero throughput if it never leaves the objects */
 trace_path escaped_end;
 #endif
 
@@ -229,8 +229,8 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     return next;
 }
 
-/* Reads the primary hit from the rasterised front faces. Returns false if it must be traced: at
- * grazing angles, where rasterised points are not exactly on triangles. */
+/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced,
+ * as at grazing angles, where rasterised points are not exactly on triangles. */
 bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -292,7 +292,7 @@ void trace_add(vec3 light, float kind)
 }
 
 #ifndef TRACE_RAYS
-/* Compares all indices instead of indexing: a variable index moves the array to memory. */
+/* Compares all indices, because indexing by a variable would move the array to memory. */
 void trace_push_end(trace_path at)
 {
     for (int k = 0; k < trace_ends_max; k++)
@@ -318,7 +318,7 @@ void trace_push_pending(trace_path other)
     pending_count++;
 }
 
-/* Returns true if a reflection with throughput `throughput` becomes a path of its own. */
+/* Returns true if a reflection of this throughput is followed as a separate path. */
 bool trace_is_split(vec3 throughput)
 {
     float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
@@ -377,7 +377,7 @@ trace_fresnel_split trace_fresnel_at(trace_crossing c)
     return p;
 }
 
-/* Returns the path throughput that a surface transmits, apart from Fresnel reflectance. Adds the
+/* Returns the throughput that a surface transmits, before reduction by Fresnel reflection. Adds the
  * radiance of the opaque base of surfaces that are not fully transmissive. */
 vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 {
@@ -449,7 +449,8 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     return max(path.throughput.r, max(path.throughput.g, path.throughput.b)) > 1e-5;
 }
 
-/* Ends a path that hits no object. Returns true if it continues through a blended surface. */
+/* Adds the light of the environment or surroundings that a path reaches. Returns true if the path
+ * continues through a hole or a blended surface. */
 bool trace_end_path(trace_hit hit)
 {
     bool goes_on = false;
@@ -473,7 +474,7 @@ bool trace_end_path(trace_hit hit)
             lighting_begin(hit);
             trace_add(light, 0.0);
         } else if (is_first && !trace_camera_is_inside()) {
-            /* the background is composited later: a blended pane in front hides no objects */
+            /* a blended pane hides no objects, because the background is composited later */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
             float open = 1.0;

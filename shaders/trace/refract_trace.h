@@ -13,7 +13,7 @@
 #define TRACE_CORNERS      15
 #define TRACE_FIRST_OBJECT 21 /* layer `object`, in the AOV pass */
 #define TRACE_CUBE_POINTS  22 /* the environment cube with nearest filtering */
-/* The BVH as storage buffers, with TRACE_HAS_STORAGE_BUFFERS. */
+/* Bindings of the BVH as storage buffers, with TRACE_HAS_STORAGE_BUFFERS. */
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
 #define TRACE_STORED_CORNERS   20
@@ -52,7 +52,7 @@
 /* Vectors of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* rgb: refractive indices; a: roughness */
 #define TRACE_ABSORB 1 /* rgb: absorption, 1/m; a: opacity */
-/* rgb: tint; a: 1 for a thin wall; below 0: -1 - index of the scattering medium */
+/* rgb: tint; a: 1 for thin walls, -1 - i for scattering medium i, else 0 */
 #define TRACE_TINT   2
 #define TRACE_MEDIUM 3
 

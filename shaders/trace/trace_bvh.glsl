@@ -12,8 +12,8 @@ layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
     trace_frame trace;
 };
 
-/* The BVH is in texel buffers, which lavapipe reads in a third of the time of storage buffers;
- * those are the fallback for devices that limit texel buffers to fewer texels. */
+/* The BVH is in texel buffers, which lavapipe reads three times as fast as storage buffers. Storage
+ * buffers are the fallback for devices whose texel buffers are too small. */
 layout(set = 0, binding = TRACE_NODES) uniform usamplerBuffer nodes;
 layout(set = 0, binding = TRACE_TRIANGLES) uniform usamplerBuffer triangles;
 layout(set = 0, binding = TRACE_CORNERS) uniform usamplerBuffer corners;
@@ -88,7 +88,7 @@ const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS;
 /* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
     vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
-    vec3 cull;                  /* 2 * side * dir; 0: no culling */
+    vec3 cull;                  /* 2 * side * dir, or 0 */
     int mask, shift;            /* lower plane's mask; upper plane's shift */
 };
 
@@ -217,7 +217,7 @@ void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
 }
 
 /* Returns the rotation of a BVH's contents about the vertical axis: cosine, sine, x and z of the
- * translation. Rays would take a sixth longer with matrices. */
+ * translation. With matrices, tracing would take a sixth longer. */
 vec4 trace_bvh_pose(int bvh)
 {
     vec4 pose = bvh == BVH_MOVERS ? trace.movers_rotation : vec4(1.0, 0.0, 0.0, 0.0);
@@ -253,9 +253,9 @@ void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
     trace_hit_bvh(ray, int(trace.roots[bvh]), bvh, hit);
 }
 
-/* Returns the nearest hit of a ray among its BVHs; inactive rays hit nothing. BVHs are traversed in
- * the ray's own order, so that lanes in surroundings and lanes in objects run at the same time. A
- * ray inside an object skips surroundings if these are outside its bounding box. */
+/* Returns the nearest hit of a ray among its BVHs; inactive rays hit nothing. Each ray steps
+ * through its own list of BVHs, so that lanes in surroundings and lanes in objects run at the same
+ * time. A ray inside an object skips surroundings if these are outside its bounding box. */
 trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
@@ -269,7 +269,7 @@ trace_hit trace_nearest_hit(trace_start start, bool is_active)
     return hit;
 }
 
-/* Returns the number of a triangle's object in the layer `object`. */
+/* Returns the number of a triangle's object, as in the layer `object`. */
 uint trace_object_number(int triangle)
 {
     int at = BVH_CORNER_WORDS * max(triangle, 0);

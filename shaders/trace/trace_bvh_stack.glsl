@@ -44,7 +44,7 @@ int stack_next(bool both, bool none, int near, int far)
     return none ? popped : near;
 }
 
-/* Makes room on the stack. Returns `node`, or the next entry if there is none. */
+/* Makes room on the stack. Returns `node`, or the next stack entry if `node` is trace_nothing. */
 int stack_settle(int node)
 {
     return node;

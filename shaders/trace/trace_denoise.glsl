@@ -29,7 +29,7 @@ void denoise_begin()
     denoise_inputs = trace_denoise_inputs(vec3(0.0), vec3(0.0), vec4(0.0), 0.0);
 }
 
-/* Returns true if the pixel's block traces lighting rays in this sample. */
+/* Returns true if the pixel's 4 x 4 block traces lighting rays in this sample. */
 bool denoise_is_sampled()
 {
     uvec2 block = uvec2(gl_FragCoord.xy) / 4u;

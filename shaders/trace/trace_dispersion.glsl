@@ -2,8 +2,8 @@
 #ifndef TRACE_DISPERSION_GLSL
 #define TRACE_DISPERSION_GLSL
 
-/* Traces a pixel; with TRACE_DISPERSION, one path per colour channel, everything but radiance being
- * that of green, the first. Drivers inline each call, so the loop has only one. */
+/* Traces a pixel. With TRACE_DISPERSION, traces one path per colour channel; all results but
+ * radiance are those of green. Drivers inline calls, so the loop contains only one. */
 void trace_all_channels(vec3 eye, vec3 e)
 {
 #ifdef TRACE_DISPERSION

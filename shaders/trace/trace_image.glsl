@@ -29,7 +29,7 @@ void main()
     color = vec4(result.refraction + result.reflection, 1.0);
     highlight = result.is_ground ? -1.0 : highlight_radiance(e, eye_to_point, result.normal);
     gl_FragDepth = result.distance > 0.0 ? trace_depth(start + result.distance * e) : 1.0;
-    if (result.is_ground) /* keeps the rasterised background from drawing over it */
+    if (result.is_ground) /* prevents the background from overdrawing the ground */
         gl_FragDepth = min(gl_FragDepth * 1.0001, 1.0);
 }
 

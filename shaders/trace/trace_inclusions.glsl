@@ -64,8 +64,8 @@ vec3 trace_reflectance(trace_hit hit, trace_crossing c, vec3 dir, inout float fr
     return reflectance;
 }
 
-/* Returns the crossing of an inclusion by a path in ice or in a bubble. `n` is the interpolated
- * crack normal, object space; `eta` is the index of ice relative to the outside. */
+/* Returns the intersection of an inclusion with a path in ice or in a bubble. `n` is the
+ * interpolated crack normal in object space; `eta` is the index of ice relative to the outside. */
 trace_crossing trace_inclusion_crossing(trace_path path, trace_hit hit, vec3 n, float eta)
 {
     trace_crossing c;

@@ -1,5 +1,5 @@
-/* trace_medium_stack.glsl: medium stack of a path: the objects that contain it, by priority: a bit
- * mask or, with TRACE_HAS_MANY_OBJECTS, a descending list (struct bvh_interior_list). */
+/* trace_medium_stack.glsl: medium stack of a path: priorities of the objects that contain it, as a
+ * bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list (struct bvh_interior_list). */
 #ifndef TRACE_MEDIUM_STACK_GLSL
 #define TRACE_MEDIUM_STACK_GLSL
 #include "trace/trace_bvh.glsl"
@@ -15,7 +15,7 @@ uvec4 trace_camera_stack()
     return uvec4(trace.inside[0], trace_has(TRACE_HAS_MANY_OBJECTS) ? more : uvec3(0u));
 }
 
-/* Inserts a medium priority into a list sorted in descending order. A full list drops its last. */
+/* Inserts a medium priority into a list in descending order. A full list loses its last entry. */
 uvec4 trace_list_insert(uvec4 list, uint rank)
 {
     for (int i = 0; i < BVH_INTERIOR_LIST_MAX / 2; i++) {
@@ -92,7 +92,7 @@ vec4 trace_medium(uint rank, int texel)
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
 }
 
-/* Returns the green refractive index of the path's medium relative to the outside. */
+/* Returns the path's refractive index for green light relative to the outside. */
 float trace_ior(uvec4 medium_stack)
 {
     if (!trace_has(TRACE_HAS_MEDIA))

@@ -12,12 +12,12 @@
 
 /* Interpolated vertex attributes at a hit on surroundings. */
 struct trace_surface_point {
-    vec3 position, normal; /* world space; unit normal, facing the ray */
+    vec3 position, normal; /* world space; the unit normal faces the ray */
     vec3 outward;          /* the interpolated vertex normal, not flipped */
     vec3 color;
     vec2 uv, other_uv;
     vec4 tangent;            /* unit tangent, with handedness in w; 0 if there is none */
-    vec3 u_dir, minus_v_dir; /* position derivatives by u and -v, or 0 */
+    vec3 u_dir, minus_v_dir; /* derivatives of position by u, -v */
     uint material;
     float ior; /* refractive index of the medium in front of the surface, relative to the outside */
 };
@@ -35,8 +35,8 @@ trace_lobes lobes;          /* lobes at the last trace_shade() */
 float sun_visibility = 1.0; /* the sun's visibility at the surface */
 float sun_spread = 0.0;     /* sun's minimum specular lobe width */
 
-/* Reads optional vertex attributes of a hit. `side_1` and `side_2` become the edges in the texture
- * coordinates of the normal map. */
+/* Reads optional vertex attributes of a hit. Sets `side_1` and `side_2` to the triangle's edges in
+ * the normal map's texture coordinates. */
 void trace_vertex_extra(inout trace_surface_point p, trace_hit hit, int surface, bool has_extra,
                         inout vec2 side_1, inout vec2 side_2)
 {
@@ -87,7 +87,7 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
     p.material = floatBitsToUint(n1.w);
     p.ior = 1.0;
-    /* Rows of the map are orthogonal to all edges but one: cross products yield the edges. */
+    /* The map's rows are the dual basis of the triangle's edges, which cross products recover. */
     at = BVH_TRIANGLE_WORDS * hit.triangle;
     vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
     vec3 row_1 = uintBitsToFloat(trace_row(at + 1)).xyz;
@@ -114,8 +114,8 @@ vec3 trace_normal_mapped(trace_surface_point p, vec3 n, vec3 texel, vec2 scales)
     return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
 }
 
-/* Returns the sun's irradiance on a surface that faces it. `through` becomes the fraction that the
- * objects have refracted; the base of an object itself (`is_base`) is always fully lit. */
+/* Returns the sun's irradiance on a surface that faces it. Sets `through` to the part that objects
+ * refract. An object's opaque base (`is_base`) is always fully lit. */
 vec3 trace_sun(trace_surface_point p, bool is_base, out vec3 through)
 {
     through = vec3(0.0);

@@ -1,4 +1,4 @@
-/* caustics.glsl: pool caustics: refraction of sunlight by a wave, light map coordinates. */
+/* caustics.glsl: refraction of sunlight by waves, and light map coordinates, for pool caustics. */
 #ifndef CAUSTICS_GLSL
 #define CAUSTICS_GLSL
 #include "lib/caustics_map.glsl"

@@ -1,4 +1,4 @@
-/* water.glsl: radiance along rays in the pool, with WATER_WITH_CAUSTICS and WATER_WITH_ICE. */
+/* water.glsl: radiance along rays in the pool; WATER_WITH_... macros add caustics and ice. */
 #ifndef WATER_GLSL
 #define WATER_GLSL
 #include "lib/environment_radiance.glsl"
@@ -102,7 +102,7 @@ float path_to_ground(vec3 from, vec3 dir)
                      vec3(vec2(half_size), 1e6));
 }
 
-/* Returns the radiance along a ray: of the ground through water, or of what is above the water. */
+/* Returns the radiance along a ray: of the pool's ground or, above water, of dry walls and sky. */
 water_ground water_radiance_along(water_ray ray)
 {
     water_ground ground;

@@ -13,7 +13,7 @@ layout(location = 0) out vec3 out_point; /* pool coordinates */
 
 void main()
 {
-    /* `precise`: the AOV passes test for equal depth with this pass */
+    /* `precise`, because the AOV pass tests for equal depth */
     precise vec2 across =
         vec2(grid_strip_corner(uint(gl_VertexIndex), WATER_GRID)) / float(WATER_GRID) - 0.5;
     precise vec2 p = across * push.pool.size;

@@ -92,7 +92,7 @@ float ice_distance(vec3 point, vec3 dir)
     return inside;
 }
 
-/* Continues a ray that has just entered the water, through the ice if it hits it. */
+/* Continues a ray that starts in the water, through the ice if the ray hits the ice. */
 water_ray ice_below(water_ray ray)
 {
     vec3 dir = pool_to_world(ray.dir);

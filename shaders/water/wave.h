@@ -42,7 +42,7 @@ ABI_FUNCTION vec3s wave_cosine(ABI_STRUCT(water_params) w, vec2s p, float time)
     return ABI_VEC3(-w.height * w.frequency * sinf(phi), 0.0f, w.height * cosf(phi));
 }
 
-/* Returns the slopes in xy and the height in metres in z. */
+/* Returns a wave's slopes in xy and its height in metres in z. */
 ABI_FUNCTION vec3s wave_at(ABI_STRUCT(water_params) w, vec2s p, float time)
 {
     vec2s q = ABI_VEC2(p.x / w.scale, p.y / w.scale);
