@@ -1,5 +1,5 @@
 /*
- * medium.h: density field of cloudy ice, a scattering medium of microscopic bubbles.
+ * medium.h: density field of the scattering medium that microscopic bubbles form in ice.
  *
  * Ice freezes from its surface inwards and pushes dissolved air ahead: the rim is clear, and what
  * freezes last is white. The density depends on the depth below the surface relative to the maximum

@@ -1,9 +1,9 @@
 /*
- * medium_light.glsl: single-segment approximation of light scattered by cloudy ice (medium.h).
+ * medium_light.glsl: single-segment approximation of light scattered by a medium (medium.h).
  *
  * A segment of optical depth t transmits exp(-t) unscattered. With the Henyey-Greenstein phase
  * function of parameter g, a fraction exp(-(1 - g) t) - exp(-t) comes from about the ray's
- * direction, the rest from all directions. The fractions add up to 1, so that cloudy ice is
+ * direction, the rest from all directions. The fractions add up to 1, so that the medium is
  * invisible in uniform light. Sunlight is attenuated along a straight shadow ray; multiple
  * scattering widens the phase function with optical depth (Wrenninge, Kulla and Lundqvist 2013, Oz:
  * The Great and Volumetric). Scaling the optical depth by 1 - g (similarity relation) replaces the

@@ -30,7 +30,7 @@ struct reference_sums {
     uint32_t width, height; /* pixels */
     uint32_t samples;       /* samples added so far */
     uint32_t count;         /* sums per pixel */
-    /* The value that each sum adds up: index into struct reference_ray_values, or REFERENCE_SUM_... */
+    /* summed values: indices into struct reference_ray_values, or REFERENCE_SUM_... */
     uint32_t values[REFERENCE_VALUE_COUNT];
     double *sums;         /* `count` per pixel; may be NULL */
     uint32_t first_count; /* number of values of sample 0 */
