@@ -10,8 +10,8 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'man'))
 from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 
-# Options whose values are names of a `firn list` (NAMED) or comma-separated lists of such names
-# (LISTED). Options in FILES also accept file names.
+# Options whose values are one name (NAMED) or comma-separated names (LISTED) from a category of
+# `firn list`, or fixed words (WORDS). Options in FILES accept file names, too.
 NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'materials',
          'show': 'layers', 'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'refractions', 'aov': 'layers'}
@@ -34,13 +34,13 @@ class Facts:
             self.lists[kind].pop('FILE')
 
     def settings(self):
-        """Yields NAME=VALUE for every setting whose values are words, and NAME= for the others."""
+        """Yields NAME=VALUE for each value of settings that accept words, and NAME= for others."""
         for name, what in self.lists['settings'].items():
             values = choices(what)
             yield from (f'{name}={value}' for value in values or [''])
 
     def values(self, option):
-        """Returns the words that complete an option's value; empty if it takes files or numbers."""
+        """Returns the words that complete an option's value; [] if it is a file or a number."""
         if option.name in NAMED:
             return list(self.lists[NAMED[option.name]])
         if option.name in LISTED:

@@ -58,7 +58,7 @@ def names(firn, kind):
 
 
 def choices(text):
-    """Returns the words that a setting accepts, found in its description; [] for numbers."""
+    """Returns the words that a setting accepts, from its description; [] if it is a number."""
     match = re.search(r'one of ([\w, -]+)', text)
     if match:
         return match.group(1).split(', ')

@@ -1,4 +1,4 @@
-"""page.py: generates a man page of firn with scdoc, from its help and, for firn.1, intro.scd.
+"""page.py: generates a man page of firn with scdoc from its help, and from intro.scd for firn.1.
 
 Usage: page.py FIRN SCDOC NAME OUTPUT   NAME: firn, firn-settings or firn-COMMAND
 """

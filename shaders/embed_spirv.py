@@ -1,11 +1,11 @@
 """embed_spirv.py: embeds SPIR-V files in a C file as `const struct rg_shader`; writes its header.
 
-The assembler includes the binary modules: a C array would be half a million numbers to parse.
+The assembler includes the binary modules, because a C array would have half a million numbers.
 
 Usage: embed_spirv.py C_FILE HEADER MODULE... [-- ORIGIN...]
 
-A shader is named like its file, with '_' for '.'; <stem>_all lists all shaders and ends at NULL.
-<stem>_origins, in the same order, lists sources: ORIGIN is a GLSL file and compiler flags,
+Shaders are named like their files, with '_' for '.'. <stem>_all lists them and ends at NULL.
+<stem>_origins lists their sources in the same order. ORIGIN is a GLSL file and its compiler flags,
 separated by spaces.
 """
 import hashlib

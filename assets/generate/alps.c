@@ -28,7 +28,7 @@ enum {
 };
 
 static const float sun_azimuth = 248.0F, sun_elevation = 22.0F; /* degrees, as in firn's settings */
-static const float sun_irradiance = 10.5F; /* above the atmosphere, in each colour channel */
+static const float sun_irradiance = 10.5F; /* irradiance above the atmosphere, per colour channel */
 static const float turbidity = 5.5F, ground_albedo = 0.3F;
 static const float eye_height = 900.0F, lake_height_km = 1.2F; /* camera over lake; lake over sea */
 static const float planet = 6360e3F;                           /* radius of the planet, metres */
@@ -37,7 +37,7 @@ static const float farthest = 52e3F;
 struct scene {
     struct alps alps;
     struct atmosphere atmosphere;
-    vec3s sun, sun_light, balance; /* sun_light: irradiance normal to the sun; balance: white */
+    vec3s sun, sun_light, balance; /* sun direction; irradiance facing the sun; white balance */
     vec3s ambient;                 /* sky irradiance on horizontal ground / pi */
     vec3s sky[SKY_ROWS][SKY_COLUMNS];
 };
@@ -46,8 +46,8 @@ struct scene {
 struct ground {
     vec3s point, normal;
     float distance, flow;
-    float level;  /* cosine of the mean slope over tens of metres */
-    float across; /* metres across the fall line, from an arbitrary origin */
+    float level;  /* cosine of the slope angle, averaged over tens of metres */
+    float across; /* position across the fall line, metres */
 };
 
 static vec3s color(float r, float g, float b)
@@ -60,7 +60,7 @@ static vec3s direction(float azimuth, float elevation)
     return color(sinf(azimuth) * cosf(elevation), sinf(elevation), cosf(azimuth) * cosf(elevation));
 }
 
-/* Returns the sky radiance from a table whose rows are denser near the horizon. */
+/* Interpolates the sky radiance in a table that is finer near the horizon. */
 static vec3s sky_radiance(const struct scene *scene, vec3s dir)
 {
     const float turn = atan2f(dir.x, dir.z) / (2.0F * PI);
@@ -191,7 +191,7 @@ static vec3s aerial_perspective(const struct scene *scene, vec3s light, vec3s di
     return sum;
 }
 
-/* Returns the slope to the east in .x and to the south in .z, by central differences over 2 e. */
+/* Returns the slopes to the east in .x and to the south in .z, from differences over 2 e metres. */
 static vec3s slope_at(const struct scene *scene, float x, float z, float e)
 {
     const struct alps *alps = &scene->alps;
@@ -219,18 +219,18 @@ static vec3s ground_radiance(const struct scene *scene, const struct ground *g, 
     const float open = 0.5F + 0.5F * g->normal.y;
     vec3s light = glms_vec3_add(glms_vec3_scale(scene->sun_light, lit),
                                 glms_vec3_scale(scene->ambient, open));
-    /* indirect light from the surrounding ground, of mean albedo 0.15 */
+    /* indirect light from the surrounding ground, with a mean albedo of 0.15 */
     light = glms_vec3_add(
         light, glms_vec3_scale(scene->sun_light, (1.0F - open) * 0.15F * scene->sun.y / PI));
     return aerial_perspective(scene, glms_vec3_mul(albedo, light), dir, g->distance, g->point.y);
 }
 
-/* Fills the rows of a column that show land, marching outwards from the camera. */
+/* Draws the land of one pixel column, marching over the height field away from the camera. */
 static void paint_land(const struct scene *scene, float azimuth, uint32_t rows, vec3s *column,
                        bool *drawn)
 {
     const float ax = sinf(azimuth), az = cosf(azimuth);
-    int painted = (int)rows; /* highest row drawn so far, counted from the top */
+    int painted = (int)rows; /* topmost row drawn so far; row 0 is the top */
     float t = 40.0F;
     while ((t += fmaxf(1.5F, 0.0016F * t)) < farthest) {
         struct ground g = { .distance = t };
@@ -256,7 +256,7 @@ static void paint_land(const struct scene *scene, float azimuth, uint32_t rows, 
     }
 }
 
-/* Returns the radiance of wet gravel at the nadir, so that there is light from below. */
+/* Returns the radiance of wet gravel, which covers the nadir and lights objects from below. */
 static vec3s gravel(const struct scene *scene, float x, float z)
 {
     const float stones = 0.5F * alps_noise(x, z, 6.0F, 2, 101);
@@ -265,7 +265,7 @@ static vec3s gravel(const struct scene *scene, float x, float z)
     return glms_vec3_scale(glms_vec3_mul(color(0.135F, 0.13F, 0.12F), light), 1.0F + stones);
 }
 
-/* Fills the rows of a column that show the lake, with reflections of the column and deep water. */
+/* Draws the lake of one pixel column, with reflections of the column itself, and deep water. */
 static void paint_lake(const struct scene *scene, float azimuth, uint32_t rows, vec3s *column,
                        bool *drawn)
 {
@@ -331,8 +331,8 @@ static bool paint(const struct scene *scene, struct image *image)
     return ok;
 }
 
-/* Rounds texels to 7 mantissa bits, and to 6 where the next texel differs, so that the file
- * compresses to a quarter of its size without visible steps. */
+/* Rounds texels to 7 mantissa bits, or 6 if the next texel differs by over 3 %, so that the
+ * file compresses to a quarter of its size without visible steps. */
 static void round_texels(struct image *image)
 {
     const size_t count = (size_t)image->width * image->height;

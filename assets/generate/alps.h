@@ -31,7 +31,7 @@ void alps_free(struct alps *alps);
 /* Returns the height above the lake in metres; sets *flow to the accumulated flow of water. */
 float alps_height(const struct alps *alps, float x, float z, float *flow);
 
-/* Returns fractal value noise from a wavelength (metres) downwards; mean about 0, within +-1. */
+/* Returns fractal value noise, -1 to 1, with octaves from `wavelength` (metres) downwards. */
 float alps_noise(float x, float z, float wavelength, int octaves, uint32_t seed);
 
 #endif

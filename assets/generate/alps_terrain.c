@@ -168,7 +168,7 @@ float alps_height(const struct alps *alps, float x, float z, float *flow)
     return inner + share * (outer - inner);
 }
 
-/* Returns height in .x and slope in .y and .z, bilinear between four nodes, in cells. */
+/* Returns the bilinearly interpolated height in .x, slope in .y and .z, in units of cells. */
 static vec3s slope_at(const struct alps_grid *grid, float x, float z)
 {
     const int ix = (int)x, iz = (int)z;
@@ -193,7 +193,7 @@ static void deposit(struct alps_grid *grid, float x, float z, float amount)
     h[side + 1] += amount * u * v;
 }
 
-/* Computes the cone-shaped brush weights around a node for taking soil. Returns their sum. */
+/* Computes cone-shaped weights for eroding soil around a node. Returns the sum of the weights. */
 static float cone(const struct alps_grid *grid, int x, int z, float *shares)
 {
     const int last = (int)grid->side - 1;
@@ -256,7 +256,7 @@ static void simulate_droplet(struct alps_grid *grid, uint32_t *random)
     }
 }
 
-/* Thermal erosion: moves part of the material above the steepest slope to lower neighbours. */
+/* Moves part of the material in excess of the steepest slope to lower neighbours. */
 static void slide_cell(float *height, ptrdiff_t row, float steepest)
 {
     const ptrdiff_t neighbours[] = { 1, row, -1, -row };

@@ -31,10 +31,10 @@ def block():
 
 
 def stem_of(center, radius):
-    """Path of a bent stem, from the dimple on top of a cherry to KNOT."""
-    foot = add(center, (0.0006, radius * 0.72, 0))
-    bend = add(mix(foot, KNOT, 0.5), ((foot[0] - KNOT[0]) * 0.35, 0.002, 0.002))
-    return [mix(mix(foot, bend, i / 14), mix(bend, KNOT, i / 14), i / 14) for i in range(15)]
+    """Returns the path of a bent stem, from the dimple on top of a cherry to KNOT."""
+    base = add(center, (0.0006, radius * 0.72, 0))
+    bend = add(mix(base, KNOT, 0.5), ((base[0] - KNOT[0]) * 0.35, 0.002, 0.002))
+    return [mix(mix(base, bend, i / 14), mix(bend, KNOT, i / 14), i / 14) for i in range(15)]
 
 
 def cherry(center, radius, seed):
@@ -59,7 +59,7 @@ def cherry(center, radius, seed):
     return mesh.join(stem.painted(around.painter((0.3, 0.36, 0.07))))
 
 
-def leaf(foot, ahead, facing, length):
+def leaf(base, ahead, facing, length):
     """A thin leaf with a toothed edge and veins, curved along its width and length."""
     columns, rows = 16, 42
     side = unit(cross(ahead, facing))
@@ -76,7 +76,7 @@ def leaf(foot, ahead, facing, length):
                           0.012 * length * math.sin(9 * s + 3 * abs(t)) * abs(t))
                 thick = 0.00015 * (1 - t * t) * min(1, 4 * s, 4 - 4 * s)
                 at = add(scale(ahead, s * length), scale(side, width * t))
-                points.append(add(add(foot, at), scale(up, height + face * thick)))
+                points.append(add(add(base, at), scale(up, height + face * thick)))
                 side_vein = math.exp(-((s * 6.5 - abs(t) * 1.1) % 1 - 0.5) ** 2 / 0.02)
                 vein = max(math.exp(-(t / 0.08) ** 2), 0.45 * (1 - abs(t)) * side_vein)
                 colors.append(mix((0.06, 0.2, 0.03), (0.3, 0.44, 0.14), vein))
@@ -112,20 +112,20 @@ def band(center, radius, thick):
 
 
 def bubbles(things):
-    """Egg-shaped bubbles that point to the centre, outside things, and a chain above a cherry."""
-    pick = random.Random(12)
+    """Egg-shaped bubbles that point to the centre, outside `things`; a chain above a cherry."""
+    rng = random.Random(12)
     beads = []
     taken = [p for thing in things for p in thing.points[::11]]
     for _ in range(90):
-        d = unit([pick.gauss(0, 1) for _ in range(3)])
-        share = 0.62 + 0.26 * pick.random()
-        radius = 0.00016 + 0.0005 * pick.random() ** 3
+        d = unit([rng.gauss(0, 1) for _ in range(3)])
+        share = 0.62 + 0.26 * rng.random()
+        radius = 0.00016 + 0.0005 * rng.random() ** 3
         at = add(tuple(h * 0.9 * share * v for v, h in zip(d, HALF)), MIDDLE)
-        length = radius * pick.uniform(1.4, 6)
+        length = radius * rng.uniform(1.4, 6)
         if all(math.dist(at, p) > length + 0.0015 for p in taken):
             beads.append((at, scale(d, -1), radius, length))
     for i in range(9):
-        at = (0.0185 + 0.0006 * pick.uniform(-1, 1), 0.014 + 0.0032 * i, 0.012)
+        at = (0.0185 + 0.0006 * rng.uniform(-1, 1), 0.014 + 0.0032 * i, 0.012)
         beads.append((at, (0, 1, 0.1), 0.0004 + 0.00006 * i, 0.0005 + 0.00006 * i))
     return beads_mesh(beads)
 
@@ -143,8 +143,8 @@ def cracks():
 def make():
     model = Model()
     stone = unlit('slate', model.texture(around.slate(8)))
-    feet = [(-0.017, 0.003, 0.016), (0.017, -0.003, 0.016), (0, 0, 0.02)]
-    shadow = around.shade(feet, 0.22, 0.011)
+    contacts = [(-0.017, 0.003, 0.016), (0.017, -0.003, 0.016), (0, 0, 0.02)]
+    shadow = around.shade(contacts, 0.22, 0.011)
     model.add('table', around.floor(0.5, 0.16, lambda x, z: 0.92 * shadow(x, z), 44), stone)
     model.add('wall', around.wall(-0.4, 0.8, -0.1, 0.75, ((0.03, 0.035, 0.045), (0.62, 0.7, 0.78)),
                                   (0.08, 0.16, 0.26)), around.PAINTED)

@@ -8,29 +8,29 @@ from shapes import Mesh, sheet, smoothstep
 
 
 def lamplit(x, z):
-    """Baked light on the table: a falloff from the window to the left behind it."""
+    """Baked light on the table, which falls off from a window at the back left."""
     return (1 - 0.6 * smoothstep(-0.16, 0.2, x + 0.4 * z)) * (
         1 - 0.35 * smoothstep(0.06, 0.3, math.hypot(x + 0.02, z)))
 
 
 BOARD = 0.085  # width of a board, metres
-GRAIN = (1024, (176, 176, 208, 272, 352))  # texels along the boards; across each, from the back
+GRAIN = (1024, (176, 176, 208, 272, 352))  # texels along and across the boards
 LONG = 0.62  # period of the texture along the boards, metres
 
 
 def board(seed, width, height):
     """
-    Rows of shades from 0 to 47 of a board cut along a log: a procedural solid texture. Growth rings
-    are cylinders around the pith, which is tilted against the board, so that they appear as arches;
-    they are deflected around knots.
+    Returns rows of shades, 0 to 47, of a board cut along a log: a procedural solid texture. Growth
+    rings are cylinders around the pith, which is tilted against the board, so that the rings appear
+    as arches. They are deflected around knots.
     """
-    pick = random.Random(seed)
-    pith = pick.uniform(-0.02, 0.02) if seed % 3 else pick.uniform(0.05, 0.08)
-    deep, lean = pick.uniform(0.012, 0.03), pick.uniform(0.02, 0.09) * pick.choice((-1, 1))
-    fibres = [around.row_noise(width, pick.randrange(9, 70), seed + 10 + k) for k in range(61)]
+    rng = random.Random(seed)
+    pith = rng.uniform(-0.02, 0.02) if seed % 3 else rng.uniform(0.05, 0.08)
+    deep, lean = rng.uniform(0.012, 0.03), rng.uniform(0.02, 0.09) * rng.choice((-1, 1))
+    fibres = [around.row_noise(width, rng.randrange(9, 70), seed + 10 + k) for k in range(61)]
     wander = [around.row_noise(width, cells, seed + k) for k, cells in enumerate((3, 7, 17))]
-    bands = [pick.uniform(0.55, 1.25) for _ in range(64)]  # darkness of each ring's late wood
-    tone = pick.uniform(4, 15)
+    bands = [rng.uniform(0.55, 1.25) for _ in range(64)]  # darkness of each ring's late wood
+    tone = rng.uniform(4, 15)
     rows = []
     for j in range(height):
         z = BOARD * ((j + 0.5) / height - 0.5)
@@ -61,13 +61,13 @@ def board(seed, width, height):
     return rows
 
 
-# Knots of each board, by its seed: positions along and across it, size; metres.
+# Knots of each board by its seed: positions along and across the board, size; metres.
 KNOTS = {43: ((0.425, 0.014, 0.0042),), 41: ((0.17, -0.01, 0.005),)}
 YEAR = 0.0034  # thickness of a growth ring, metres
 
 
 def texture():
-    """PNG with five boards, each with a grain of its own."""
+    """PNG with five boards, each with its own grain."""
     width, heights = GRAIN
     rows = [row for k, height in enumerate(heights) for row in board(40 + k, width, height)]
     return png(rows, around.ramp([(.66, .48, .315), (.54, .375, .235), (.41, .27, .16),
@@ -75,7 +75,7 @@ def texture():
 
 
 def table():
-    """Ten boards, which run from left to right at height 0; the five textures are used twice."""
+    """Ten boards at height 0 that run from left to right; each of five textures is used twice."""
     width, heights = GRAIN
     ends = [sum(heights[:k]) / sum(heights) for k in range(6)]
     mesh = Mesh([], [], [])

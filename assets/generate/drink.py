@@ -5,11 +5,11 @@ import random
 import boards
 import surroundings as around
 from files import TRANSMISSION, Model, glass, lit, png
-from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, dot, film, ice, ice_surface, lathe,
-                    lattice, mix, noise, rounded, scale, smooth_normals, smoothstep, sub,
+from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, dot, ice, ice_surface, lathe,
+                    lattice, mix, noise, puddle, rounded, scale, smooth_normals, smoothstep, sub,
                     turned, unit, with_normals, worms)
 
-BASE, FLOOR, HEIGHT = 0.0002, 0.0122, 0.1  # heights: foot, inner bottom, rim of the tumbler
+BASE, FLOOR, HEIGHT = 0.0002, 0.0122, 0.1  # heights of the tumbler's foot, inner bottom and rim
 FOOT, RIM, WALL = 0.033, 0.039, 0.0025  # outer radii of the tumbler; wall thickness at the rim
 LEVEL = 0.07  # height of the water surface
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
@@ -24,13 +24,13 @@ CUBES = (
 )
 STRAW = ((-0.0208, 0.0154, -0.0024), (0.035, 0.1441, -0.036), 0.0026)  # lower, upper end; radius
 DROPS = (1060, 0.00044, 0.0013)  # dew drops: number of attempts; smallest and largest radius
-DEWY = (0.0125, 0.0745)  # lower and upper limit of the dew, heights
-MATT = 0.22  # fraction of light that the densest grease scatters
-BREATHED = 0.114  # the densest fog scatters this fraction of MATT
+DEW = (0.0125, 0.0745)  # lowest and highest dew, heights in metres
+GREASE = 0.22  # fraction of light that the densest grease scatters
+FOG = 0.114  # scattering of the densest fog, as a fraction of GREASE
 # Fingerprints on the dry glass: azimuth, height, tilt (radians), half width and half height
-PRINTS = ((1.94, 0.0862, 0.35, 0.0062, 0.0082), (2.16, 0.0812, 0.5, 0.006, 0.0085),
-          (1.27, 0.0868, -0.2, 0.0058, 0.0078))
-TRACKS = 13  # number of trails of drops that ran down
+FINGERPRINTS = ((1.94, 0.0862, 0.35, 0.0062, 0.0082), (2.16, 0.0812, 0.5, 0.006, 0.0085),
+                (1.27, 0.0868, -0.2, 0.0058, 0.0078))
+TRAILS = 13  # number of trails of drops that ran down
 
 
 def inner_radius(y):
@@ -47,7 +47,7 @@ def tumbler():
 
 
 def water():
-    """The water: overlaps the glass by 30 % of the wall thickness, so that there is no gap."""
+    """The water, which overlaps the glass by 30 % of the wall thickness to avoid gaps."""
     deep = 0.3 * WALL
     profile = [(0.0, FLOOR - 0.3 * 0.009, 0)]
     profile.append((inner_radius(FLOOR) + deep, FLOOR - 0.3 * 0.009, 0.006))
@@ -60,14 +60,15 @@ def water():
         r = edge * (1 - (i / 55) ** 2)  # finer rings towards the glass
         points.append((r, LEVEL + 0.0018 * math.exp(-(edge - r) / 0.0013), None))
     mesh = lathe(with_normals(points), 120)
-    things = [(at, tuple(zip(*turned(*turn))), reach(i)) for i, (at, turn, _) in enumerate(CUBES)]
+    ice_cubes = [(at, tuple(zip(*turned(*turn))), relative_radius(i))
+                 for i, (at, turn, _) in enumerate(CUBES)]
     foot, top, thick = STRAW
     along = unit(sub(top, foot))
 
-    def climbs(p):
-        """Rise of the meniscus at ice and straw, reduced where the glass raises the water, too."""
+    def rise(p):
+        """Height of the meniscus at ice and straw, lower where the glass raises the water."""
         gap = math.dist(p, add(foot, scale(along, dot(sub(p, foot), along)))) - thick
-        for at, back, share in things:
+        for at, back, share in ice_cubes:
             q = sub(p, at)
             gap = min(gap, math.hypot(*q) * (1 - 1 / share(tuple(dot(row, q) for row in back))))
         return 0.0013 * math.exp(-max(gap, 0) / 0.0014) * max(1 - (p[1] - LEVEL) / 0.0018, 0)
@@ -77,19 +78,19 @@ def water():
             return p
         inside = smoothstep(0, 0.01, edge - math.hypot(p[0], p[2]))
         q = (p[0] / 0.011, 0.5, p[2] / 0.011)
-        return (p[0], p[1] + inside * 0.00016 * noise(q, 4) + climbs(p), p[2])
+        return (p[0], p[1] + inside * 0.00016 * noise(q, 4) + rise(p), p[2])
     mesh.points = [wave(p) for p in mesh.points]
     mesh.normals = smooth_normals(mesh.points, mesh.faces)
     return mesh
 
 
-PRINT = (128, 1024)  # texels of the straw's texture, around and along it
+STRAW_TEXELS = (128, 1024)  # texels of the straw's texture, around and along it
 
 
 def paper():
-    """PNG of the paper straw: a red stripe and the visible edge of the paper strip wind around it
-    once in 21 mm; with fibres and slightly bled ink; darker and more saturated where it is wet."""
-    width, height = PRINT
+    """PNG of the paper straw: a red stripe and the edge of the paper strip wind around it once in
+    21 mm. The paper has fibres and bled ink, and is darker and more saturated where wet."""
+    width, height = STRAW_TEXELS
     foot, top, _ = STRAW
     length = math.dist(foot, top)
     rows = []
@@ -140,8 +141,8 @@ def straw():
     return mesh
 
 
-# Shape of the ice cubes; chips broken off each cube: direction in its object space, distance of the
-# fracture plane from its centre.
+# Shape of the ice cubes, and chips broken off each cube: direction in the object space of the cube,
+# distance of the fracture plane from its centre.
 FORM = {'exponent': 9, 'waves': 0.00045, 'cell': 0.007, 'bulge': 0.04, 'fine': 0.1}
 CHIPS = (
     (((0.885, 0.379, 0.27), 0.0184), ((0.199, -0.075, -0.977), 0.0169)),
@@ -151,13 +152,13 @@ CHIPS = (
 
 
 def form(i):
-    """Arguments of ice_surface() for the shape of cube `i`."""
-    return {**FORM, 'chips': [(unit(way), far) for way, far in CHIPS[i]]}
+    """Returns the arguments of ice_surface() for the shape of cube `i`."""
+    return {**FORM, 'chips': [(unit(direction), distance) for direction, distance in CHIPS[i]]}
 
 
-def reach(i):
-    """Returns a function of a point in the object space of cube `i`: its distance from the centre
-    as a fraction of that to the surface."""
+def relative_radius(i):
+    """Returns a function of a point in the object space of cube `i`: the distance from the centre,
+    as a fraction of the distance of the surface."""
     half = CUBES[i][2]
     surface = ice_surface(half, 40 + 13 * i, **form(i))
 
@@ -173,11 +174,11 @@ def cubes():
             for i, (at, turn, half) in enumerate(CUBES)]
 
 
-SINKS = 0.917  # submerged fraction of floating ice (Archimedes)
+SUBMERGED = 0.917  # submerged fraction of floating ice (Archimedes)
 
 
-def above(mesh, level):
-    """Volume of a closed mesh above a level: sum of mean height times projected area of faces."""
+def volume_above(mesh, level):
+    """Volume of a closed mesh above a level: sum of projected area times mean height of faces."""
     volume = 0.0
     for face in mesh.faces:
         a, b, c = (mesh.points[i] for i in face)
@@ -191,14 +192,14 @@ def above(mesh, level):
     return volume
 
 
-def afloat(ice_cubes):
+def check_floating(ice_cubes):
     """
-    Asserts that the ice can float like this: the cubes together displace their weight; none of them
-    intersects the glass, the straw or another cube; and the lowest one, whose buoyancy lifts the
-    others, touches both.
+    Asserts that the ice floats in equilibrium: the cubes together displace their weight, no cube
+    intersects the glass, the straw or another cube, and the lowest cube, whose buoyancy lifts the
+    other two, touches both.
     """
-    out, all_of = (sum(above(cube, level) for cube in ice_cubes) for level in (LEVEL, -1))
-    assert abs(out / all_of - (1 - SINKS)) < 0.001, f'{out / all_of:.4f} of the ice is dry'
+    out, all_of = (sum(volume_above(cube, level) for cube in ice_cubes) for level in (LEVEL, -1))
+    assert abs(out / all_of - (1 - SUBMERGED)) < 0.001, f'{out / all_of:.4f} of the ice is dry'
     foot, top, thick = STRAW
     along = unit(sub(top, foot))
     gaps = {}
@@ -209,7 +210,7 @@ def afloat(ice_cubes):
                 f'cube {i + 1}, straw')
         assert min(p[1] for p in cube.points) > FLOOR + 0.0006, f'cube {i + 1}, floor'
         for k, (at, turn, _) in enumerate(CUBES):
-            back, share = tuple(zip(*turned(*turn))), reach(k)
+            back, share = tuple(zip(*turned(*turn))), relative_radius(k)
             near = (sub(p, at) for p in cube.points if k != i and math.dist(p, at) < 0.021)
             gaps[i, k] = min((math.hypot(*p) * (1 - 1 / share(tuple(dot(row, p) for row in back)))
                               for p in near), default=1)
@@ -218,19 +219,19 @@ def afloat(ice_cubes):
     return ice_cubes
 
 
-def clinging(cube, pick):
+def clinging_bubbles(cube, rng):
     """Yields bubbles that cling to the submerged surface of an ice cube."""
     wet = [(p, n) for p, n in zip(cube.points, cube.normals) if p[1] < LEVEL - 0.003]
     for _ in range(32):
-        at, normal = pick.choice(wet)
-        radius = 0.00024 + 0.00045 * pick.random() ** 3
+        at, normal = rng.choice(wet)
+        radius = 0.00024 + 0.00045 * rng.random() ** 3
         yield add(at, scale(normal, 0.9 * radius)), (0, 1, 0), radius, radius
 
 
 def bubbles():
-    """Worm- and egg-shaped bubbles in the cubes, round ones on the cubes and inside the glass."""
+    """Worm- and egg-shaped bubbles in the cubes, round bubbles on the cubes and the glass."""
     beads = []
-    pick = random.Random(77)
+    rng = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
         inside = [*worms(half, 60, 900 + i, bend=0.6),
@@ -239,18 +240,18 @@ def bubbles():
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
             beads.append((add(where, at), along, *form))
-        beads += clinging(cube, pick)
+        beads += clinging_bubbles(cube, rng)
     for _ in range(60):
-        y = FLOOR + 0.007 + (LEVEL - FLOOR - 0.011) * pick.random()
-        angle, radius = pick.uniform(0, 2 * math.pi), 0.0002 + 0.0005 * pick.random() ** 2
+        y = FLOOR + 0.007 + (LEVEL - FLOOR - 0.011) * rng.random()
+        angle, radius = rng.uniform(0, 2 * math.pi), 0.0002 + 0.0005 * rng.random() ** 2
         r = inner_radius(y) - radius * 1.05
         beads.append(((r * math.cos(angle), y, r * math.sin(angle)), (0, 1, 0), radius, radius))
     return beads_mesh(beads)
 
 
-# Cracks near the tops of the upper cubes that are oriented to reflect a window: cube, rotation and
-# position in its object space, radius.
-MIRRORS = (
+# Cracks near the tops of the upper cubes that reflect a window: index of the cube, rotation and
+# position in the object space of the cube, radius.
+MIRROR_CRACKS = (
     (1, (73, 57), (0.0017, 0.0052, 0.0078), 0.0085),
     (0, (-34, 68), (-0.0077, -0.006, 0.0037), 0.0075),
 )
@@ -262,7 +263,7 @@ def cracks():
 
     def split(i, lean, away, radius, seed):
         at, turn, _ = CUBES[i]
-        share = reach(i)
+        share = relative_radius(i)
         whole = crack(radius, seed, bend=16, is_inside=lambda p: share(
             add(tuple(dot(row, p) for row in lean), away)) < 0.985)
         mesh.join(whole.placed(lean, away).placed(turned(*turn), at))
@@ -276,7 +277,7 @@ def cracks():
             aside = 1 - k if k < 3 else k - 4.5
             split(i, turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside), radius,
                   300 + 10 * i + k)
-    for k, (i, tilt, away, radius) in enumerate(MIRRORS):
+    for k, (i, tilt, away, radius) in enumerate(MIRROR_CRACKS):
         split(i, turned(*tilt), away, radius, 360 + k)
     return mesh
 
@@ -285,46 +286,46 @@ def outer_radius(y):
     return FOOT + (RIM - FOOT) * (y - BASE) / (HEIGHT - BASE)
 
 
-def tracks(pick):
+def drop_trails(rng):
     """Yields trails of drops that ran down: azimuth, lower and upper height, half width."""
-    for _ in range(TRACKS):
-        high = DEWY[0] + (DEWY[1] - DEWY[0]) * pick.uniform(0.35, 0.95)
-        low = high - pick.uniform(0.012, 0.045)
-        yield pick.uniform(0, 2 * math.pi), max(low, DEWY[0]), high, pick.uniform(0.0009, 0.002)
+    for _ in range(TRAILS):
+        high = DEW[0] + (DEW[1] - DEW[0]) * rng.uniform(0.35, 0.95)
+        low = high - rng.uniform(0.012, 0.045)
+        yield rng.uniform(0, 2 * math.pi), max(low, DEW[0]), high, rng.uniform(0.0009, 0.002)
 
 
-def moist(angle, y):
-    """Density of the dew, 0 to 1; its irregular limits are above the table and the water level."""
+def dew_density(angle, y):
+    """Density of the dew, 0 to 1, between irregular limits above the table and the water level."""
     c, s = math.cos(angle), math.sin(angle)
     uneven = noise((2.2 * c, 2.2 * s, 60 * y), 21) + 0.5 * noise((7 * c, 7 * s, 200 * y), 22)
-    top = DEWY[1] + 0.0016 * uneven
+    top = DEW[1] + 0.0016 * uneven
     return (smoothstep(top + 0.0015, top - 0.004, y) *
-            smoothstep(DEWY[0] - 0.001, DEWY[0] + 0.004 + 0.002 * uneven, y))
+            smoothstep(DEW[0] - 0.001, DEW[0] + 0.004 + 0.002 * uneven, y))
 
 
-def scattered(pick, ran):
+def scatter_drops(rng, trails):
     """Dew drops (azimuth, height, radius) by dart throwing, largest first, without overlaps."""
     tries, least, most = DROPS
     steep = 1.7  # power law: density of radii ~ radius ** -2.7
-    kept = [(angle, low, 1.25 * half) for angle, low, _, half in ran]
-    near = {}  # drops by the 3 mm grid cells around them
+    kept = [(angle, low, 1.25 * half) for angle, low, _, half in trails]
+    near = {}  # drops by grid cell (3 mm), each in 9 cells
 
     def cells(angle, y):
         i, j = int(angle * FOOT / 0.003), int(y / 0.003)
         return [(a, b) for a in (i - 1, i, i + 1) for b in (j - 1, j, j + 1)]
 
-    def keep(row):
-        for cell in cells(*row[:2]):
-            near.setdefault(cell, []).append(row)
-    for row in kept:
-        keep(row)
-    radii = sorted(((least ** -steep + pick.random() * (most ** -steep - least ** -steep)) **
+    def keep(circle):
+        for cell in cells(*circle[:2]):
+            near.setdefault(cell, []).append(circle)
+    for circle in kept:
+        keep(circle)
+    radii = sorted(((least ** -steep + rng.random() * (most ** -steep - least ** -steep)) **
                     (-1 / steep) for _ in range(tries)), reverse=True)
     for radius in radii:
-        angle, y = pick.uniform(0, 2 * math.pi), pick.uniform(DEWY[0], DEWY[1] + 0.002)
-        if pick.random() > moist(angle, y) or any(
+        angle, y = rng.uniform(0, 2 * math.pi), rng.uniform(DEW[0], DEW[1] + 0.002)
+        if rng.random() > dew_density(angle, y) or any(
                 low < y < high and abs(math.remainder(angle - a, 2 * math.pi)) * FOOT < half
-                for a, low, high, half in ran):
+                for a, low, high, half in trails):
             continue
         across = outer_radius(y)
         if all(math.hypot(math.remainder(angle - a, 2 * math.pi) * across, y - b) >
@@ -377,10 +378,10 @@ def drop(angle, y, radius):
     return Mesh(points, faces, normals)
 
 
-def print_at(angle, y):
-    """Density of the grease of PRINTS, 0 to 1: loop patterns of ridges 0.55 mm apart."""
+def fingerprint(angle, y):
+    """Grease density of the fingerprints, 0 to 1: loop patterns of ridges 0.55 mm apart."""
     most = 0.0
-    for k, (middle, high, lean, wide, tall) in enumerate(PRINTS):
+    for k, (middle, high, lean, wide, tall) in enumerate(FINGERPRINTS):
         x, up = (angle - middle) * outer_radius(y), y - high
         c, s = math.cos(lean), math.sin(lean)
         x, up = c * x + s * up, c * up - s * x
@@ -395,16 +396,16 @@ def print_at(angle, y):
     return most
 
 
-BREATH = (1024, 640)  # texels of the fog's texture: around half of the glass, and upwards
+FOG_TEXELS = (1024, 640)  # texels of the fog's texture: around half of the glass, and upwards
 
 
-def breath(ran, drops):
+def fog_texture(trails, drops):
     """
     PNG for transmissionTexture: the fraction of light that the glass transmits unscattered. A fog
-    of microscopic drops covers it, except in trails and around larger drops, which have absorbed
-    it. The texture covers the front of the glass, and is mirrored on its back.
+    of microscopic drops covers the glass, except where trails and larger drops have absorbed the
+    fog. The texture covers the front of the glass, and is mirrored on its back.
     """
-    width, height = BREATH
+    width, height = FOG_TEXELS
     rows = []
     for j in range(height):
         y = HEIGHT * (1 - (j + 0.5) / height)
@@ -412,7 +413,7 @@ def breath(ran, drops):
         for i in range(width):
             angle = math.pi * (i + 0.5) / width
             at = (2.2 * math.cos(angle), 2.2 * math.sin(angle), 60 * y)
-            fog = moist(angle, y)
+            fog = dew_density(angle, y)
             if fog:
                 fog *= 0.7 + 0.5 * noise(at, 31) + 0.25 * lattice(i, j, 0, 32)
             rows[-1].append(fog)
@@ -428,20 +429,20 @@ def breath(ran, drops):
                            min(int(width * (angle + reach) / math.pi) + 1, width)):
                 aside = (math.pi * (i + 0.5) / width - angle) * outer_radius(y)
                 rows[j][i] *= smoothstep(half, (1 + soft) * half, math.hypot(aside, away))
-    for angle, low, high, half in ran:
+    for angle, low, high, half in trails:
         wipe(angle, low, high, half, 0.25)
     for angle, y, radius in drops:
         if radius > 0.0003:
             wipe(angle, y, y, 1.12 * radius, 0.35)
-    touched = [[max(BREATHED * min(v, 1), print_at(math.pi * (i + 0.5) / width,
-                                                   HEIGHT * (1 - (j + 0.5) / height)))
+    touched = [[max(FOG * min(v, 1), fingerprint(math.pi * (i + 0.5) / width,
+                                                 HEIGHT * (1 - (j + 0.5) / height)))
                 for i, v in enumerate(row)] for j, row in enumerate(rows)]
     steps = [bytes(round(min(max(v, 0), 1) * 100) for v in row) for row in touched]
-    return png(steps, [(1 - MATT * k / 100,) * 3 for k in range(101)])
+    return png(steps, [(1 - GREASE * k / 100,) * 3 for k in range(101)])
 
 
-def breathed(mesh):
-    """Adds texture coordinates for breath(): u from right to left, v up the outer side."""
+def with_fog_uvs(mesh):
+    """Adds texture coordinates for fog_texture(): u from right to left, v up the outer side."""
     for x, y, z in mesh.points:
         r = math.hypot(x, z)
         is_outside = r > outer_radius(y) - 0.0006 or y < 0.004
@@ -452,14 +453,14 @@ def breathed(mesh):
 
 def dew(drops):
     mesh = Mesh([], [], [])
-    for row in drops:
-        mesh.join(drop(*row))
+    for placement in drops:
+        mesh.join(drop(*placement))
     return mesh
 
 
-def spilled():
+def spilled_water():
     """Water on the table: a ring around the foot of the glass, and drops beside it."""
-    pick = random.Random(91)
+    rng = random.Random(91)
 
     def outline(middle, uneven, seed):
         def at(angle):
@@ -468,62 +469,62 @@ def spilled():
                             0.4 * uneven * noise((6 * c, 6 * s + seed, seed), seed + 1))
             return out * c, -out * s
         return at
-    mesh = film(outline(FOOT + 0.0006, 0.03, 5), 0, 0.0006, 0.0011)
+    mesh = puddle(outline(FOOT + 0.0006, 0.03, 5), 0, 0.0006, 0.0011)
     for angle, away, radius in ((-70, 0.047, 0.0022), (-52, 0.0425, 0.0012), (-63, 0.053, 0.0009),
                                 (-118, 0.046, 0.0016), (-20, 0.046, 0.0012), (160, 0.049, 0.0019)):
-        angle = math.radians(angle + pick.uniform(-4, 4))
-        mesh.join(film(outline(radius, 0.16, round(1e5 * radius)), 0, 0.28 * radius + 0.0002,
+        angle = math.radians(angle + rng.uniform(-4, 4))
+        mesh.join(puddle(outline(radius, 0.16, round(1e5 * radius)), 0, 0.28 * radius + 0.0002,
                        0.9 * radius, (away * math.cos(angle), -away * math.sin(angle)),
                        segments=48))
-    return mesh.join(stood())
+    return mesh.join(ring_remains())
 
 
-STOOD = (-0.05, -0.014)  # former position of the glass, which left a ring: x, z
+RING = (-0.05, -0.014)  # centre of a wet ring, the former position of the glass: x, z
 
 
-def stood():
-    """Remains of a wet ring at STOOD: elongated drops along a circle."""
-    pick = random.Random(47)
+def ring_remains():
+    """Remains of the wet ring that the glass left at RING: elongated drops along a circle."""
+    rng = random.Random(47)
     mesh = Mesh([], [], [])
     angle = 0.95  # the rest of the circle is covered by the glass
     while angle < 2 * math.pi - 0.95:
-        long, wide = pick.uniform(0.0015, 0.009) * pick.random() + 0.001, pick.uniform(5e-4, 0.0011)
+        long, wide = rng.uniform(0.0015, 0.009) * rng.random() + 0.001, rng.uniform(5e-4, 0.0011)
         angle += long / FOOT
-        if pick.random() < 0.7:
-            lobes, seed = pick.uniform(0.1, 0.35), pick.randrange(99)
+        if rng.random() < 0.7:
+            lobes, seed = rng.uniform(0.1, 0.35), rng.randrange(99)
 
             def outline(a, long=long, wide=wide, lobes=lobes, seed=seed):
                 uneven = 1 + lobes * noise((math.cos(a) * 2, math.sin(a) * 3, seed), seed)
                 return wide * uneven * math.cos(a), -long * math.sin(a)
-            part = film(outline, 0, 0.3 * wide, 0.9 * wide, rings=6, segments=40)
+            part = puddle(outline, 0, 0.3 * wide, 0.9 * wide, rings=6, segments=40)
             for k, (x, y, z) in enumerate(part.points):
                 r, turn = FOOT - 0.003 + x, angle + z / FOOT
-                part.points[k] = (STOOD[0] + r * math.cos(turn), y, STOOD[1] + r * math.sin(turn))
+                part.points[k] = (RING[0] + r * math.cos(turn), y, RING[1] + r * math.sin(turn))
             part.normals = smooth_normals(part.points, part.faces)
             mesh.join(part)
-        angle += long / FOOT + pick.uniform(0.0004, 0.004) / FOOT
+        angle += long / FOOT + rng.uniform(0.0004, 0.004) / FOOT
     return mesh
 
 
 def make():
     model = Model()
-    pick = random.Random(55)
-    ran = [*tracks(pick)]
-    drops = scattered(pick, ran)
+    rng = random.Random(55)
+    trails = [*drop_trails(rng)]
+    drops = scatter_drops(rng, trails)
     grain = {'index': model.texture(boards.texture())}
     # Late wood is darker and smoother: the green channel also serves as roughness.
     wood = lit('wood', 0.95, baseColorTexture=grain, metallicRoughnessTexture=grain)
     model.add('table', boards.table(), wood)
-    clouded = {**GLASS, 'extensions': {**GLASS['extensions'], TRANSMISSION: {
+    fogged = {**GLASS, 'extensions': {**GLASS['extensions'], TRANSMISSION: {
         'transmissionFactor': 1,
-        'transmissionTexture': {'index': model.texture(breath(ran, drops))}}}}
+        'transmissionTexture': {'index': model.texture(fog_texture(trails, drops))}}}}
     printed = model.texture(paper())
     model.add('straw', straw(), lit('straw', 0.8, baseColorTexture={'index': printed}))
     model.add('water', water(), WATER)
-    model.add('spilled', spilled(), WATER)
-    for i, cube in enumerate(afloat(cubes())):
+    model.add('spilled', spilled_water(), WATER)
+    for i, cube in enumerate(check_floating(cubes())):
         model.add(f'cube {i + 1}', cube, ICE)
-    model.add('glass', breathed(tumbler()), clouded)
+    model.add('glass', with_fog_uvs(tumbler()), fogged)
     model.add('dew', dew(drops), WATER)
     model.add('bubbles', bubbles(), AIR)
     model.add('cracks', cracks(), AIR)

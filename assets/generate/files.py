@@ -11,8 +11,8 @@ FLOAT, USHORT, UINT = 5126, 5123, 5125
 
 def glass(name, ior, priority, thickness, tint=(1, 1, 1), distance=1, cloud=0):
     """glTF material of a clear dielectric: KHR_materials_transmission, _ior and _volume. `tint` is
-    the attenuationColor at `distance`; lengths in metres. `cloud`: optical depth of a cloudy core,
-    the mean number of scatterings along a path across it."""
+    the attenuationColor at `distance`; lengths in metres. `cloud` is the optical depth of a cloudy
+    core, the mean number of scattering events on a path across the core."""
     return {
         'name': name,
         'extras': {'priority': priority, **({'cloud': cloud} if cloud else {})},
@@ -137,27 +137,27 @@ def png_chunk(name, data):
 
 
 def png(rows, palette):
-    """PNG with a palette of up to 256 colours; `rows` are bytes of indices, from the top."""
-    head = struct.pack('>IIBBBBB', len(rows[0]), len(rows), 8, 3, 0, 0, 0)
+    """PNG with a palette of up to 256 colours; `rows` have palette indices, from the top."""
+    header = struct.pack('>IIBBBBB', len(rows[0]), len(rows), 8, 3, 0, 0, 0)
     colors = bytes(round(255 * min(max(value, 0), 1)) for color in palette for value in color)
-    return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', head) + png_chunk(b'PLTE', colors) +
+    return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', header) + png_chunk(b'PLTE', colors) +
             png_chunk(b'IDAT', zlib.compress(b''.join(b'\0' + bytes(row) for row in rows), 9)) +
             png_chunk(b'IEND', b''))
 
 
 def png_colors(rows):
     """8-bit RGB PNG with the Sub filter; `rows` are bytes R G B, from the top."""
-    head = struct.pack('>IIBBBBB', len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
+    header = struct.pack('>IIBBBBB', len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
     steps = (b'\1' + bytes((v - (row[i - 3] if i > 2 else 0)) & 255 for i, v in enumerate(row))
              for row in rows)
-    return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', head) +
+    return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', header) +
             png_chunk(b'IDAT', zlib.compress(b''.join(steps), 9)) + png_chunk(b'IEND', b''))
 
 
 def exr(rows, sun=None):
-    """ZIP-compressed OpenEXR image of half floats; a row is lists of R, G and B; rows from the top.
-    `sun`: azimuth and elevation (as in src/scene/environment/environment.h), radiance of a white
-    surface that faces it."""
+    """ZIP-compressed OpenEXR image of half floats. `rows`, from the top, are lists of R, G and B
+    lists. `sun`: azimuth and elevation (see src/scene/environment/environment.h), radiance of a
+    white surface that faces the sun."""
     width, height = len(rows[0][0]), len(rows)
 
     def attribute(name, kind, data):
@@ -165,19 +165,19 @@ def exr(rows, sun=None):
 
     channel = struct.pack('<iIii', 1, 0, 1, 1)
     window = struct.pack('<4i', 0, 0, width - 1, height - 1)
-    head = struct.pack('<II', 20000630, 2)
-    head += attribute(b'channels', b'chlist', b''.join(c + b'\0' + channel
-                                                       for c in (b'B', b'G', b'R')) + b'\0')
-    head += attribute(b'compression', b'compression', b'\3')
-    head += attribute(b'dataWindow', b'box2i', window)
-    head += attribute(b'displayWindow', b'box2i', window)
-    head += attribute(b'lineOrder', b'lineOrder', b'\0')
-    head += attribute(b'pixelAspectRatio', b'float', struct.pack('<f', 1))
-    head += attribute(b'screenWindowCenter', b'v2f', struct.pack('<2f', 0, 0))
-    head += attribute(b'screenWindowWidth', b'float', struct.pack('<f', 1))
+    header = struct.pack('<II', 20000630, 2)
+    header += attribute(b'channels', b'chlist', b''.join(c + b'\0' + channel
+                                                         for c in (b'B', b'G', b'R')) + b'\0')
+    header += attribute(b'compression', b'compression', b'\3')
+    header += attribute(b'dataWindow', b'box2i', window)
+    header += attribute(b'displayWindow', b'box2i', window)
+    header += attribute(b'lineOrder', b'lineOrder', b'\0')
+    header += attribute(b'pixelAspectRatio', b'float', struct.pack('<f', 1))
+    header += attribute(b'screenWindowCenter', b'v2f', struct.pack('<2f', 0, 0))
+    header += attribute(b'screenWindowWidth', b'float', struct.pack('<f', 1))
     if sun:
-        head += attribute(b'firn/sun', b'string', ' '.join(f'{v:g}' for v in sun).encode())
-    head += b'\0'
+        header += attribute(b'firn/sun', b'string', ' '.join(f'{v:g}' for v in sun).encode())
+    header += b'\0'
 
     blocks = []
     for first in range(0, height, 16):
@@ -190,8 +190,8 @@ def exr(rows, sun=None):
         if len(packed) >= len(data):
             packed = data
         blocks.append(struct.pack('<iI', first, len(packed)) + packed)
-    offset, table = len(head) + 8 * len(blocks), b''
+    offset, table = len(header) + 8 * len(blocks), b''
     for block in blocks:
         table += struct.pack('<Q', offset)
         offset += len(block)
-    return head + table + b''.join(blocks)
+    return header + table + b''.join(blocks)

@@ -18,7 +18,7 @@ def ball():
 
 
 def hue(share):
-    """Muted colour of a hue circle; `share` 0 to 1 is once around."""
+    """Muted colour of a hue circle, around which `share` goes once from 0 to 1."""
     return tuple(0.09 + 0.74 * smoothstep(0.25, 1, 0.5 + 0.5 * math.cos(2 * math.pi * (share - at)))
                  for at in (0, 0.36, 0.66))
 

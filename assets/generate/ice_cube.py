@@ -1,12 +1,12 @@
 """ice_cube.py: model of an ice cube on wet slate: slate.py simplified for all refraction models.
 
-The only refractive object is the ice: its cloudy core is a material property, and firn itself adds
+The ice is the only refractive object. Its cloudy core is a material property, and firn adds the
 bubbles and cracks. The meltwater is an opaque, smooth material layer over dark stone.
 """
 from files import Model, lit
 from shapes import Mesh, dot
 from slate import (ANGLE, BUMPS, EYE, ICE, TARGET, VIEW, block, meltwater, pieces, slab,
-                   stone, texture_places, tone)
+                   stone, slab_uvs, albedo)
 
 
 def without_walls(mesh):
@@ -19,8 +19,8 @@ def without_walls(mesh):
 
 def water(ice):
     mesh = without_walls(meltwater(ice, 112))
-    mesh.uvs = texture_places(mesh)
-    return mesh.painted(lambda p, n: tone(p[0], p[2]))
+    mesh.uvs = slab_uvs(mesh)
+    return mesh.painted(lambda p, n: albedo(p[0], p[2]))
 
 
 def below_water(dry):

@@ -1,4 +1,4 @@
-"""make.py: regenerates the files of assets/; with the same version of zlib they are bit-identical.
+"""make.py: regenerates the files of assets/, bit-identically with the same version of zlib.
 
 Usage: make.py FOLDER [NAME...]
     NAME: drink, amber, hollow, ice_cube, slate, studio or window; default: all

@@ -131,8 +131,8 @@ def hollows(p, seed=0):
 
 def rounded(corners, steps=8):
     """
-    Profile for lathe() through corners (radius, height, fillet radius): points and normals
-    (r, y, nr, ny), with the solid on the left of the direction of travel.
+    Returns a profile for lathe(), points with normals (r, y, nr, ny), through corners (radius,
+    height, fillet radius). The solid is on the left of the direction of travel.
     """
     out = []
     for i, (r, y, fillet) in enumerate(corners):
@@ -162,7 +162,7 @@ def rounded(corners, steps=8):
 
 
 def with_normals(points):
-    """Computes profile normals that are None from the neighbouring points."""
+    """Computes missing normals (None) of a profile from the neighbouring points."""
     result = []
     for i, (r, y, normal) in enumerate(points):
         if normal is None:
@@ -177,7 +177,7 @@ def with_normals(points):
 
 
 def lathe(profile, segments):
-    """Surface of revolution about the y axis; the profile (radius, height, normal) ends on it."""
+    """Surface of revolution about the y axis of a profile (r, y, nr, ny); its ends have r = 0."""
     points, normals, faces = [], [], []
     angles = [2 * math.pi * i / segments for i in range(segments)]
     circle = [(math.cos(a), math.sin(a)) for a in angles]
@@ -232,19 +232,19 @@ def sphere(radius, n):
 def ice_surface(half, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0,
                 fine=0.35, chips=()):
     """
-    Surface of a melting ice block, as a function of points on a cube of half width 1: a
-    superellipsoid with low-frequency bulges and Worley hollows of size `cell` and depth `waves`
-    (`stretch`: height / width), and smaller hollows, `fine` times as deep. Each of `chips`,
-    (direction, distance), cuts off what lies beyond that distance from the centre.
+    Returns the surface of a melting ice block, as a function of points on a cube of half width 1: a
+    superellipsoid with low-frequency bulges and Worley hollows of size `cell`, depth `waves` and
+    aspect ratio `stretch`, and smaller hollows, `fine` times as deep. Each of `chips`, (direction,
+    distance), is a plane at that distance from the centre that cuts off a piece.
     """
     def at(p):
         r = sum(abs(v) ** exponent for v in p) ** (-1 / exponent)
         q = [v * r * h for v, h in zip(p, half)]
         d = unit(q)
         q = scale(q, 1 + bulge * noise(scale(d, 1.3), seed))
-        for way, most in chips:
-            most *= 1 + 0.03 * noise(scale(q, 300), seed + 3)
-            q = scale(q, min(most / max(dot(q, way), 1e-9), 1))
+        for direction, distance in chips:
+            distance *= 1 + 0.03 * noise(scale(q, 300), seed + 3)
+            q = scale(q, min(distance / max(dot(q, direction), 1e-9), 1))
         place = (q[0] / cell, q[1] / cell / stretch, q[2] / cell)
         depth = waves * (hollows(place, seed + 7) + fine * hollows(scale(place, 2.1), seed + 11))
         return add(q, scale(d, depth))
@@ -259,7 +259,7 @@ def ice(half, n, seed, **form):
 
 
 def tube(path, radius_of, segments, caps=True):
-    """Tube along a path; radius_of(t) with t from 0 to 1 along it."""
+    """Tube along a path; radius_of(t) is its radius, with t from 0 to 1 along the path."""
     points, faces = [], []
     side = None
     for i, p in enumerate(path):
@@ -303,8 +303,8 @@ def ring(path, radius, segments):
 
 
 def bead(at, along, radius, length, n=8, bend=0.0):
-    """Egg-shaped air bubble of half length `length`, tip towards `along`; `bend` displaces its ends
-    sideways by that many lengths."""
+    """Egg-shaped air bubble of half length `length` with its tip towards `along`; both ends are
+    displaced sideways by `bend` times `length`."""
     profile = []
     for i in range(n // 2 + 2):
         a = math.pi * i / (n // 2 + 1) - math.pi / 2
@@ -319,68 +319,68 @@ def bead(at, along, radius, length, n=8, bend=0.0):
     return mesh.placed(tuple(zip(side, up, front)), at)
 
 
-def worms(half, rows, seed, bend=0.0):
+def worms(half, count, seed, bend=0.0):
     """
-    Worm-shaped bubbles in a block around the origin, as they form when ice freezes inwards: `rows`
-    of them, roughly normal to the faces; neighbours bend alike, by up to `bend` of their lengths.
+    Returns worm-shaped bubbles in a block around the origin, as they form when ice freezes inwards:
+    up to `count`, roughly normal to the faces. Neighbours are bent alike, by up to `bend` lengths.
     """
-    pick = random.Random(seed)
+    rng = random.Random(seed)
     beads = []
-    for _ in range(rows):
-        axis, side = pick.randrange(3), pick.choice((-1, 1))
-        out = pick.uniform(0.36, 0.7)
-        at = [pick.uniform(-0.66, 0.66) * h for h in half]
+    for _ in range(count):
+        axis, side = rng.randrange(3), rng.choice((-1, 1))
+        out = rng.uniform(0.36, 0.7)
+        at = [rng.uniform(-0.66, 0.66) * h for h in half]
         at[axis] = side * out * half[axis]
         if max(abs(v / h) for v, h in zip(at, half)) > out + 0.02:
             continue
-        along = [-0.25 * v / h + 0.06 * pick.gauss(0, 1) for v, h in zip(at, half)]
+        along = [-0.25 * v / h + 0.06 * rng.gauss(0, 1) for v, h in zip(at, half)]
         along[axis] = -side
-        radius = 0.00008 * math.exp(0.35 * pick.gauss(0, 1))
+        radius = 0.00008 * math.exp(0.35 * rng.gauss(0, 1))
         beads.append((tuple(at), unit(along), radius,
-                      min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032), 6,
+                      min(0.0004 + 0.0011 * rng.expovariate(1), 0.0032), 6,
                       bend * noise(scale(at, 1 / 0.005), seed)))
     return beads
 
 
 def crowd(half, count, seed, least=0.00006, most=0.0003):
     """
-    Clustered small bubbles around the centre of a block at the origin, where ice freezes last.
-    Radii from `least` to `most` follow a power law: most are small.
+    Returns clustered small bubbles around the centre of a block at the origin, where ice freezes
+    last. Their radii, `least` to `most`, follow a power law, so that most are small.
     """
-    pick = random.Random(seed)
+    rng = random.Random(seed)
     beads = []
     while len(beads) < count:
-        spread = 0.3 * pick.random() ** 0.5
-        at = tuple(spread * h * pick.gauss(0, 1) for h in half)
+        spread = 0.3 * rng.random() ** 0.5
+        at = tuple(spread * h * rng.gauss(0, 1) for h in half)
         if max(abs(v / h) for v, h in zip(at, half)) > 0.72:
             continue
         clump = noise(scale(at, 1 / 0.0034), seed) + 0.5 * noise(scale(at, 1 / 0.0015), seed + 1)
-        if clump + 0.15 * pick.gauss(0, 1) < 0.05:
+        if clump + 0.15 * rng.gauss(0, 1) < 0.05:
             continue
         radius = 1 / math.sqrt(1 / least ** 2 +
-                               pick.random() * (1 / most ** 2 - 1 / least ** 2))
-        along = unit(tuple(pick.gauss(0, 1) for _ in range(3)))
+                               rng.random() * (1 / most ** 2 - 1 / least ** 2))
+        along = unit(tuple(rng.gauss(0, 1) for _ in range(3)))
         sides = 4 if radius < 0.0001 else 6 if radius < 0.00018 else 8
-        beads.append((at, along, radius, radius * pick.uniform(1, 1.35), sides))
+        beads.append((at, along, radius, radius * rng.uniform(1, 1.35), sides))
     return beads
 
 
 def beads_mesh(beads):
     mesh = Mesh([], [], [])
-    for row in beads:
-        mesh.join(bead(*row))
+    for arguments in beads:
+        mesh.join(bead(*arguments))
     return mesh
 
 
 def crack(radius, seed, gap=0.00006, bend=9.0, is_inside=lambda p: True):
     """
-    Crack: a curved, lobed sheet of air normal to the y axis, of thickness `gap` that falls to 0 at
-    the rim, with faint fracture arcs and a rougher outer part. It is clipped to the region in which
+    Crack: a curved, lobed sheet of air normal to the y axis, with faint fracture arcs and a rougher
+    outer part. Its thickness `gap` falls to 0 at the rim. It is clipped to the region in which
     is_inside(point) is true.
     """
     rings, segments = 12, 42
-    pick = random.Random(seed)
-    turn, lobes = pick.uniform(0, 6), pick.uniform(0, 6)
+    rng = random.Random(seed)
+    turn, lobes = rng.uniform(0, 6), rng.uniform(0, 6)
 
     def height(x, z):
         r = math.hypot(x, z)
@@ -434,8 +434,8 @@ def crack(radius, seed, gap=0.00006, bend=9.0, is_inside=lambda p: True):
     return Mesh(points, faces, [scale(normal(x, z), s) for s, (x, _, z) in zip(signs, points)])
 
 
-def film(outline, level, thick, rim, center=(0, 0), rings=12, segments=168):
-    """Puddle with a flattened rim, closed below ground; outline(angle) is a point of its edge."""
+def puddle(outline, level, thick, rim, center=(0, 0), rings=12, segments=168):
+    """Closed mesh of a puddle with a rounded rim; outline(angle) returns a point of its edge."""
     points = [(center[0], level + thick, center[1])]
     edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
     for ring in range(1, rings + 1):
@@ -449,7 +449,7 @@ def film(outline, level, thick, rim, center=(0, 0), rings=12, segments=168):
 
 
 def closed_below(points, edge, center, level):
-    """Closed shell from a centre point and rings of points, the last one on the edge; its base is
+    """Closed mesh of a centre point and rings of points, of which the last is the edge; its base is
     below ground."""
     segments, faces = len(edge), []
     rings = (len(points) - 1) // segments

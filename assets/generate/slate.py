@@ -29,10 +29,10 @@ FLAKES = (((0.084, 0.05), (0.054, 0.03), 12, 0.0024, 4),
 BUMPS = 0.8  # normalTexture scale of the grain
 LEVEL = 0.00035  # water level around the ice, above the stone's mean height, metres
 RIM = 0.0032  # width of the flattened rim of the water, metres
-CLIMB = (0.0009, 0.0008)  # meniscus at the ice: height, decay length, metres
-REACH = 0.0255  # mean radius of the puddle, metres
-ROOM = 0.0055  # its minimum width around the ice, metres
-DAMP = 0.038  # radius of the wet stone around it, metres
+MENISCUS = (0.0009, 0.0008)  # meniscus at the ice: height, decay length, metres
+PUDDLE = 0.0255  # mean radius of the puddle, metres
+MIN_WIDTH = 0.0055  # minimum width of the puddle around the ice, metres
+WET = 0.038  # radius of the wet stone, metres
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=4)
 WATER = glass('water', 1.333, 1, 0.0013, (0.746, 0.953, 1), 1)
@@ -42,11 +42,11 @@ AIR = glass('air', 1, 4, 0.0003)
 # ---- stone ----
 
 @functools.lru_cache(maxsize=None)
-def knot(x, z, seed):
+def lattice_value(x, z, seed):
     return lattice(x, z, 7, seed)
 
 
-def rough(x, z, seed, period=None):
+def noise_2d(x, z, seed, period=None):
     """2D value noise, -1 to 1, with features of size 1; tileable if `period` (in x, z) is given."""
     i, j = math.floor(x), math.floor(z)
     s, t = x - i, z - j
@@ -54,8 +54,8 @@ def rough(x, z, seed, period=None):
     k, n = i + 1, j + 1
     if period:
         (i, k), (j, n) = (i % period[0], k % period[0]), (j % period[1], n % period[1])
-    low = knot(i, j, seed) + (knot(k, j, seed) - knot(i, j, seed)) * s
-    high = knot(i, n, seed) + (knot(k, n, seed) - knot(i, n, seed)) * s
+    low = lattice_value(i, j, seed) + (lattice_value(k, j, seed) - lattice_value(i, j, seed)) * s
+    high = lattice_value(i, n, seed) + (lattice_value(k, n, seed) - lattice_value(i, n, seed)) * s
     return 2 * (low + (high - low) * t) - 1
 
 
@@ -63,7 +63,7 @@ def fractal(x, z, seed, octaves):
     """Fractal value noise, about -1 to 1, with features of size 1 and smaller."""
     total, weight = 0.0, 0.55
     for octave in range(octaves):
-        total += weight * rough(x, z, seed + octave)
+        total += weight * noise_2d(x, z, seed + octave)
         x, z, weight = 1.6 * x - 1.2 * z + 7.3, 1.2 * x + 1.6 * z + 3.1, 0.5 * weight
     return total
 
@@ -76,26 +76,26 @@ def height(x, z):
 
 def wetness(x, z):
     """Wetness, 0 to 1: highest around the ice; extends into hollows and along the cleavage."""
-    out = math.hypot(x, z) / DAMP
+    out = math.hypot(x, z) / WET
     along = (0.88 * x + 0.48 * z) / 0.034, (0.88 * z - 0.48 * x) / 0.0075
     streaks = fractal(x / 0.031, z / 0.021, 21, 3) + 0.55 * fractal(*along, 47, 4)
     wet = 1.2 - out + 1.1 * streaks - 420 * height(x, z)
     return smoothstep(0.08, 0.5, wet)
 
 
-def place(s, t):
-    """Maps grid coordinates, -1 to 1 from edge to edge, to a point of the slab: the grid is finer
-    near the ice, and the edges are broken."""
+def slab_point(s, t):
+    """Maps grid coordinates, -1 to 1 from edge to edge, to a point of the slab. The grid is finer
+    near the ice, and the slab has broken edges."""
     x = SLAB[0] * (0.34 * s + 0.66 * s ** 3)
     middle = -SLAB[1] / (SLAB[2] - SLAB[1]) * 2 - 1  # t at the ice
     eased = middle + (t - middle) * (0.34 + 0.66 * ((t - middle) / (1 + abs(middle))) ** 2)
     z = SLAB[1] + (SLAB[2] - SLAB[1]) * (eased + 1) / 2
     rim = max(abs(s), abs(t)) ** 12
-    broken = 0.012 * rough(x / 0.03, z / 0.03, 31) + 0.006 * rough(x / 0.008, z / 0.008, 32)
+    broken = 0.012 * noise_2d(x / 0.03, z / 0.03, 31) + 0.006 * noise_2d(x / 0.008, z / 0.008, 32)
     return x * (1 + rim * broken / 0.09), z + rim * broken * (1 if t > 0 else -1)
 
 
-def tone(x, z):
+def albedo(x, z):
     """Albedo of the stone: blue-grey with rust stains, darker where wet."""
     shade = 1 + 0.3 * fractal(x / 0.024, z / 0.014, 41, 4)
     shade += 0.2 * fractal((0.88 * x + 0.48 * z) / 0.02, (0.88 * z - 0.48 * x) / 0.0025, 51, 3)
@@ -106,7 +106,7 @@ def tone(x, z):
     return scale(dark, shade * (1 - 0.52 * wet))
 
 
-def texture_places(mesh):
+def slab_uvs(mesh):
     """Texture coordinates for textures that cover the whole slab."""
     half, near, far, _ = SLAB
     return [((x + half) / (2 * half), (z - near) / (far - near)) for x, _, z in mesh.points]
@@ -114,7 +114,7 @@ def texture_places(mesh):
 
 def slab(columns=102, rows=84):
     thick = SLAB[3]
-    grid = [place(2 * i / columns - 1, 2 * j / rows - 1)
+    grid = [slab_point(2 * i / columns - 1, 2 * j / rows - 1)
             for j in range(rows + 1) for i in range(columns + 1)]
     points = [(x, height(x, z), z) for x, z in grid]
     faces = []
@@ -132,7 +132,7 @@ def slab(columns=102, rows=84):
     sides, side_faces = [], []
     for layer in range(4):
         for x, y, z in (points[i] for i in edge):
-            out = 0.0025 * (rough(x / 0.012 + 9 * layer, z / 0.012, 51) - 0.4) if layer else 0
+            out = 0.0025 * (noise_2d(x / 0.012 + 9 * layer, z / 0.012, 51) - 0.4) if layer else 0
             sides.append((x * (1 + out / 0.1), y - thick * layer / 3,
                           z + out * (1 if z > 0 else -1)))
     for layer in range(3):
@@ -140,11 +140,11 @@ def slab(columns=102, rows=84):
             a, b = layer * count + k, layer * count + (k + 1) % count
             side_faces += [(a, a + count, b + count), (a, b + count, b)]
     mesh = top.join(Mesh(sides, side_faces))
-    mesh.uvs = texture_places(mesh)
-    return mesh.painted(lambda p, n: tone(p[0], p[2]))
+    mesh.uvs = slab_uvs(mesh)
+    return mesh.painted(lambda p, n: albedo(p[0], p[2]))
 
 
-def broken(middle, half, turn_deg, seed, corners, parts):
+def broken_outline(middle, half, turn_deg, seed, corners, parts):
     """Outline of a broken flake: a polygon with rough edges of `parts` segments each."""
     turn = math.radians(turn_deg)
     ends = []
@@ -167,7 +167,7 @@ def broken(middle, half, turn_deg, seed, corners, parts):
 
 
 def band(upper, lower):
-    """Wall between two closed loops of points."""
+    """Strip of triangles between two closed loops of points."""
     count = len(upper)
     faces = []
     for k in range(count):
@@ -177,7 +177,7 @@ def band(upper, lower):
 
 
 def flake(middle, outline, thick, layers, seed, shares, tilt=(0, 0)):
-    """Flake of slate lying on the stone: flat top, stepped edge with a ledge for each layer."""
+    """Flake of slate on the stone, with a flat top and an edge with a step for each layer."""
     count = len(outline)
 
     def at(share, k, low):
@@ -197,13 +197,13 @@ def flake(middle, outline, thick, layers, seed, shares, tilt=(0, 0)):
     last, out = points[-count:], [1.0] * count
     for layer in range(layers):
         if layer:  # a ledge of varying width
-            farther = [max(rough(0.17 * k, 2.3 * layer, seed) + 0.25, 0.02) for k in range(count)]
-            out = [a + 0.035 * b for a, b in zip(out, farther)]
+            wider = [max(noise_2d(0.17 * k, 2.3 * layer, seed) + 0.25, 0.02) for k in range(count)]
+            out = [a + 0.035 * b for a, b in zip(out, wider)]
             ledge = [(at(o, k, 0)[0], y, at(o, k, 0)[2])
                      for k, (o, (_, y, _)) in enumerate(zip(out, last))]
             mesh.join(band(last, ledge))
             last = ledge
-        lows = [(layer + 1 + (0.55 * rough(0.11 * k, 9.1 * layer, seed) if layer + 1 < layers
+        lows = [(layer + 1 + (0.55 * noise_2d(0.11 * k, 9.1 * layer, seed) if layer + 1 < layers
                               else 0.4)) / layers for k in range(count)]
         below = [at(o, k, low) for k, (o, low) in enumerate(zip(out, lows))]
         mesh.join(band(last, below))
@@ -218,7 +218,7 @@ def chip(i):
     middle = (out * math.cos(angle), 0.8 * out * math.sin(angle))
     size = 0.00018 + 0.0012 * lattice(i, 2, 0, 91) ** 6
     half = (size, size * (0.4 + 0.5 * lattice(i, 3, 0, 91)))
-    outline = broken(middle, half, 360 * lattice(i, 4, 0, 91), 300 + i, 5, 1)
+    outline = broken_outline(middle, half, 360 * lattice(i, 4, 0, 91), 300 + i, 5, 1)
     tilt = tuple(0.7 * (lattice(i, 5 + axis, 0, 91) - 0.5) for axis in (0, 1))
     return flake(middle, outline, size * (0.2 + 0.3 * lattice(i, 7, 0, 91)), 1, 300 + i, (1,), tilt)
 
@@ -227,15 +227,15 @@ def pieces(parts=22, layers_max=4, shares=(0.35, 0.62, 0.82, 0.94, 1), chips=320
     """All flakes and splinters on the stone."""
     mesh = Mesh([], [], [])
     for i, (middle, half, turn_deg, thick, layers) in enumerate(FLAKES):
-        outline = broken(middle, half, turn_deg, 80 + i, 7, parts)
+        outline = broken_outline(middle, half, turn_deg, 80 + i, 7, parts)
         mesh.join(flake(middle, outline, thick, min(layers, layers_max), 80 + i, shares))
     for i in range(chips):
         mesh.join(chip(i))
-    mesh.uvs = texture_places(mesh)
-    return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), 1 + 0.25 * (1 - n[1])))
+    mesh.uvs = slab_uvs(mesh)
+    return mesh.painted(lambda p, n: scale(albedo(p[0], p[2]), 1 + 0.25 * (1 - n[1])))
 
 
-def damp():
+def roughness():
     """metallicRoughnessTexture of the slab: roughness in the green channel, lower where wet."""
     half, near, far, _ = SLAB
     rows = []
@@ -254,7 +254,7 @@ def grain():
     heights = []
     for row in range(GRAIN):
         v = row / GRAIN
-        heights.append([sum(weight * rough(a * u, b * v, a, (a, b)) for a, b, weight in WAVES)
+        heights.append([sum(weight * noise_2d(a * u, b * v, a, (a, b)) for a, b, weight in WAVES)
                         for u in (column / GRAIN for column in range(GRAIN))])
     normals, tones = [], []
     apart = TILE / GRAIN
@@ -276,11 +276,11 @@ def grain():
 
 # ---- water and ice ----
 
-def foot(mesh, segments):
-    """Horizontal extent of the block in each direction at the height of the meniscus."""
+def block_radii(mesh, segments):
+    """Returns the radius of the block in each direction, at the height of the meniscus."""
     reach = [0.0] * segments
     for x, y, z in mesh.points:
-        if 0.0005 < y < LEVEL + CLIMB[0]:
+        if 0.0005 < y < LEVEL + MENISCUS[0]:
             k = round(math.atan2(-z, x) / (2 * math.pi) * segments) % segments
             reach[k] = max(reach[k], math.hypot(x, z))
     for _ in range(3):
@@ -289,23 +289,23 @@ def foot(mesh, segments):
     return reach
 
 
-def shore(angle):
+def puddle_radius(angle):
     """Radius of the puddle in a direction."""
     c, s = math.cos(angle), math.sin(angle)
     out = 1 + 0.1 * math.cos(2 * angle + 0.5) + 0.08 * math.cos(3 * angle - 1.2)
     out += 0.3 * fractal(4 + 1.7 * c, 4 + 1.7 * s, 64, 2)
-    return REACH * (out + 0.12 * fractal(20 + 9 * c, 20 + 9 * s, 66, 4))
+    return PUDDLE * (out + 0.12 * fractal(20 + 9 * c, 20 + 9 * s, 66, 4))
 
 
 def meltwater(mesh, segments=224):
     """The puddle around the block, with a flattened rim and a meniscus at the ice."""
     shares = (0, 0.02, 0.05, 0.09, 0.14, 0.2, 0.28, 0.38, 0.5, 0.62, 0.72, 0.8, 0.86, 0.91, 0.95,
               0.98, 1)
-    inner = foot(mesh, segments)
-    edge, points = [], [(0, LEVEL + CLIMB[0], 0)]
+    inner = block_radii(mesh, segments)
+    edge, points = [], [(0, LEVEL + MENISCUS[0], 0)]
     for k in range(segments):
         angle = 2 * math.pi * k / segments
-        out = max(shore(angle), inner[k] + ROOM)
+        out = max(puddle_radius(angle), inner[k] + MIN_WIDTH)
         edge.append((out * math.cos(angle), -out * math.sin(angle)))
     for share in (-1, *shares):
         for k, (x, z) in enumerate(edge):
@@ -315,7 +315,7 @@ def meltwater(mesh, segments=224):
             inward = min((out - r) / RIM, 1)
             low = min(height(x, z), LEVEL - 0.0002)  # height of the edge
             high = low + (LEVEL - low) * (1 - (1 - inward) ** 2)
-            high += CLIMB[0] * inward * math.exp(-max(r - near, 0) / CLIMB[1])
+            high += MENISCUS[0] * inward * math.exp(-max(r - near, 0) / MENISCUS[1])
             points.append((x * r / out, high, z * r / out))
     return closed_below(points, edge, (0, 0), 0)
 
@@ -335,7 +335,7 @@ def block(cells=72):
 
 
 def is_inside_block(p):
-    """True inside, and slightly outside so that a crack can cut through the surface."""
+    """True in the block, and just outside it, so that cracks can cut through the surface."""
     own = sub(p, MIDDLE)
     own = tuple(sum(TURN[i][k] * own[i] for i in range(3)) for k in range(3))
     share = max(abs(v / h) for v, h in zip(own, HALF))
@@ -346,7 +346,7 @@ def is_inside_block(p):
 
 
 def bubbles():
-    """Worm-shaped bubbles along the freezing direction, egg-shaped ones where ice froze last."""
+    """Worm-shaped bubbles along the freezing direction, egg-shaped bubbles where ice froze last."""
     placed = []
     beads = [*worms(HALF, 150, 30, bend=0.6), *crowd(HALF, 950, 31, 0.0001, 0.0009)]
     for at, along, *form in beads:
@@ -382,7 +382,7 @@ def stone(model):
         'name': 'slate',
         'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 1,
                                  'baseColorTexture': {'index': tones, 'extensions': transform},
-                                 'metallicRoughnessTexture': {'index': model.texture(damp())}},
+                                 'metallicRoughnessTexture': {'index': model.texture(roughness())}},
         'normalTexture': {'index': normals, 'scale': BUMPS, 'extensions': transform},
     }
 

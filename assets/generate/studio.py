@@ -6,7 +6,7 @@ from shapes import cross, dot, mix, scale, smoothstep, unit
 
 WIDTH, HEIGHT = 1024, 512
 # Azimuth to the right of -Z and elevation of the centre, degrees; half width and half height as
-# tangents of angles; radiance at the centre; fraction of it far from the centre; colour
+# tangents of angles; radiance at the centre; fraction of that radiance far from it; colour
 BOXES = (
     (62, 28, 0.34, 0.52, 9.0, 0.35, (1.0, 0.96, 0.9)),  # key light, right, behind
     (-72, 18, 0.11, 0.75, 6.5, 0.3, (0.86, 0.94, 1.0)),  # strip light, left
@@ -22,7 +22,7 @@ def direction(azimuth, elevation):
 
 
 def backdrop():
-    """Rows of R, G and B lists without lamps: floor, dark air, and a glow on the far wall."""
+    """Rows of R, G and B lists without lights: dark floor, dark air and a glow on the far wall."""
     tall = [math.exp(-((0.5 - (y + 0.5) / HEIGHT) * math.pi - 0.16) ** 2 / 0.18)
             for y in range(HEIGHT)]
     wide = [math.exp(-((x + 0.5) / WIDTH * 2 - 1) ** 2 * math.pi ** 2 / 1.1) for x in range(WIDTH)]
@@ -39,8 +39,8 @@ def backdrop():
 
 
 def lamp(rows, box):
-    """Draws a soft box into the rows, with edges two texels wide. Its colour may be a function of
-    the direction."""
+    """Draws a soft box with edges two texels wide into the rows. The colour of the box may be a
+    function of the direction."""
     azimuth, elevation, half_width, half_height, radiance, ends, color = box
     middle = direction(math.radians(azimuth), math.radians(elevation))
     across = unit(cross(middle, (0, 1, 0)))
@@ -64,9 +64,9 @@ def lamp(rows, box):
             share = (smoothstep(1, 1 - 0.012 / half_width, abs(u)) *
                      smoothstep(1, 1 - 0.012 / half_height, abs(v)))
             light = radiance * (ends + (1 - ends) * math.exp(-1.4 * (u * u + v * v)))
-            seen = color(d) if callable(color) else color
+            tint = color(d) if callable(color) else color
             for c in range(3):
-                rows[y][c][x] += share * (light * seen[c] - rows[y][c][x])
+                rows[y][c][x] += share * (light * tint[c] - rows[y][c][x])
 
 
 def make():

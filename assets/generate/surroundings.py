@@ -1,4 +1,4 @@
-"""surroundings.py: surfaces around the models: slate, tiles, floor, wall, and baked light."""
+"""surroundings.py: surfaces around the models (slate, tiles, floor, wall), and baked light."""
 import math
 
 from files import png, unlit
@@ -6,7 +6,7 @@ from shapes import lattice, mix, scale, sheet, smoothstep
 
 
 def ramp(colors, count=64):
-    """Palette: linear interpolation between evenly spaced colours."""
+    """Returns a palette that interpolates evenly spaced colours linearly."""
     out = []
     for i in range(count):
         t = i / (count - 1) * (len(colors) - 1)
@@ -73,7 +73,7 @@ def floor(half, tile, light, steps=30):
 
 
 def shade(centers, dark, reach):
-    """Returns baked light of a table, 0 to 1: contact shadows of discs (x, z, radius)."""
+    """Returns a function of x and z: baked light with contact shadows of discs (x, z, radius)."""
     def light(x, z):
         value = 1.0
         for cx, cz, radius in centers:
@@ -96,7 +96,7 @@ def wall(z, half, bottom, top, colors, spot):
 
 
 def painter(albedo, key=(0.5, 0.75, 0.45), fill=0.42):
-    """Returns baked colours of a diffuse object under a large soft key light and ambient light."""
+    """Returns a function of point and normal: baked colour under a soft key and ambient light."""
     length = math.hypot(*key)
     key = scale(key, 1 / length)
 

@@ -1,4 +1,4 @@
-"""window.py: HDR panorama of a room with warm walls, large window left, smaller one right."""
+"""window.py: HDR panorama of a room with warm walls and windows to the left and right."""
 import math
 
 from files import exr
@@ -63,7 +63,7 @@ def walls():
 
 
 def outside(d):
-    """Blurred view through the windows (sky, trees), relative to the sky's radiance."""
+    """Blurred view of sky and trees through the windows, relative to the radiance of the sky."""
     tops, uneven, shade, sun = TREES
     height = math.degrees(math.asin(d[1]))
     top = tops + uneven * (noise(scale(d, 5), 3) + 0.5 * noise(scale(d, 13), 4))

@@ -1,8 +1,8 @@
 """case.py: base class, runner and cheap render options for all tests of the program `firn`.
 
 Usage: TEST.py FIRN [TEST...]   FIRN: the program; TEST: as unittest names them
-Every run has a folder of its own and a minimal environment. If lavapipe is installed, it is the
-device, so that the tests have the same results everywhere.
+Every run has its own folder and a minimal environment. If lavapipe is installed, it is the device,
+so that results are the same everywhere.
 """
 import glob
 import os
@@ -14,16 +14,16 @@ import unittest
 
 USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE, TRY_AGAIN = 2, 65, 66, 69, 73, 74, 75
 # Cheaper renders for tests: without inclusions (--plain), which take half of a small image's time.
-SMALL_CUBE = ('--set', 'env_cube.size=64')  # the default cube map would dominate
-PAPER = ('--refraction', 'paper')  # half the time of the default refraction model
+SMALL_CUBE = ('--set', 'env_cube.size=64')  # the default cube map would take most of the time
+PAPER = ('--refraction', 'paper')  # takes half the time of the default refraction model
 PLAIN = ('--plain', *PAPER, *SMALL_CUBE)
 # Options that set the quality of `firn render`; without them, tests render one sample per pixel.
 QUALITIES = {'--quality', '--samples', '-n', '--preset', '--noise', '--time'}
 SMALL = ('--size', '64x48', *PLAIN)
-# Constant background instead of sky and landscape: a quarter of the remaining time.
+# Constant background instead of sky and landscape, which take a quarter of the remaining time.
 FLAT = ('--background', '0.4,0.5,0.6')
 BARE = (*SMALL, *FLAT)
-# The cheaper half of the inclusions: cracks and bubbles, without planes of air and bumps.
+# The cheaper inclusions: cracks and bubbles, without air planes and bumps.
 CRACKED = ('--set', 'air.count=0', '--set', 'bump.strength=0', *PAPER, *SMALL_CUBE)
 SANITIZED = os.environ.get('FAIL_SAMPLE') == '1'  # built with sanitizers
 NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
@@ -32,7 +32,7 @@ NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
 def environment(extra):
     """Returns a minimal environment: PATH, test device, sanitizer options; no HOME or DISPLAY."""
     env = {'PATH': os.environ.get('PATH', '/usr/bin:/bin')}
-    env['FIRN_WARM_UP'] = 'off'  # tests in parallel use the other cores
+    env['FIRN_WARM_UP'] = 'off'  # parallel tests use the other cores
     env.update({name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')})
     drivers = [file for folder in ('/usr/share', '/usr/local/share', '/etc')
                for file in glob.glob(f'{folder}/vulkan/icd.d/lvp_icd*.json')]
@@ -90,15 +90,15 @@ class Case(unittest.TestCase):
 
 
 def long(test):
-    """Decorator of a long test: runs only with `--long`, or by its name, not in `./run test`."""
+    """Decorator of a long test, which runs only with `--long` or by its name."""
     test.is_long = True
     return test
 
 
 def unsanitized(test):
     """
-    Decorator of a test that sanitizer builds skip: it compares pixels or tests third-party code,
-    and cheaper tests already cover the code that it reaches.
+    Decorator of a test that sanitizer builds skip, because it compares pixels or tests third-party
+    code, and cheaper tests already cover the same code.
     """
     test.is_unsanitized = True
     return test
@@ -109,7 +109,7 @@ def is_marked(test, name):
 
 
 class Part(unittest.TestLoader):
-    """Test loader for one shard: every N-th test from the K-th on, either long or normal tests."""
+    """Loads one shard of the tests: every N-th from the K-th on, of either long or normal tests."""
     def __init__(self, number, count, is_long):
         super().__init__()
         self.number, self.count, self.is_long = number, count, is_long
@@ -124,8 +124,8 @@ class Part(unittest.TestLoader):
 
 def main():
     """
-    Runs the tests. The first argument is the program. "--part=K/N" after it runs shard K of N;
-    "--long" after that runs only tests marked @long.
+    Runs the tests of the program given as first argument. "--part=K/N" after it selects shard K of
+    N, and a following "--long" the tests marked @long.
     """
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(f'{sys.argv[0]}: no program to test: {sys.argv[1:2] or "(none given)"}')

@@ -111,7 +111,8 @@ class Numbers(Diff):
 
     def test_flat_pictures(self):
         # HyAB 100 of black and white; only the colours tell, for there is no feature
-        error = 0.95 + 0.05 * (100 ** 0.7 - 0.4 * flip.MOST) / (0.6 * flip.MOST)
+        most = flip.MAX_COLOUR_ERROR
+        error = 0.95 + 0.05 * (100 ** 0.7 - 0.4 * most) / (0.6 * most)
         black = self.png('black.png', 8, 8, [(0, 0, 0)] * 64)
         white = self.png('white.png', 8, 8, [(255, 255, 255)] * 64)
         green = self.png('green.png', 8, 8, [(0, 255, 0)] * 64)

@@ -7,14 +7,14 @@
 
 #include "src/gpu/gpu.h"
 
-/* Creates a device in `own`, which is otherwise a copy of `gpu`. */
+/* Creates a device with all supported features in `own`, which is otherwise a copy of `gpu`. */
 void all_features_device_open(struct gpu *own, const struct gpu *gpu);
 void all_features_device_close(const struct gpu *own);
 
 /* Returns true if the device supports acceleration structures and ray queries. */
 bool all_features_device_has_rays(const struct gpu *gpu);
 
-/* A descriptor set with a constant storage buffer at binding 0, for fragment and compute. */
+/* Descriptor set: a constant storage buffer at binding 0, for fragment and compute shaders. */
 struct own_set {
     VkDescriptorSetLayout layout;
     VkDescriptorPool pool;

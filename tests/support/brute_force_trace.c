@@ -20,9 +20,9 @@ static struct vec normal_at(const struct mesh *mesh, uint32_t first, double u, d
     return vec_unit(vec_add(n, v, vec_from(vertices[mesh->indices[first + 2]].normal)));
 }
 
-/* Returns the nearest intersection with front faces from inside (path 1) or from outside (-1). */
+/* Returns the nearest hit of a triangle through which the ray leaves (`side` 1) or enters (-1). */
 static struct crossing intersect_mesh(const struct mesh *mesh, struct vec from, struct vec dir,
-                                      double path)
+                                      double side)
 {
     struct crossing nearest = { .t = HUGE_VAL };
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
@@ -30,7 +30,7 @@ static struct crossing intersect_mesh(const struct mesh *mesh, struct vec from, 
         const struct vec ab = vec_add(position(mesh, i + 1), -1, a);
         const struct vec ac = vec_add(position(mesh, i + 2), -1, a);
         const double facing = vec_dot(vec_cross(ab, ac), dir);
-        if (!(facing * path > 0))
+        if (!(facing * side > 0))
             continue;
         const struct vec p = vec_cross(dir, ac);
         const struct vec s = vec_add(from, -1, a);
@@ -45,7 +45,7 @@ static struct crossing intersect_mesh(const struct mesh *mesh, struct vec from, 
     return nearest;
 }
 
-/* Refracts `dir` at `n`, which faces the ray. Reflects it and returns true if that is total. */
+/* Refracts `dir` at the normal `n` facing it, or reflects it totally and returns true. */
 static bool refract(struct vec *dir, struct vec n, double eta)
 {
     const double c = vec_dot(n, *dir);

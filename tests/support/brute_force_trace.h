@@ -10,14 +10,14 @@
 #include "tests/support/vec.h"
 
 struct trace_path {
-    bool hit;       /* the ray hits the mesh; all other members are 0 if not */
-    bool left;      /* the path leaves the mesh within the bounces allowed */
-    struct vec dir; /* direction in which it leaves, unit */
+    bool hit;       /* true if the ray hits the mesh; if false, all other members are 0 */
+    bool left;      /* true if the path leaves the mesh within `bounces` reflections */
+    struct vec dir; /* unit direction of the path after leaving the mesh */
     double path;    /* path length inside */
     int bounces;    /* total internal reflections */
 };
 
-/* Traces a ray that starts outside. `eta` is the refractive index outside over that inside. */
+/* Traces a ray that starts outside. `eta` is the outer refractive index over the inner one. */
 struct trace_path trace_transmitted(const struct mesh *mesh, struct vec eye, struct vec dir,
                                     double eta, int bounces);
 

@@ -1,5 +1,4 @@
-/* bump_reference.c: bump maps of constant slope, and a reference for triplanar normal perturbation.
- */
+/* bump_reference.c: bump maps of constant slope, and reference perturbed normals. */
 #include "tests/support/bump_reference.h"
 
 #include <stdlib.h>
@@ -14,8 +13,7 @@ void bump_reference_make_constant(struct scene *scene, double slope_u, double sl
 {
     struct bump_maps *maps = &scene->bump;
     const struct mip_levels mip_levels = { .side = 2, .layers = 1, .channels = 4 };
-    const size_t count =
-        mip_levels_count(&mip_levels); /* all mip levels hold the texel value below */
+    const size_t count = mip_levels_count(&mip_levels); /* texel values of all mip levels */
     bump_maps_finish(maps);
     *maps = (struct bump_maps){
         .texels = malloc(count * sizeof(*maps->texels)),

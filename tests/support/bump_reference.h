@@ -1,12 +1,11 @@
-/* bump_reference.h: bump maps of constant slope, and the closed form of the normals that they
- * perturb. */
+/* bump_reference.h: bump maps of constant slope, and their perturbed normals in closed form. */
 #ifndef TESTS_SUPPORT_BUMP_REFERENCE_H
 #define TESTS_SUPPORT_BUMP_REFERENCE_H
 
 #include "src/scene/scene.h"
 #include "tests/support/vec.h"
 
-/* Replaces a scene's bump map by a constant one: slopes along u and v, smoothness, frost height. */
+/* Replaces a scene's bump map by one of constant slopes, smoothness and frost height. */
 void bump_reference_make_constant(struct scene *scene, double slope_u, double slope_v,
                                   double smoothness, double crystals);
 

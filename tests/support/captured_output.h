@@ -4,8 +4,7 @@
 
 #include <stdio.h>
 
-/* Use: FILE *out = captured_output_begin(&printed); ... captured_output_end(&printed); ...
- * free(printed.text) */
+/* Output captured between captured_output_begin() and _end(); the test frees `text`. */
 struct printed {
     FILE *out;
     char *text;
@@ -14,7 +13,7 @@ struct printed {
 
 FILE *captured_output_begin(struct printed *printed);
 
-/* Ends the capture. Fails if a line has more than `columns` characters, or control characters. */
+/* Ends the capture. Fails if a line exceeds `columns` characters or has control characters. */
 void captured_output_end(struct printed *printed, int columns);
 
 /* Returns the line that begins with `words`; fails if there is none. */

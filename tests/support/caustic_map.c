@@ -54,7 +54,7 @@ static double now_ms(void)
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
-/* Returns the time of one frame, from begin to completion, in milliseconds. */
+/* Runs one frame. Returns its host time in milliseconds, from begin to completion. */
 static double run_once(struct run *run, const struct rg_frame *frame, const struct globals *globals)
 {
     const double start = now_ms();

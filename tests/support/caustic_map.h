@@ -12,22 +12,22 @@ enum {
 
 struct caustic_map_params {
     const char *method;
-    double elevation; /* of the sun above the horizon, in the direction of +x; degrees */
+    double elevation;               /* sun elevation, degrees; the sun is in direction +x */
     const char *const *assignments; /* settings "name=value"; NULL-terminated */
     uint32_t run_count;             /* number of timed runs; 0 means 1 */
 };
 
 struct light_map {
-    float *texels;      /* row-major, starting at the lowest x and y */
+    float *texels;      /* texels of the map, row-major from the lowest x and y */
     double size, depth; /* of the pool, metres */
-    double lower[2];    /* lowest corner of the map, in pool coordinates */
+    double lower[2];    /* corner of lowest x and y, in pool coordinates */
     double texel[2];    /* extent of a texel, metres */
-    double shift_x;     /* displacement of refracted sunlight at the floor, metres */
-    double total;       /* irradiance integrated over the map / light entering the pool */
+    double shift_x;     /* horizontal shift of refracted sunlight at the floor, metres */
+    double total;       /* fraction of the light entering the pool that reaches the map */
     double ms;          /* host time of the fastest run, readback included, milliseconds */
 };
 
-/* Traces the map; the caller frees `texels`. Any failure fails the test. */
+/* Traces the caustic map; the caller frees `texels`. Any failure fails the test. */
 struct light_map caustic_map_trace(struct gpu *gpu, const struct caustic_map_params *params);
 
 /* Returns the pool coordinate of a texel's centre along axis 0 (x) or 1 (y). */

@@ -32,7 +32,7 @@ const char *const dump_plan_awkward_names[DUMP_PLAN_NAMES] = {
     "line\nfeed\r\ttab",
     "controls \x01\x1f\x7f\xc2\x85",
     "\xe6\xb0\xb7 \xf0\x9f\xa7\x8a", /* the ideograph for ice, and an emoji of an ice cube */
-    "\xff broken \xc3(",             /* a stray byte, and a truncated sequence */
+    "\xff broken \xc3(",             /* invalid UTF-8: a stray byte and a truncated sequence */
     /* invalid UTF-8: a surrogate, a code point above U+10FFFF, three overlong encodings */
     "\xed\xa0\x80 \xf4\x90\x80\x80 \xc0\xaf \xe0\x80\xaf \xf0\x80\x80\xaf",
     "\xef\xbf\xbe \xef\xbf\xbf", /* the noncharacters U+FFFE and U+FFFF */

@@ -12,12 +12,12 @@ enum {
     DUMP_PLAN_NAMES = DUMP_PLAN_IMAGES + DUMP_PLAN_BUFFERS + DUMP_PLAN_PASSES,
 };
 
-/* Names of images, buffers, passes, in this order; awkward ones need escaping or are invalid. */
+/* Names of the images, buffers and passes. Awkward names need escaping or are invalid UTF-8. */
 extern const char *const dump_plan_names[DUMP_PLAN_NAMES];
 extern const char *const dump_plan_awkward_names[DUMP_PLAN_NAMES];
 
 struct dump_plan {
-    struct rg_plan plan; /* its arrays are members of this object */
+    struct rg_plan plan; /* its arrays point to the members below */
     struct rg_image image_rows[DUMP_PLAN_IMAGES];
     struct rg_buffer buffer_rows[DUMP_PLAN_BUFFERS];
     struct rg_pass pass_rows[DUMP_PLAN_PASSES];
@@ -31,7 +31,7 @@ struct dump_plan {
 /* Fills *plan, which must not be moved afterwards, because it has pointers into itself. */
 void dump_plan_init(struct dump_plan *plan, const char *const names[DUMP_PLAN_NAMES]);
 
-/* A plan with two faults: one in a technique with an awkward name, one without a location. */
+/* A plan with two faults: one in a technique whose name needs escaping, one without a location. */
 extern const struct rg_plan dump_plan_faults;
 
 #endif

@@ -8,7 +8,7 @@
  * "fail_call: write".
  */
 #define _GNU_SOURCE      /* for RTLD_NEXT and openat64 */
-#undef _FILE_OFFSET_BITS /* which would make openat an alias of openat64 */
+#undef _FILE_OFFSET_BITS /* it would make openat an alias of openat64 */
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -36,14 +36,14 @@ static const char *how(void)
     return text ? text : "";
 }
 
-/* Sets a function pointer to the next definition of `name`; ISO C cannot cast void * to one. */
+/* Points *function to the next definition of `name`; ISO C cannot cast void * to a function. */
 static void find(void *function, const char *name)
 {
     void *found = dlsym(RTLD_NEXT, name);
     memcpy(function, &found, sizeof(found));
 }
 
-/* Returns true and sets errno if this call must fail; does not return if it kills the process. */
+/* Returns true and sets errno if this call must fail, or kills the process instead. */
 static bool fails(const char *call)
 {
     const char *at = getenv("FAIL_AT");
@@ -104,7 +104,7 @@ ssize_t write(int file, const void *data, size_t size)
     return full ? next(file, data, 1) : -1;
 }
 
-/* Counts every fsync: the program synchronises only the temporary file and its folder. */
+/* Counts all calls, because firn synchronises only the temporary file and its folder. */
 int fsync(int file)
 {
     int (*next)(int);

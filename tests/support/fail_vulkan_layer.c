@@ -136,7 +136,7 @@ static VkDevice device;
 static PFN_vkGetInstanceProcAddr next_instance;
 static PFN_vkGetDeviceProcAddr next_device;
 
-/* Functions of the next layer or the driver; NULL if it does not have them. */
+/* Functions of the next layer or the driver; NULL if missing. */
 static struct {
 #define ROW(name, ...) PFN_vk##name name;
     CREATE_FUNCTIONS(ROW)
@@ -156,7 +156,7 @@ static bool reports_lost(enum call call)
            call == CALL_QueueWaitIdle || call == CALL_WaitForFences;
 }
 
-/* Returns the error that the call must return at once; VK_SUCCESS to call the next layer. */
+/* Counts a call. Returns the error that it must return, or VK_SUCCESS to call the next layer. */
 static VkResult fails(enum call call)
 {
     const char *wanted = getenv("FAIL_CALL");

@@ -19,7 +19,7 @@ static const struct rg_image pixel = {
     .height = 1,
 };
 
-/* Valid passes before the faulty ones: the compiler has a fast path for accesses seen earlier. */
+/* Valid passes run first, so that the compiler's fast path for repeated accesses is tested. */
 static const struct rg_pass good_rows[] = {
     DRAW("fill", .color = RG_TARGETS({ CLEARED(fault_case_picture) })),
     COMPUTE("meet", { .image = &fault_case_picture, .access = RG_SAMPLED },

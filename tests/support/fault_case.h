@@ -14,22 +14,22 @@ enum {
 
 extern const struct rg_image fault_case_picture, fault_case_other;
 
-/* Rows with a single resource of interest; ALSO reads it and writes another image. */
+/* Passes with one access to test; the pass of ALSO writes another image as well. */
 #define FILL(to)    DRAW("draw", .color = RG_TARGETS({ CLEARED(to) }))
 #define COPY_TO(to) COPY("copy", { .buffer = &(to), .access = RG_COPY_DST })
 #define ALSO(...)   COMPUTE("compute", { WRITE_OTHER }, { __VA_ARGS__ })
 #define WRITE_OTHER .image = &fault_case_other, .access = RG_STORAGE_WRITE, .binding = 9
 
 /*
- * One expected fault and the tables that provoke it.
+ * An expected fault, and the graph that provokes it.
  *
- * A valid technique before the case's rows writes `picture`, which is the output unless the case
- * has outputs. A fault in a row is expected in the last row.
+ * A valid technique runs before `rows` and writes `fault_case_picture`, which is the only output
+ * unless `outputs` are set. If `row` is true, the fault is expected in the last pass of `rows`.
  */
 struct fault_case {
     enum rg_error error;
-    const char *resource; /* name in the fault; NULL if it names none */
-    bool row;             /* the fault is located in a row */
+    const char *resource; /* name that the fault mentions, or NULL */
+    bool row;             /* true if the fault is in the last pass */
     uint32_t row_count;
     struct rg_pass rows[FAULT_CASE_ROWS];
     struct rg_output outputs[2];
@@ -37,13 +37,13 @@ struct fault_case {
     const struct rg_device *device;
     bool no_output, no_view, nameless_technique;
     void (*edit)(struct rg_compile_params *params); /* modifies the parameters; may be NULL */
-    const char *text; /* expected message; NULL to compare the fault's names instead */
+    const char *text; /* expected message; if NULL, the fault's names are compared */
 };
 
-/* A fault in the only row, for the resource `name` (may be NULL). */
+/* Case with one faulty pass; `name` is the resource that the fault mentions, or NULL. */
 #define ROW(kind, name, ...) \
     .error = (kind), .resource = (name), .row = true, .row_count = 1, .rows = { __VA_ARGS__ }
-/* A fault outside the rows, with any row that provokes it. */
+/* Case with one pass whose resource is at fault; the fault names no pass. */
 #define AROUND(kind, name, ...) \
     .error = (kind), .resource = (name), .row_count = 1, .rows = { __VA_ARGS__ }
 #define OUTPUT(kind, name, ...) .error = (kind), .resource = (name), .outputs = { __VA_ARGS__ }
@@ -62,7 +62,7 @@ struct fault_cases {
 /* Compiles a case; the caller destroys the plan. */
 struct rg_plan *fault_case_compile(const struct fault_case *fc);
 
-/* Compiles all cases; fails unless each has exactly its expected fault. Marks errors `provoked`. */
+/* Fails unless every case has exactly its expected fault. Sets `provoked` for each such error. */
 void fault_case_check(const struct fault_cases *tables, size_t table_count,
                       bool provoked[RG_ERROR_COUNT]);
 

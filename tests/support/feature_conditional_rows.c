@@ -3,17 +3,17 @@
 
 #define WANTED .when = painted_when
 
-/* rendered only in some frames, displayed in all */
+/* rendered in some frames, displayed in all frames */
 static const struct rg_image captured =
     COLOR_IMAGE("captured", .layers = WHEN_LAYER_COUNT, .persistent = true);
 static const struct rg_image shown = COLOR_IMAGE("shown");
 static const struct rg_buffer shown_out = COLOR_BUFFER("shown out");
 
-/* cleared only in some frames, added to in all */
+/* cleared in some frames, blended to in all frames */
 static const struct rg_image board = COLOR_IMAGE("board", .persistent = true);
 static const struct rg_buffer board_out = COLOR_BUFFER("board out");
 
-/* written by one conditional row, read by another */
+/* written by one conditional pass, read by another one */
 static const struct rg_image link = COLOR_IMAGE("link");
 static const struct rg_image result = COLOR_IMAGE("result", .persistent = true);
 static const struct rg_buffer result_out = COLOR_BUFFER("result out");

@@ -11,7 +11,7 @@
 #include "tests/support/rectangle_rows.h"
 
 struct feature {
-    const char *name; /* stem of its plan's file in tests/golden */
+    const char *name; /* stem of the plan's file name in tests/golden */
     struct run_params params;
 };
 
@@ -28,7 +28,7 @@ enum {
     FEATURE_TEXELS = FEATURE_SIZE * FEATURE_SIZE,
 };
 
-/* Uniform buffer with a struct data_seed for shaders that number texels; written in each frame. */
+/* Uniform buffer with a struct data_seed, for shaders that number texels; written every frame. */
 extern const struct rg_buffer feature_seed;
 #define FEATURE_SEED \
     { \
@@ -41,10 +41,10 @@ extern const struct rg_buffer feature_seed;
         .name = (title), .size_per_texel = sizeof(uint32_t), .memory = RG_MEMORY_READBACK \
     }
 
-rg_record_fn feature_record_texels; /* one group per DATA_GROUP x DATA_GROUP texels */
-rg_record_fn feature_record_copy;   /* copies the row's first buffer to its second one */
+rg_record_fn feature_record_texels; /* one workgroup per DATA_GROUP x DATA_GROUP texels */
+rg_record_fn feature_record_copy;   /* copies the first buffer of the pass to the second */
 
-/* A row that copies one buffer to another. */
+/* A pass that copies one buffer to another. */
 #define FEATURE_COPY(title, from, to) \
     { \
         .name = (title), .kind = RG_TRANSFER, \
@@ -53,7 +53,7 @@ rg_record_fn feature_record_copy;   /* copies the row's first buffer to its seco
         .record = feature_record_copy, \
     }
 
-/* Fields of a compute row that writes numbers to an image and a buffer, see fill.comp. */
+/* Members of a compute pass that writes numbers to an image and a buffer; see fill.comp. */
 #define FEATURE_FILL(texels, numbers) FEATURE_FILL_BY(feature_record_texels, texels, numbers)
 #define FEATURE_FILL_BY(record_function, texels, numbers) \
     .kind = RG_COMPUTE, \
@@ -62,7 +62,7 @@ rg_record_fn feature_record_copy;   /* copies the row's first buffer to its seco
         { .buffer = &(numbers), .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS }), \
     .comp = &fill_comp, .record = (record_function)
 
-/* A compute row that adds the texels of an image to a buffer, see add.comp. */
+/* A compute pass that adds the texels of an image to a buffer; see add.comp. */
 #define FEATURE_ADD(title, texels, numbers) \
     { \
         .name = (title), .kind = RG_COMPUTE, \
@@ -72,7 +72,7 @@ rg_record_fn feature_record_copy;   /* copies the row's first buffer to its seco
         .comp = &add_comp, .record = feature_record_texels, \
     }
 
-/* ---- feature_persistent.c: persistent images: sums, previous frame, depth, layers, mips ---- */
+/* ---- feature_persistent.c: persistent images with sums, depth, layers and mips ---- */
 
 extern const struct feature feature_history;
 
@@ -98,7 +98,7 @@ enum {
     HISTORY_MIP_COUNT = 3,
 };
 
-/* Persistent buffers: a running total of each frame's numbers, and bytes of the previous frame. */
+/* Persistent buffers: a total over all frames, and bytes that were copied a frame earlier. */
 extern const struct feature feature_history_buffers;
 extern const struct rg_buffer feature_history_bytes_in; /* content of the next frame's bytes */
 
@@ -109,7 +109,7 @@ enum {
     HISTORY_BYTES = 6,
 };
 
-/* ---- feature_conditional_rows.c: conditional rows, which run only in some frames ---- */
+/* ---- feature_conditional_rows.c: conditional passes, which run only in some frames ---- */
 
 extern const struct feature feature_when;
 
@@ -133,7 +133,7 @@ enum {
     WHEN_PASS_COUNT = 5 + WHEN_LAYER_COUNT, /* passes whose condition is evaluated */
 };
 
-/* ---- feature_repeated_rows.c: rows repeated for every layer or mip ---- */
+/* ---- feature_repeated_rows.c: passes repeated for every layer or mip ---- */
 
 extern const struct feature feature_per_layer;
 
@@ -156,8 +156,8 @@ enum {
 
 /* ---- feature_multisampling.c: multisampling ---- */
 
-/* Multisample resolves: into a mip of one layer and of another, per layer, of one of two targets,
- * of a persistent image, of integers. */
+/* Multisample resolves: to single mips and layers, per layer, of one of two targets, of a
+ * persistent image and of integers. */
 extern const struct feature feature_resolve;
 extern const struct rg_image feature_resolve_part, feature_resolve_layers;
 
@@ -172,7 +172,7 @@ enum {
     RESOLVE_PAINT_COUNT,
 
     RESOLVE_TRIANGLE_OUT = 0,
-    RESOLVE_PART_OUT, /* half of the view's extent, two layers */
+    RESOLVE_PART_OUT, /* two layers of half the view's extent */
     RESOLVE_LAYERS_OUT,
     RESOLVE_SECOND_OUT,
     RESOLVE_KEPT_OUT,
@@ -181,7 +181,7 @@ enum {
     RESOLVE_LAYER_COUNT = 3,
 };
 
-/* Shaders that fetch single samples: of colour and depth. */
+/* Shaders that fetch single samples of colour and depth. */
 extern const struct feature feature_samples;
 
 enum {
@@ -194,7 +194,7 @@ enum {
 
 /* ---- feature_volume_array.c: 3D images, descriptor arrays, indirect counts ---- */
 
-/* A 3D image: written mip by mip, sampled, copied. */
+/* A 3D image that is written mip by mip, sampled and copied. */
 extern const struct feature feature_volume;
 
 enum {
@@ -212,7 +212,7 @@ enum {
     ARRAY_FALLBACK = 7,
 };
 
-/* Indirect draws whose number is read from a buffer; each draw adds 1. */
+/* Indirect draws whose draw count is read from a buffer; each draw adds 1 to the texels. */
 extern const struct feature feature_count;
 extern const struct rg_buffer feature_count_commands; /* a count_commands from the host */
 
@@ -236,14 +236,13 @@ extern const struct feature feature_structure;
 extern const struct rg_buffer feature_structure_triangle; /* three vec3s, written by the host */
 
 enum {
-    STRUCTURE_SIZE = 1 << 16,     /* bytes; enough for the BLAS, the TLAS or the scratch memory */
-    STRUCTURE_ALIGNMENT = 1 << 8, /* of the scratch memory; the largest that devices require */
+    STRUCTURE_SIZE = 1 << 16,     /* bytes, enough for a BLAS, TLAS or scratch buffer */
+    STRUCTURE_ALIGNMENT = 1 << 8, /* bytes; the largest scratch alignment that devices require */
 };
 
-/* ---- feature_storage_indirect.c: resources that are no attachments: storage, indirect, imports
- * ---- */
+/* ---- feature_storage_indirect.c: storage resources, indirect commands, imports ---- */
 
-/* Storage images and buffers that later rows sample and copy. */
+/* Storage images and buffers that later passes sample and copy. */
 extern const struct feature feature_texels; /* a sampled texel buffer */
 extern const struct feature feature_storage;
 
@@ -253,7 +252,7 @@ enum {
     STORAGE_LIST_OUT,
 };
 
-/* Indirect draws and dispatches with counts written by a shader: 3 * seed vertices or indices. */
+/* Indirect draws and dispatches whose counts a shader writes: 3 * seed vertices or indices. */
 extern const struct feature feature_indirect;
 extern const struct rg_vertex_layout feature_indirect_vertices; /* one vec2 in clip space */
 
@@ -263,7 +262,7 @@ enum {
     INDIRECT_MESH_OUT,
 };
 
-/* Adds to an imported image and buffer that the application gets back. */
+/* Adds to an imported image and buffer that are returned to the application. */
 extern const struct feature feature_imports;
 extern const struct rg_image feature_imports_picture;
 extern const struct rg_buffer feature_imports_totals;
@@ -277,7 +276,7 @@ enum {
     IMPORTS_TOTALS_OUT,
 };
 
-/* Draws to an imported swapchain-like image, without its old content, and presents it. */
+/* Draws to an imported image, discarding its content, and presents it like a swapchain image. */
 extern const struct feature feature_present;
 extern const struct rg_image feature_present_picture;
 

@@ -105,7 +105,7 @@ static const struct rg_buffer total = {
     .persistent = true,
 };
 
-/* a size that is not a multiple of four bytes */
+/* buffer whose size is no multiple of four bytes */
 static const struct rg_buffer bytes = {
     .name = "bytes",
     .size = HISTORY_BYTES,

@@ -1,4 +1,4 @@
-/* feature_repeated_rows.c: feature graphs of rows that are repeated per layer or per mip. */
+/* feature_repeated_rows.c: feature graphs of passes that are repeated per layer or per mip. */
 #include "tests/support/feature_graphs.h"
 
 /* ---- per layer ---- */
@@ -26,7 +26,7 @@ static void record_faces(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_dispatch(cmd, 6, 1, 1);
 }
 
-/* Each face's rectangle is behind the previous one: visible only if depth is cleared per layer. */
+/* Each cube face's rectangle is visible only if the depth of the previous face is cleared. */
 static const struct rg_pass layer_rows[] = {
     {
         .name = "draw",

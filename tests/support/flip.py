@@ -50,14 +50,14 @@ def hyab(a, b):
     return abs(a[0] - b[0]) + math.hypot(a[1] - b[1], a[2] - b[2])
 
 
-MOST = hyab(to_hunt((0, 1, 0)), to_hunt((0, 0, 1))) ** 0.7
+MAX_COLOUR_ERROR = hyab(to_hunt((0, 1, 0)), to_hunt((0, 0, 1))) ** 0.7
 
 
 def colour_error(distance):
-    power, knee = distance ** 0.7, 0.4 * MOST
+    power, knee = distance ** 0.7, 0.4 * MAX_COLOUR_ERROR
     if power < knee:
         return 0.95 / knee * power
-    return 0.95 + (power - knee) / (MOST - knee) * 0.05
+    return 0.95 + (power - knee) / (MAX_COLOUR_ERROR - knee) * 0.05
 
 
 def square(radius, weight):
@@ -99,19 +99,19 @@ def features(luminance, kernel):
     return [[math.hypot(a, b) for a, b in zip(*rows)] for rows in zip(across, down)]
 
 
-def prepare(picture, ppd):
+def prepare(image, ppd):
     """Returns (Hunt-adjusted colours after the CSF filters, edge features, point features)."""
-    colours = [[to_opponent(pixel) for pixel in row] for row in picture]
+    colours = [[to_opponent(pixel) for pixel in row] for row in image]
     kernels = (sensitivity([(1, 0.0047)], ppd), sensitivity([(1, 0.0053)], ppd),
                sensitivity([(34.1, 0.04), (13.5, 0.025)], ppd))
     planes = [convolve([[pixel[c] for pixel in row] for row in colours], kernels[c])
               for c in range(3)]
-    seen = [[to_hunt([min(max(value, 0), 1) for value in from_opponent(pixel)])
-             for pixel in zip(*rows)] for rows in zip(*planes)]
+    perceived = [[to_hunt([min(max(value, 0), 1) for value in from_opponent(pixel)])
+                  for pixel in zip(*rows)] for rows in zip(*planes)]
     luminance = [[(pixel[0] + 16) / 116 for pixel in row] for row in colours]
     edge = detector(lambda x, deviation: -x, ppd)
     point = detector(lambda x, deviation: x * x / deviation ** 2 - 1, ppd)
-    return seen, features(luminance, edge), features(luminance, point)
+    return perceived, features(luminance, edge), features(luminance, point)
 
 
 def ldr(reference, test, ppd=PPD):
@@ -174,7 +174,7 @@ def hdr(reference, test, curve='aces', ppd=PPD):
     maps = []
     for stops in exposures(reference, curve):
         shown = [[[tone([2 ** stops * max(value, 0) for value in pixel], curve) for pixel in row]
-                  for row in picture] for picture in (reference, test)]
+                  for row in image] for image in (reference, test)]
         maps.append(ldr(*shown, ppd))
     return [[max(errors) for errors in zip(*rows)] for rows in zip(*maps)]
 

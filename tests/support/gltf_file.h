@@ -19,31 +19,31 @@ enum gltf_file_component {
     GLTF_FILE_FLOAT,
 };
 
-/* Discards all data; every test starts with it. */
+/* Discards all data. Every test must call it first. */
 void gltf_file_begin(void);
 
-/* Adds data as a buffer view. `extra` is JSON appended to its members, with ' for ":
- * ",'byteStride':12". Returns its index. */
+/* Adds data as a buffer view and returns its index. `extra` is JSON to append, such as
+ * ",'byteStride':12", in which ' stands for ". */
 uint32_t gltf_file_view(const void *bytes, size_t size, const char *extra);
 
-/* Adds an accessor of a buffer view, or without one (UINT32_MAX). Returns its index. */
+/* Adds an accessor of a buffer view, or without one (UINT32_MAX). Returns the accessor's index. */
 uint32_t gltf_file_accessor(uint32_t view, enum gltf_file_component component, uint32_t count,
                             const char *type, const char *extra);
 
-/* Adds an accessor together with a buffer view of its own. Returns the accessor's index. */
+/* Adds a buffer view and an accessor of it. Returns the accessor's index. */
 uint32_t gltf_file_add(const void *bytes, size_t size, enum gltf_file_component component,
                        uint32_t count, const char *type);
 uint32_t gltf_file_floats(const float *numbers, uint32_t count, const char *type);
 
-/* Writes both files. `format` gives the top-level JSON members besides buffers, views and
- * accessors, as "'meshes':[...]" with ' for ". */
+/* Writes m.gltf and m.bin. `format` is JSON of further top-level members, such as "'meshes':[...]",
+ * in which ' stands for ". */
 void gltf_file_write(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Loads m.gltf; `said` receives the log messages. */
 enum status gltf_file_load(struct model *model, char said[static GLTF_FILE_SAID]);
 
-/* Writes and loads a triangle (0 0 0) (1 0 0) (0 1 0) with a `material` and `more` top-level
- * members; `said` receives the log messages. */
+/* Writes and loads a triangle (0 0 0) (1 0 0) (0 1 0). `material` and `more` are JSON of its
+ * material and of further top-level members; `said` receives the log messages. */
 enum status gltf_file_material(struct model *model, const char *material, const char *more,
                                char said[static GLTF_FILE_SAID]);
 

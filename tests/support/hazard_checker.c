@@ -9,7 +9,7 @@
 #include "tests/support/hazard_private.h"
 
 enum {
-    REPORTED = 20, /* findings printed before the report is truncated */
+    REPORTED = 20, /* number of findings printed; further ones are only counted */
 };
 
 static void write_out(struct hazard *h, const char *format, va_list arguments)
@@ -86,7 +86,7 @@ uint32_t hazard_next_subresource(const struct hazard_resource *resource,
         if (both)
             aspect = *index % 2 ? VK_IMAGE_ASPECT_STENCIL_BIT : VK_IMAGE_ASPECT_DEPTH_BIT;
         (*index)++;
-        /* unsigned differences: a value below the base wraps around and exceeds every count */
+        /* a mip or layer below the base wraps around, so that it exceeds the count */
         if (mip - range->baseMipLevel < range->levelCount &&
             layer - range->baseArrayLayer < range->layerCount && (range->aspectMask & aspect))
             return resource->first_cell + *index - 1;
@@ -121,7 +121,7 @@ static void check_image_barrier(struct hazard *h, uint32_t index)
         hazard_report(h, "barrier %u: '%s' has no usage for its new layout", index, name);
 }
 
-/* Decodes the masks of a barrier. Returns false if it names no resource of the plan. */
+/* Decodes the masks of a barrier. Returns false unless the barrier names exactly one resource. */
 static bool check_barrier(struct hazard *h, uint32_t index)
 {
     const struct rg_barrier *barrier = &h->plan->barriers[index];
@@ -149,7 +149,7 @@ static bool check_barrier(struct hazard *h, uint32_t index)
     return true;
 }
 
-/* Maps the plan's images and buffers to the tables; returns false unless one to one. */
+/* Maps the plan's images and buffers to the declared ones. Returns false if any is unmatched. */
 static bool map_resources(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
@@ -176,7 +176,7 @@ static bool is_batch(const struct rg_plan *plan, uint32_t first, uint32_t count)
     return first <= plan->barrier_count && count <= plan->barrier_count - first;
 }
 
-/* Finds the row and repetition of a pass in the tables, starting at index `from`. */
+/* Returns the index of a planned pass in h->passes, searching from `from`; RG_NONE if missing. */
 static uint32_t find_pass(const struct hazard *h, const struct rg_plan_pass *pass, uint32_t from)
 {
     for (uint32_t i = from; i < h->pass_count; i++)
@@ -186,8 +186,8 @@ static uint32_t find_pass(const struct hazard *h, const struct rg_plan_pass *pas
     return RG_NONE;
 }
 
-/* Checks that the plan contains exactly the passes that outputs need, in order. Returns false if it
- * is too broken to simulate. */
+/* Checks that the plan contains exactly the passes that outputs need, in order. Returns false if
+ * the plan is too broken to simulate. */
 static bool check_passes(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
@@ -223,7 +223,7 @@ static bool check_passes(struct hazard *h)
     return false;
 }
 
-/* Chooses the numbers of frames and scenarios: exhaustive if affordable, otherwise a sample. */
+/* Chooses the number of frames, and all scenarios if they are few, otherwise a random sample. */
 static void choose_scenarios(struct hazard *h)
 {
     uint32_t passes = h->plan->pass_count + 1;

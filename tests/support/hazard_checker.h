@@ -17,8 +17,8 @@
 #include "graph/rg.h"
 
 /*
- * Returns the number of findings, 0 for a correct plan, and writes a line about each of the first
- * findings to `report`, which may be NULL. `params` are those that the plan was compiled with.
+ * Checks a plan against the parameters that it was compiled with. Returns the number of errors
+ * found. Writes a line about each of the first errors to `report`, which may be NULL.
  */
 uint32_t hazard_check(const struct rg_plan *plan, const struct rg_compile_params *params,
                       FILE *report);

@@ -1,4 +1,4 @@
-/* hazard_expected_content.c: expected content before passes and after frames, in each scenario. */
+/* hazard_expected_content.c: computes which content resources should have in each scenario. */
 #include <string.h>
 
 #include "tests/support/hazard_private.h"
@@ -92,8 +92,8 @@ static bool is_wanted(const struct hazard *h, const struct hazard_pass *pass)
     return false;
 }
 
-/* Steps backwards over a use of a needed pass: updates which content is needed before it. `surely`:
- * the pass always runs, so the content that it overwrites is not needed before it. */
+/* Updates, in a backward analysis, which content is needed before a use. `surely` is true if the
+ * pass always runs, so that the content it overwrites is not needed before it. */
 static void want(struct hazard *h, const struct hazard_use *use, bool surely,
                  struct hazard_expected *expected)
 {
@@ -112,7 +112,7 @@ static void want(struct hazard *h, const struct hazard_use *use, bool surely,
     }
 }
 
-/* At the end of a frame, outputs are needed, and persistent content that the next frame needs. */
+/* Marks the content needed after a frame: outputs, and persistent content for the next frame. */
 static void end_backward(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++) {

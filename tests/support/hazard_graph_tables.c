@@ -1,19 +1,19 @@
-/* hazard_graph_tables.c: lists the accesses of every row and repetition of the tables. */
+/* hazard_graph_tables.c: lists the accesses of all declared passes and their repetitions. */
 #include "tests/support/hazard_private.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Returns an extent: `coming` (import) if not 0, else `declared` if not 0, else the scaled view. */
-static uint32_t texels(uint32_t coming, uint32_t declared, float scale, uint32_t view)
+/* Returns an image size: `imported` or else `declared` if not 0, otherwise the scaled view size. */
+static uint32_t texels(uint32_t imported, uint32_t declared, float scale, uint32_t view)
 {
-    if (coming || declared)
-        return coming ? coming : declared;
+    if (imported || declared)
+        return imported ? imported : declared;
     double scaled = ceil((double)view * (scale > 0.0F ? (double)scale : 1.0));
     return scaled < 1.0 ? 1 : (uint32_t)scaled;
 }
 
-/* Fills an image's properties; those of its import take precedence over the declared ones. */
+/* Fills an image's properties. Those of an import take precedence over the declared ones. */
 static void fill_image(const struct hazard *h, struct hazard_resource *resource)
 {
     const struct rg_image *image = resource->image;
@@ -140,8 +140,8 @@ static bool writes(enum rg_access access)
     return hazard_rule(access)->writes != 0;
 }
 
-/* Returns how often a row runs: once for each layer or mip of its first target or image written,
- * beginning at the one that the row names. */
+/* Returns the number of repetitions of a pass: one for each layer or mip of its first target or
+ * written image, from the declared layer or mip on. */
 static uint32_t repetitions(struct hazard *h, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)
@@ -205,7 +205,7 @@ static struct hazard_use *add_attachment(struct hazard *h, struct hazard_pass *p
     return use;
 }
 
-/* Adds a target, and its resolve attachment as a write after all drawing of the pass. */
+/* Adds a colour or depth target, and its resolve attachment as a separate write. */
 static void add_target(struct hazard *h, struct hazard_pass *pass, const struct rg_target *target,
                        enum rg_access access)
 {
@@ -233,7 +233,7 @@ static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct
         use->stages = HAZARD_FRAGMENT | (row->access == RG_UNIFORM ? HAZARD_VERTEX : 0U);
 }
 
-/* Returns the condition's number from 1; 0 for an unconditional row. */
+/* Returns the number of a condition, counted from 1, or 0 if `when` is NULL. */
 static uint32_t condition_of(struct hazard *h, rg_when_fn *when)
 {
     uint32_t i = 0;
@@ -265,7 +265,7 @@ static bool row_writes(const struct rg_pass *row, const struct rg_image *image)
     return false;
 }
 
-/* Returns true if the executor binds the fallback, so that the pass does not access the image. */
+/* Returns true if the use binds its fallback, because the image is neither written nor imported. */
 static bool falls_back(const struct hazard *h, const struct rg_use *use)
 {
     const struct rg_compile_params *params = h->params;

@@ -129,7 +129,7 @@ static void check_import(struct hazard *h, const struct hazard_resource *resourc
         hazard_report(h, "'%s' names the wrong import", name_of(resource));
 }
 
-/* Checks usage flags for an access. `texels`: shaders write through a storage texel buffer view. */
+/* Checks usage flags for an access; `texels` is true if it uses a storage texel buffer view. */
 static void check_usage(struct hazard *h, const struct hazard_resource *resource,
                         enum rg_access access, bool texels)
 {
@@ -145,7 +145,7 @@ static void check_usage(struct hazard *h, const struct hazard_resource *resource
         hazard_report(h, "'%s' lacks a usage flag for access %d", name_of(resource), (int)access);
 }
 
-/* Computes the first and last pass that uses each resource, and checks its usage flags. */
+/* Computes the first and last pass that uses each resource, and checks the usage flags. */
 static void check_uses(struct hazard *h)
 {
     for (uint32_t p = 0; p < h->plan->pass_count; p++) {

@@ -1,20 +1,19 @@
 /*
  * hazard_min_batches.c: lower bound of barrier batches, without memory aliasing.
  *
- * Each change of a subresource's use needs a barrier in some batch between its previous pass and
- * its next pass. The fewest batches are a minimum set of points that stabs all these intervals:
- * greedy by interval end.
+ * Each change of a subresource's use needs a barrier in a batch between the two passes. The fewest
+ * batches are a minimum set of points that stabs these intervals, found greedily by interval end.
  */
 #include "tests/support/hazard_private.h"
 
 #include <stdlib.h>
 
-/* Batches `first` to `last` that may contain a barrier; batch p precedes pass p. */
+/* Range of batches, one of which must have a barrier; batch p precedes pass p. */
 struct interval {
     uint32_t first, last;
 };
 
-/* State of a subresource between two barriers: its accesses so far. */
+/* The accesses to a subresource since its last barrier. */
 struct state {
     bool any, writes;
     enum rg_access access; /* the last access */
@@ -49,13 +48,13 @@ static struct state state_of(const struct hazard_resource *resource, enum rg_acc
     };
 }
 
-/* Returns true if no barrier is needed: both are reads in the same layout. */
+/* Returns true if both accesses are reads in the same layout, which need no barrier. */
 static bool needs_no_barrier(const struct state *before, const struct state *after)
 {
     return before->any && !before->writes && !after->writes && before->layout == after->layout;
 }
 
-/* Returns true if an import arrives ready for this read: right layout, stages and access. */
+/* Returns true if an import already has the layout, stages and access that a read needs. */
 static bool has_arrived(const struct hazard_resource *resource, const struct state *state)
 {
     if (!resource->import || resource->import->access == RG_ACCESS_NONE)
@@ -65,7 +64,7 @@ static bool has_arrived(const struct hazard_resource *resource, const struct sta
            hazard_rule(state->access)->reads == hazard_rule(arrival.access)->reads;
 }
 
-/* Returns true if the first access of a frame needs a barrier, in any batch up to its pass. */
+/* Returns true if a frame needs a barrier before its first access to the resource. */
 static bool begins(const struct hazard_resource *resource, const struct state *first,
                    const struct state *last)
 {
@@ -75,7 +74,8 @@ static bool begins(const struct hazard_resource *resource, const struct state *f
         struct state out = *last;
         if (resource->output)
             out = state_of(resource, resource->output->access, HAZARD_SHADERS, last->last);
-        return !needs_no_barrier(&out, first); /* false: a barrier of the previous frame suffices */
+        /* if false, a barrier of the previous frame suffices */
+        return !needs_no_barrier(&out, first);
     }
     return !has_arrived(resource, first);
 }
@@ -96,7 +96,7 @@ static void end(struct intervals *intervals, const struct hazard_resource *resou
         add(intervals, last->last + 1, pass_count);
 }
 
-/* Adds the barrier of an imported output that no pass accesses, if its access changes. */
+/* Adds a barrier for an imported output that no pass accesses, if its final access differs. */
 static void pass_through(struct intervals *intervals, const struct hazard_resource *resource,
                          uint32_t pass_count)
 {
@@ -107,7 +107,7 @@ static void pass_through(struct intervals *intervals, const struct hazard_resour
         add(intervals, 0, pass_count);
 }
 
-/* Adds an access to a subresource. `states`: its first state and its current state. */
+/* Adds an access to a subresource with first state states[0] and current state states[1]. */
 static void add_access(struct intervals *intervals, struct state states[2], const struct state *now)
 {
     uint32_t stages = now->stages;
@@ -129,7 +129,7 @@ static int compare(const void *a, const void *b)
 
 static uint32_t stab(const struct intervals *intervals)
 {
-    uint32_t count = 0, next = 0; /* batches from `next` on are not chosen yet */
+    uint32_t count = 0, next = 0; /* `next`: first batch after the last chosen one */
     if (intervals->count)
         qsort(intervals->array, intervals->count, sizeof(*intervals->array), compare);
     for (uint32_t i = 0; i < intervals->count; i++)

@@ -19,7 +19,7 @@
 
 #include "graph/rg.h"
 
-/* Pipeline stages as bits; those of the graphics pipeline first, in pipeline order. */
+/* Bits of pipeline stages; the graphics stages come first, in pipeline order. */
 enum {
     HAZARD_INDIRECT = 1 << 0,
     HAZARD_INDEX = 1 << 1,
@@ -42,8 +42,8 @@ enum {
     HAZARD_SHADERS = HAZARD_VERTEX | HAZARD_FRAGMENT | HAZARD_COMPUTE,
 };
 
-/* Content of a subresource: one of these, or HAZARD_WRITTEN plus the index of the declared pass
- * that wrote it (pass_count more for each frame). */
+/* Content of a subresource. If written, it is HAZARD_WRITTEN + frame * pass_count + the index of
+ * the declared pass that wrote it. */
 enum {
     HAZARD_UNDEFINED,
     HAZARD_ZERO,
@@ -53,7 +53,7 @@ enum {
 };
 
 enum {
-    HAZARD_FRAMES = 3,         /* frames simulated if resources are persistent; otherwise 2 */
+    HAZARD_FRAMES = 3,         /* frames to simulate with persistent resources; 2 without */
     HAZARD_FIRST_SLOT = 2,     /* first slot of the first frame */
     HAZARD_CONDITIONS = 16,    /* largest number of distinct conditions */
     HAZARD_SCENARIOS = 64,     /* maximum number of scenarios */
@@ -64,15 +64,15 @@ enum {
 /* The Vulkan access, stages, layout and usage flags of an rg_access. */
 struct hazard_rule {
     VkAccessFlags2 reads, writes;
-    uint32_t stages;      /* 0 for those of the pass's shaders */
-    VkImageLayout layout; /* layout in which imports arrive and outputs leave */
+    uint32_t stages;      /* stages; 0 means the shader stages of the pass */
+    VkImageLayout layout; /* layout of imports and outputs with this access */
     VkImageUsageFlags image_usage;
     VkBufferUsageFlags buffer_usage;
 };
 
 const struct hazard_rule *hazard_rule(enum rg_access access);
 
-/* Returns the HAZARD_ stage bits of a mask: meta stages expanded, implied stages not set. */
+/* Converts a stage mask to HAZARD_ bits. Expands meta stages, but adds no implied stages. */
 uint32_t hazard_stages(VkPipelineStageFlags2 stages, bool source);
 uint32_t hazard_earlier(uint32_t stages);              /* adds logically earlier stages */
 uint32_t hazard_later(uint32_t stages);                /* adds logically later stages */
@@ -84,7 +84,7 @@ VkImageUsageFlags hazard_layout_usage(VkImageLayout layout); /* any one suffices
 VkImageAspectFlags hazard_aspects(VkFormat format);
 uint32_t hazard_texel_size(VkFormat format); /* lower bound, bytes */
 
-/* An image or buffer that occurs anywhere in the tables. */
+/* An image or buffer that the graph declares. */
 struct hazard_resource {
     const struct rg_image *image; /* or NULL and: */
     const struct rg_buffer *buffer;
@@ -100,10 +100,10 @@ struct hazard_resource {
     uint32_t first, last;              /* first and last pass of the plan that accesses it */
     uint32_t first_alias, alias_count; /* resources that overlap it in memory */
     uint64_t touched;     /* time of the last access or transition of any subresource */
-    uint64_t overwritten; /* time of the last write to an alias */
+    uint64_t overwritten; /* time of the last write to an aliased resource */
 };
 
-/* One access in one repetition of a row, as the tables declare it. */
+/* An access that a pass declares, in one repetition of the pass. */
 struct hazard_use {
     uint32_t resource;
     enum rg_access access;
@@ -111,17 +111,18 @@ struct hazard_use {
     uint32_t stages;
     VkAccessFlags2 reads, writes;
     bool needs_content, gives_content;
-    bool keeps_content; /* partial write: the old content is needed only if the result is */
+    /* partial write, which needs the old content only if the result is needed */
+    bool keeps_content;
     const struct rg_target *target; /* or NULL and: */
     const struct rg_use *use;
     bool resolve;            /* true for the resolve attachment of the target */
     uint32_t first_expected; /* first hazard_expected, one per subresource */
 };
 
-/* The content that a subresource of a use should have when the pass runs. */
+/* Expected content of a subresource when a pass accesses it. */
 struct hazard_expected {
     uint32_t content;
-    bool wanted; /* false if its content does not matter */
+    bool wanted; /* false if any content is valid */
 };
 
 struct hazard_pass {
@@ -129,9 +130,9 @@ struct hazard_pass {
     const struct rg_technique *technique;
     uint32_t row, repetition;
     uint32_t first_use, use_count;
-    uint32_t condition; /* condition number from 1; 0 if unconditional */
-    bool useful;        /* an output may need it in some scenario */
-    bool needed;        /* an output needs it in the current scenario */
+    uint32_t condition; /* number of the condition, from 1; 0 if unconditional */
+    bool useful;        /* an output may depend on the pass in some scenario */
+    bool needed;        /* an output depends on the pass in the current scenario */
     bool lives;         /* is in the plan, not culled */
 };
 
@@ -143,7 +144,7 @@ struct hazard_barrier {
     bool transition;
 };
 
-/* For each slot up to `last`, the stages ordered after a stage of a slot; 0 in earlier slots. */
+/* Stages in each slot up to `last` that are ordered after a given stage of a given slot. */
 struct hazard_reach {
     uint16_t *after; /* NULL until first used */
     uint32_t last;
@@ -157,7 +158,7 @@ struct hazard_record {
     bool available; /* a barrier made the write available to `stages` and `access` */
 };
 
-/* List element: a read (record), or a barrier (its index, and its slot in the record). */
+/* List node: a past read, or barrier number `barrier` in slot record.slot. */
 struct hazard_node {
     struct hazard_record record;
     uint32_t barrier;
@@ -166,17 +167,17 @@ struct hazard_node {
 
 struct hazard_subresource {
     uint32_t resource;
-    bool written; /* true if `write` holds the last write */
+    bool written; /* true if `write` is valid */
     struct hazard_record write;
-    uint32_t reads, barriers, last_barrier; /* lists of nodes since the last write */
+    uint32_t reads, barriers, last_barrier; /* indices of list nodes since the last write */
     uint32_t content;
-    uint32_t declared; /* the declared content while the tables are read forwards */
-    /* needed by a later pass or output; by the next frame (tables read backwards) */
+    uint32_t declared; /* declared content during the forward analysis */
+    /* backward analysis: content is needed later in the frame (wanted), or in the next (carried) */
     bool wanted, carried;
     VkImageLayout layout;
     uint64_t touched; /* time of the last access or transition */
     uint64_t changed; /* time of the last write or transition */
-    uint32_t batch;   /* slot of the last barrier on it */
+    uint32_t batch;   /* slot of the subresource's last barrier */
 };
 
 struct hazard {
@@ -191,29 +192,29 @@ struct hazard {
     bool every_scenario; /* false if scenarios are a random sample */
     uint64_t time;
     struct hazard_resource *resources;
-    struct hazard_pass *passes; /* all rows of the tables, in their order */
+    struct hazard_pass *passes; /* all declared passes and their repetitions, in order */
     struct hazard_use *uses;
     struct hazard_subresource *cells;
-    struct hazard_barrier *barriers; /* parallel to the plan's barriers, initial ones included */
+    struct hazard_barrier *barriers; /* parallel to the plan's barriers, including initial ones */
     struct hazard_node *nodes;
     struct hazard_expected *expected; /* `expected_count` for each frame */
     uint32_t *ends;                   /* final content of all subresources for each frame */
     uint32_t *aliases;
     uint32_t *plan_passes, *plan_images, *plan_buffers; /* indices in the tables */
-    struct hazard_reach *reach;                         /* one row for each slot and stage */
+    struct hazard_reach *reach;                         /* one element per slot and stage */
     uint32_t resource_count, pass_count, use_count, cell_count, node_count;
     uint32_t expected_count, alias_count;
     uint32_t resource_capacity, pass_capacity, use_capacity, cell_capacity, node_capacity,
         alias_capacity;
 };
 
-/* An access to check: by a pass, by the outside after the frame, or by a layout transition. */
+/* An access to check: of a pass, of the application after the frame, or of a layout transition. */
 struct hazard_event {
     uint32_t slot;
     uint32_t stages;
     VkAccessFlags2 reads, writes;
-    const struct hazard_barrier *transition; /* NULL unless the event is a transition */
-    bool returned; /* returned import: its user waits for earlier accesses of this kind */
+    const struct hazard_barrier *transition; /* NULL if it is no layout transition */
+    bool returned; /* returned import, whose stages the application waits for */
 };
 
 /* hazard_checker.c */
@@ -221,15 +222,14 @@ void hazard_report(struct hazard *h, const char *format, ...) __attribute__((for
 void hazard_report_subresource(struct hazard *h, uint32_t cell, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void *hazard_grow(void *array, uint32_t *capacity, uint32_t count, size_t size);
-/* Iterates over the subresources of a range: start with `index` 0; RG_NONE at the end. */
+/* Returns the next subresource of a range, RG_NONE at the end; *index must be 0 at first. */
 uint32_t hazard_next_subresource(const struct hazard_resource *resource,
                                  const VkImageSubresourceRange *range, uint32_t *index);
 
 /* hazard_graph_tables.c: fills resources, passes, uses and subresources. */
 void hazard_tables(struct hazard *h);
 
-/* hazard_expected_content.c: passes that are useful; expected content before passes and after
- * frames. */
+/* hazard_expected_content.c: computes the useful passes and the expected content. */
 void hazard_expect_useful(struct hazard *h);
 void hazard_expect(struct hazard *h);
 struct hazard_expected *hazard_expected(const struct hazard *h, const struct hazard_use *use,
@@ -243,15 +243,15 @@ struct hazard_binding {
     bool persistent;
 };
 
-/* hazard_check_memory.c: checks sizes, flags, memory and lifetimes; fills the alias lists. */
+/* hazard_memory.c: checks sizes, flags, memory and lifetimes; fills the alias lists. */
 void hazard_check_memory(struct hazard *h);
 struct hazard_binding hazard_memory_binding(const struct hazard *h,
                                             const struct hazard_resource *resource);
 
-/* hazard_min_batches.c: minimum number of barrier batches without memory aliasing. */
+/* hazard_min_batches.c: computes the minimum number of barrier batches without memory aliasing. */
 uint32_t hazard_min_batches(const struct hazard *h);
 
-/* hazard_check_statistics.c: checks the plan's own statistics of memory and batches. */
+/* hazard_statistics.c: checks the plan's statistics of memory and batches. */
 void hazard_check_statistics(struct hazard *h);
 
 /* hazard_synchronization.c: tracks synchronization of one subresource. */
@@ -261,7 +261,7 @@ void hazard_sync_barrier(struct hazard *h, uint32_t cell, uint32_t barrier);
 void hazard_sync_import(struct hazard *h, uint32_t cell, uint32_t slot, enum rg_access access);
 bool hazard_sync_overwritten(const struct hazard *h, uint32_t cell); /* overwritten by alias */
 
-/* hazard_simulate_frame.c: simulates what precedes the first frame, and frame h->frame. */
+/* hazard_simulate_frame.c: simulates the time before the first frame, and frame h->frame. */
 void hazard_frame_before(struct hazard *h);
 void hazard_frame(struct hazard *h);
 

@@ -1,5 +1,4 @@
-/* hazard_simulate_frame.c: simulates one frame on a queue: barriers, passes, imports and outputs.
- */
+/* hazard_simulate_frame.c: simulates the barriers, passes, imports and outputs of one frame. */
 #include "tests/support/hazard_private.h"
 
 #include <stdlib.h>
@@ -61,12 +60,12 @@ static void run_barriers(struct hazard *h, uint32_t first, uint32_t count)
     }
 }
 
-/* The access of a plan's pass to one resource of its row. */
+/* An access of a planned pass to one resource. */
 struct action {
     const struct hazard_use *use;
     struct hazard_event event;
     VkImageLayout layout;
-    uint32_t content; /* of its subresources afterwards, if it writes */
+    uint32_t content; /* content after the access, if it writes */
 };
 
 static bool same_range(const VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
@@ -118,7 +117,7 @@ static void check_target(struct hazard *h, const struct rg_plan_pass *pass, stru
             hazard_report(h, "'%s': '%s' is lost by its store op", pass->pass->name, name);
         return;
     }
-    /* a resolve reads what its own pass has written: no earlier write need be visible to it */
+    /* a resolve reads only what its own pass wrote, which needs no barrier */
     action->event.reads = planned->load == VK_ATTACHMENT_LOAD_OP_LOAD ? use->reads : 0;
     action->event.writes = use->writes;
     if (planned->store != VK_ATTACHMENT_STORE_OP_STORE)
@@ -190,7 +189,7 @@ static void perform(struct hazard *h, const struct action *action)
     }
 }
 
-/* Checks that the pass has the extent of its attachments, and these have one sample count. */
+/* Checks that all attachments have the extent of the pass, and the same sample count. */
 static void check_extent(struct hazard *h, const struct rg_plan_pass *pass,
                          const struct hazard_pass *declared)
 {

@@ -1,7 +1,7 @@
 /* hazard_statistics.c: recomputes the plan's statistics of memory and barrier batches. */
 #include "tests/support/hazard_private.h"
 
-/* Returns the pass from which a resource occupies memory: that of its first barrier or use. */
+/* Returns the first pass in which a resource occupies memory: that of its first barrier or use. */
 static uint32_t occupied_from(const struct hazard *h, const struct hazard_resource *resource)
 {
     for (uint32_t p = 0; p < resource->first && p < h->plan->pass_count; p++)
@@ -14,7 +14,7 @@ static uint32_t occupied_from(const struct hazard *h, const struct hazard_resour
     return resource->first;
 }
 
-/* Returns the peak memory of a block in bytes; `by_barriers`: lifetimes begin at barriers. */
+/* Returns a block's peak memory in bytes. With `by_barriers`, lifetimes begin at barriers. */
 static VkDeviceSize peak_memory(const struct hazard *h, uint32_t block, bool by_barriers)
 {
     VkDeviceSize most = 0;

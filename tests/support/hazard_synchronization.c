@@ -68,9 +68,9 @@ static bool is_ordered(struct hazard *h, const struct hazard_record *record,
     return true;
 }
 
-/* State of one write while it is propagated through the barriers on its memory. */
+/* A write whose availability and visibility are propagated through barriers. */
 struct trail {
-    uint32_t slot;    /* `after` is the state behind this slot's barriers */
+    uint32_t slot;    /* slot after whose barriers `after` is valid */
     uint32_t after;   /* stages ordered after the write became available, or 0 */
     uint32_t batch;   /* slot of the batch that added `pending` */
     uint32_t pending; /* stages to add to `after` when that batch is complete */
@@ -119,7 +119,7 @@ static void pass_barrier(struct hazard *h, struct trail *trail, const struct haz
     uint32_t slot = node->record.slot;
     const struct hazard_barrier *barrier = &h->barriers[node->barrier];
     if (slot <= write->slot)
-        return; /* before the write, or in the batch of its layout transition */
+        return; /* the barrier precedes the write, or shares its batch */
     advance_before(h, trail, slot);
     if (!makes_available(barrier, write) && !(trail->after & barrier->earlier))
         return;
@@ -318,7 +318,7 @@ void hazard_sync_reset(struct hazard *h, uint32_t cell)
     };
     if (!resource->persistent)
         return;
-    /* images are cleared; buffers are filled, which is a clear or copy by the specification */
+    /* persistent resources start cleared or filled; a fill may run in the clear or copy stage */
     struct hazard_record write = {
         .stages = resource->image ? HAZARD_CLEAR : HAZARD_CLEAR | HAZARD_COPY,
         .access = VK_ACCESS_2_TRANSFER_WRITE_BIT,

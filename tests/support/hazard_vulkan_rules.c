@@ -1,5 +1,4 @@
-/* hazard_vulkan_rules.c: Vulkan 1.3 rules: stages, accesses, layouts and usages of each rg_access.
- */
+/* hazard_vulkan_rules.c: stages, accesses, layouts and usages of each rg_access in Vulkan 1.3. */
 #include "tests/support/hazard_private.h"
 
 #define COPIES   (HAZARD_COPY | HAZARD_BLIT | HAZARD_RESOLVE)
@@ -13,7 +12,7 @@
     (VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | \
      VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
 
-/* Build inputs are read as VK_ACCESS_2_SHADER_READ_BIT, represented by SHADER_STORAGE_READ. */
+/* Build inputs are read with SHADER_READ, which is represented here by SHADER_STORAGE_READ. */
 static const struct hazard_rule rules[RG_ACCESS_COUNT] = {
     [RG_COLOR] = { VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
                    HAZARD_COLOR, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,

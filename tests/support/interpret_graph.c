@@ -1,4 +1,4 @@
-/* interpret_graph.c: a reference interpreter of graph tables on the CPU. */
+/* interpret_graph.c: CPU reference interpreter of render graphs. */
 #include "tests/support/interpret_graph.h"
 
 #include <assert.h>
@@ -151,7 +151,7 @@ static uint32_t fold(uint32_t sum, const uint32_t texel[4])
     return sum;
 }
 
-/* Mixes into `sum` one texel of each mip that a shader fetches. */
+/* Mixes the texels that a shader fetches, one per mip, into the hash `sum`. */
 static uint32_t fetch(const struct running *run, const struct rg_use *use, const uint32_t at[3],
                       uint32_t sum)
 {
@@ -172,7 +172,7 @@ static uint32_t fetch(const struct running *run, const struct rg_use *use, const
     return sum;
 }
 
-/* Mixes one shader input into `sum`. A read-write resource is read at the location written. */
+/* Mixes a shader input into the hash `sum`. Read-write resources are read where it writes. */
 static uint32_t input(const struct running *run, const struct rg_use *use, const uint32_t at[3],
                       uint32_t sum)
 {
@@ -319,7 +319,7 @@ static bool test_depth(const struct running *run, const struct bound *depth, con
     return passes;
 }
 
-/* Blends one channel with the blend equations that random tables use. */
+/* Blends one channel. Supports only the blend equations of random graphs. */
 static void blend(uint32_t *texel, uint32_t sum, const struct rg_target *target)
 {
     const VkPipelineColorBlendAttachmentState *state = target->blend_state;

@@ -16,17 +16,17 @@ enum {
     INTERPRET_DISPATCH = 0, /* byte offset of a VkDispatchIndirectCommand in an indirect buffer */
     INTERPRET_DRAW = 16,    /* byte offset of the VkDrawIndirectCommands */
     INTERPRET_DRAW_COUNT = 2,
-    INTERPRET_COUNT = 48, /* byte offset of the draw count, which may be too large */
+    INTERPRET_COUNT = 48, /* byte offset of the draw count, which may exceed the maximum */
     INTERPRET_ARGUMENTS_SIZE = INTERPRET_COUNT + sizeof(uint32_t),
 };
 
-/* Parameters of a row's record function that are not in the row itself. */
+/* Parameters of a pass's record function that are not in struct rg_pass. */
 struct interpret_row {
     uint32_t salt, shift;
-    uint32_t from[2], to[2]; /* region written, texels or 32-bit words; may exceed bounds */
+    uint32_t from[2], to[2]; /* written region, texels or 32-bit words; may exceed the resource */
     float depth;             /* depth of the triangle */
-    uint32_t instance_count; /* instances of the triangle, if it is not drawn indirectly */
-    bool is_counted;         /* indirect draws with a count buffer; false for one indirect draw */
+    uint32_t instance_count; /* instance count of direct draws */
+    bool is_counted;         /* true for indirect draws with a count buffer, false for one draw */
     uint32_t src_offset, dst_offset; /* byte offsets of copies from and to buffers */
     uint32_t size;                   /* bytes copied between buffers */
 };
@@ -37,7 +37,7 @@ struct interpret_tables {
     uint32_t pass_count;
     const struct rg_image *images;
     uint32_t image_count;
-    const struct rg_buffer *buffers; /* sizes: multiples of 4 bytes, same for any view */
+    const struct rg_buffer *buffers; /* fixed sizes, multiples of 4 bytes */
     uint32_t buffer_count;
     VkExtent2D view;
 };
@@ -46,21 +46,21 @@ struct rg_frame {
     uint32_t number;
     const struct interpret_tables *tables;
     const struct rg_plan *plan; /* the plan being recorded */
-    VkDescriptorSet own; /* descriptor set of rows with a set; contains interpret_set_words */
+    VkDescriptorSet own;        /* descriptor set of the application, with interpret_set_words */
 };
 
 extern const uint32_t interpret_set_words[RANDOM_OWN_WORDS];
 
-/* Subresource range of an image in one repetition of a row. */
+/* Subresource range of an image in one repetition of a pass. */
 struct interpret_part {
-    bool volume; /* 3D image: layers are slices, halved in each mip */
+    bool volume; /* 3D image; layers are depth slices, whose number halves per mip */
     uint32_t mip, mip_count, layer, layer_count;
     uint32_t width, height; /* extent of the first mip, texels */
 };
 
 struct interpret_image {
     struct interpret_part all;
-    /* as shaders read them; for depth: the bits of the float, then stencil */
+    /* texels as shaders read them; for depth formats, float bits and stencil */
     uint32_t (*texels)[4];
 };
 
@@ -74,14 +74,14 @@ struct interpret {
 bool interpret_init(struct interpret *in, const struct interpret_tables *tables);
 void interpret_finish(struct interpret *in);
 
-/* Starts a frame: fills transient resources with garbage. Write upload buffers afterwards. */
+/* Starts a frame and fills transient resources with garbage. Fill upload buffers after it. */
 void interpret_begin(struct interpret *in);
 void interpret_frame(struct interpret *in, const struct rg_frame *frame);
 
 /* Returns a buffer's content, which may be read and written. */
 uint32_t *interpret_words(const struct interpret *in, const struct rg_buffer *buffer);
 
-/* Also used by the record functions of run_random.c. */
+/* Also used by run_random_record_commands.c. */
 struct interpret_part interpret_part(const struct interpret_tables *tables,
                                      const struct rg_pass *pass, uint32_t repetition,
                                      const struct rg_use *use);
@@ -89,7 +89,7 @@ const struct rg_use *interpret_use(const struct rg_pass *pass, enum rg_access ac
 const struct rg_use *interpret_written(const struct rg_pass *pass); /* NULL if there is none */
 struct random_push interpret_push(const struct rg_frame *frame, const struct rg_pass *pass);
 
-/* Returns the texel (x, y, layer) in `at` of a mip. */
+/* Returns the texel at position `at` (x, y, layer) of a mip level. */
 uint32_t *interpret_texel(const struct interpret_image *image, uint32_t mip, const uint32_t at[3]);
 
 #endif

@@ -2,8 +2,8 @@
  * keep_drivers.c: keeps Vulkan libraries loaded until exit; linked into every test on a device.
  *
  * LeakSanitizer cannot name, and therefore not suppress, allocations of a library that was
- * unloaded. Programs that use no device do not load the libraries, since that takes longer than
- * their tests.
+ * unloaded. Programs that use no device do not load the libraries, since loading takes longer
+ * than their tests.
  */
 #include <dlfcn.h>
 #include <stdbool.h>
@@ -21,10 +21,10 @@ static bool needs_no_device(const char *command)
     return false;
 }
 
-/* Returns true if the program validates; loading the layer takes a tenth of a small render. */
+/* Returns true if the validation layer is used; loading it costs a tenth of a small render. */
 static bool validates(int argc, char **argv)
 {
-    bool is_asked = argc == 1; /* unit tests run without arguments, and validate */
+    bool is_asked = argc == 1; /* unit tests have no arguments and always validate */
     for (int i = 1; i < argc; i++)
         is_asked = is_asked || !strcmp(argv[i], "--validate");
     return is_asked;

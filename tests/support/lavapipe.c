@@ -22,7 +22,7 @@ void lavapipe_environment(void)
            1);
     setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1",
            1);           /* newer validation layers need this to be enabled */
-    if (!other_device()) /* loading only this driver takes two thirds of the time */
+    if (!other_device()) /* saves a third of the loading time */
         setenv("VK_LOADER_DRIVERS_SELECT", "*lvp*", 1);
 }
 

@@ -22,13 +22,13 @@ void lavapipe_environment(void);
 int lavapipe_open(void **state);
 int lavapipe_close(void **state);
 
-/* A test that needs a device of its own. */
+/* Declares a test that gets its own device. */
 #define ON_DEVICE(test) cmocka_unit_test_setup_teardown(test, lavapipe_open, lavapipe_close)
 
 /*
- * Runs up to 16 tests without setup on one device, because opening one takes longer than drawing
- * small images. A test fails if the validation layer reported anything during it; leaked objects
- * are found at the end. Returns the number of failures.
+ * Runs up to 16 tests without setup on one device, because opening a device takes longer than
+ * drawing small images. A test fails if the validation layer reported anything during it; leaked
+ * objects are found at the end. Returns the number of failures.
  */
 int lavapipe_run(const struct CMUnitTest *tests, size_t count);
 #define RUN_ON_DEVICE(tests) lavapipe_run(tests, sizeof(tests) / sizeof((tests)[0]))

@@ -14,7 +14,7 @@ struct memory_pipe {
     size_t size, at; /* bytes written, bytes read */
 };
 
-/* Callbacks of a struct pipe_sink and a struct pipe_source; `user` is the stream. */
+/* Callbacks of a struct pipe_sink and a struct pipe_source; `user` is a struct memory_pipe. */
 static inline bool memory_pipe_write(void *user, const void *bytes, size_t size)
 {
     struct memory_pipe *stream = user;

@@ -5,14 +5,14 @@
 
 #include "tests/support/hazard_private.h"
 
-/* One subresource: a mip, layer and aspect of an image; or a buffer. */
+/* A subresource: one mip, layer and aspect of an image, or a buffer. */
 struct cell {
     uint32_t image, buffer; /* indices in the plan; one is RG_NONE */
     uint32_t mip, layer;
     VkImageAspectFlags aspect;
 };
 
-/* The searched frame: all passes run, or with `none_true` only the unconditional ones. */
+/* A search through a frame, in which conditional passes run unless `none_true`. */
 struct search {
     const struct rg_plan *plan;
     const struct rg_compile_params *params;
@@ -25,7 +25,7 @@ struct access_record {
     uint32_t pass; /* index in the plan; pass_count for an access after the frame */
     enum rg_access access;
     bool writes, needs_content;
-    bool another_frame; /* found only by wrapping around to another frame */
+    bool another_frame; /* true if the access is in another frame */
     bool returned;
 };
 
@@ -98,7 +98,7 @@ static const struct rg_import *import_of(const struct search *s)
     return index == RG_NONE ? NULL : &s->params->imports[index];
 }
 
-/* Returns the access of an output or an import after the end of the frame. */
+/* Returns the application's access to an output or import after the frame. */
 static struct access_record outside_access(const struct search *s)
 {
     const struct rg_import *import = import_of(s);
@@ -127,7 +127,7 @@ static bool is_persistent(const struct search *s)
                                     : s->plan->buffers[s->cell.buffer].persistent;
 }
 
-/* Finds the next access at or after pass `from`, whose own barriers come first. */
+/* Finds the next access after the barriers of pass `from`, also in the next frame. */
 static struct access_record find_next(const struct search *s, uint32_t from)
 {
     struct access_record access_record = { 0 };
@@ -160,7 +160,7 @@ static struct access_record find_before(const struct search *s, uint32_t from)
     return access_record;
 }
 
-/* Returns the pass whose batch has the barrier; pass_count: final batch, RG_NONE: initial one. */
+/* Returns the pass that a barrier precedes; pass_count if it is final, RG_NONE if it is initial. */
 static uint32_t pass_of(const struct rg_plan *plan, uint32_t barrier)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++)
@@ -304,7 +304,7 @@ static bool gives_layout(const struct search *s, uint32_t barrier)
                pass) == 1;
 }
 
-/* Returns true if the barrier is the only one of any resource between a read and a later write. */
+/* Returns true if no other barrier, on any resource, is between a read and a later write. */
 static bool orders(const struct search *s, uint32_t barrier)
 {
     uint32_t pass = pass_of(s->plan, barrier), between = 0;

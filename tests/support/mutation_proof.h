@@ -13,10 +13,10 @@
 
 #include "graph/rg.h"
 
-/* Barriers are given by index; initial barriers only where the comment says so. */
+/* Barriers are indices in plan->barriers; initial ones are allowed only where documented. */
 
-/* Returns true if the barrier is the only memory dependency between a write and the next access;
- * with `in_frame`, both must be passes of one frame. */
+/* Returns true if the barrier is the only memory dependency between a write and the next access.
+ * With `in_frame`, both accesses must be by passes of one frame. */
 bool mutation_proof_depends(const struct rg_plan *plan, const struct rg_compile_params *params,
                             uint32_t barrier, bool in_frame);
 
@@ -24,8 +24,8 @@ bool mutation_proof_depends(const struct rg_plan *plan, const struct rg_compile_
 bool mutation_proof_orders(const struct rg_plan *plan, const struct rg_compile_params *params,
                            uint32_t barrier);
 
-/* Returns true if the next access needs the layout that the barrier transitions to; with
- * `in_frame`, that access must be a pass. */
+/* Returns true if the next access needs the layout that the barrier transitions to. With
+ * `in_frame`, that access must be by a pass of the same frame. */
 bool mutation_proof_layout(const struct rg_plan *plan, const struct rg_compile_params *params,
                            uint32_t barrier, bool in_frame);
 

@@ -1,4 +1,4 @@
-/* picture.c: hand-made scenes, and rendering of them through the renderer. */
+/* picture.c: builds small test scenes and renders them through the renderer. */
 #include "tests/support/picture.h"
 
 #include <cglm/struct.h>
@@ -22,7 +22,7 @@ static struct settings settings_for(const struct picture_request *request)
     return request->settings ? *request->settings : picture_settings("light.count=0");
 }
 
-/* Stores the request and returns its renderer parameters; does not touch the renderer. */
+/* Stores the request in the stage and returns its renderer parameters. */
 static struct renderer_params params_for(struct picture_stage *stage,
                                          const struct picture_request *request)
 {

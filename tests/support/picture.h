@@ -1,8 +1,8 @@
 /*
- * picture.h: hand-made scenes, rendered images of them, and the camera rays of their pixels.
+ * picture.h: small test scenes, rendered images of them, and the camera rays of their pixels.
  *
  * Many scenes have *directions as colours*, (dir + 1) / 2 for the unit direction dir from the
- * camera, so that an image contains the direction of the ray that each pixel sees.
+ * camera, so that each pixel of an image shows the direction of its ray.
  */
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H
@@ -50,7 +50,7 @@ struct render_result picture_take(struct picture_stage *stage,
 void picture_change(struct picture_stage *stage, const struct picture_request *request);
 void picture_end(struct picture_stage *stage);
 
-/* Returns default settings with smooth ice, no lights and one assignment: "refract.ior=1.5". */
+/* Returns default settings with smooth ice, no lights and an assignment like "refract.ior=1.5". */
 struct settings picture_settings(const char *assignment);
 
 /* Returns the unit camera ray direction through an image point; pixel i's centre is at i + 0.5. */
@@ -59,7 +59,7 @@ struct vec picture_ray(const struct picture_request *request, double x, double y
 /* Returns the camera ray through the centre of pixel i, counted by rows from the top. */
 struct vec picture_pixel_ray(const struct picture_request *request, size_t i);
 
-/* Three planes of an image: "N" is N.X N.Y N.Z, "refraction" is .R .G .B, "" is R G B. */
+/* Three planes of an image: N.X, N.Y and N.Z for layer "N"; R, G and B for the name "". */
 struct picture_layer {
     const float *planes[3];
 };
@@ -67,14 +67,14 @@ struct picture_layer {
 struct picture_layer picture_layer(const struct image *image, const char *name);
 struct vec picture_at(struct picture_layer layer, size_t i);
 
-/* Returns true if the object covers the pixel: the exit layer is {0} only elsewhere. */
+/* Returns true if the object covers pixel i, where the exit layer is not zero. */
 bool picture_is_object(struct picture_layer exit, size_t i);
 
-/* ---- scenes; the caller finishes them ---- */
+/* ---- scenes; the caller frees them with scene_finish() ---- */
 
 struct vec picture_direction_color(struct vec dir);
 
-/* Returns a scene with a unit sphere as the object, at the given centre. */
+/* Returns a scene whose object is a unit sphere at the given centre. */
 struct scene picture_sphere_scene(vec3s center, uint32_t triangles);
 
 /* Adds an unlit ball around `center`, coloured by direction. */
@@ -89,7 +89,7 @@ struct picture_quad {
     uint32_t material;
 };
 
-/* Adds a quad to the surroundings. Its normal is down x right, so its front looks unmirrored. */
+/* Adds a quad to the surroundings. Its normal is cross(down, right). */
 void picture_add_quad(struct scene *scene, const struct picture_quad *quad);
 
 /* Returns the q-quantile, q from 0 to 1. Sorts `values`, NaN last. */

@@ -1,7 +1,7 @@
 """plan_dumps.py: checks that the text, JSON and HTML dumps of a plan agree.
 
-The JSON dump has all data: the expected text is derived from it, and the HTML page is checked
-against it.
+The JSON dump has all data. The expected text is derived from the JSON, and the HTML page is
+checked against it.
 """
 import decimal
 import xml.etree.ElementTree as ElementTree
@@ -15,7 +15,7 @@ def display_name(of):
     return f"{of['name']}[{of['repetition']}]" if 'repetition' in of else of['name']
 
 
-def place(resource):
+def memory_of(resource):
     if resource['imported']:
         return 'imported'
     if resource['persistent']:
@@ -26,7 +26,7 @@ def place(resource):
             f" size {resource['memory_size']}")
 
 
-def life(plan, resource):
+def lifetime(plan, resource):
     last = resource['last']
     return f"passes {resource['first']}-{'end' if last == len(plan['passes']) else last}"
 
@@ -37,11 +37,12 @@ def image_line(plan, image):
     depth = f"x{image['depth']}" if 'depth' in image else ''
     size = f"{image['width']}x{image['height']}{depth}"
     return (f"image {image['name']} {image['format']} {size}{counts}"
-            f"{' cube' if image['cube'] else ''}, {place(image)}, {life(plan, image)}")
+            f"{' cube' if image['cube'] else ''}, {memory_of(image)}, {lifetime(plan, image)}")
 
 
 def buffer_line(plan, buffer):
-    return f"buffer {buffer['name']} {buffer['size']} bytes, {place(buffer)}, {life(plan, buffer)}"
+    memory = memory_of(buffer)
+    return f"buffer {buffer['name']} {buffer['size']} bytes, {memory}, {lifetime(plan, buffer)}"
 
 
 def memory_lines(plan):

@@ -16,7 +16,7 @@ static void *duplicate(const void *array, size_t count, size_t capacity, size_t 
     return copy;
 }
 
-/* Copies an array into one of twice the size plus one element: operators may add elements. */
+/* Copies an array into one of twice the capacity plus one, for operators that add elements. */
 #define DUPLICATE(array, count) duplicate(array, count, 2 * (size_t)(count) + 1, sizeof(*(array)))
 
 static struct plan_mutant copy_of(const struct rg_plan *plan,
@@ -47,7 +47,7 @@ void plan_mutation_finish(struct plan_mutant *c)
     free(c->blocks);
 }
 
-/* ---- mutation operators for element `i`; false if the fault would not provably break it ---- */
+/* ---- mutation operators: return false if a fault in element `i` may not break the plan ---- */
 
 static bool is_initial(const struct plan_mutant *c, uint32_t i)
 {
@@ -64,7 +64,7 @@ static bool orders(const struct plan_mutant *c, uint32_t i)
     return mutation_proof_orders(&c->plan, c->params, i);
 }
 
-/* Returns the count of the batch that contains barrier `i`, and its first barrier in `first`. */
+/* Returns the barrier count of the batch of barrier `i`, and sets *first to its first barrier. */
 static uint32_t *batch_of(struct plan_mutant *c, uint32_t i, uint32_t *first)
 {
     for (uint32_t p = 0; p < c->plan.pass_count; p++) {
@@ -106,8 +106,8 @@ static bool delay_barrier(struct plan_mutant *c, uint32_t i)
          !mutation_proof_layout(&c->plan, c->params, i, true)))
         return false;
     remove_barrier(c, i);
-    /* the final batch moves to the end of the array, before the initial barriers; the copy of the
-     * array has room for one more */
+    /* moves the final batch, with one more barrier, to the free end of the array, before the
+     * initial barriers */
     struct rg_barrier *batch = &c->barriers[c->plan.barrier_count];
     memmove(batch + count + 1, batch, initial * sizeof(barrier));
     memmove(batch, &c->barriers[c->plan.first_final_barrier], count * sizeof(barrier));
@@ -137,7 +137,7 @@ static bool wrong_old_layout(struct plan_mutant *c, uint32_t i)
     return true;
 }
 
-/* Discards image content that is needed, if only in frames where a conditional pass is skipped. */
+/* Discards image content that a frame needs, perhaps only if conditional passes are skipped. */
 static bool lose_content(struct plan_mutant *c, uint32_t i)
 {
     if (!mutation_proof_content(&c->plan, c->params, i))
@@ -146,7 +146,7 @@ static bool lose_content(struct plan_mutant *c, uint32_t i)
     return true;
 }
 
-/* Clears the source scope, for which a transition must wait, also across frames. */
+/* Clears a barrier's source scope, so that it no longer waits for earlier accesses. */
 static bool no_source(struct plan_mutant *c, uint32_t i)
 {
     bool transition =
@@ -200,7 +200,7 @@ static bool impossible_access(struct plan_mutant *c, uint32_t i)
     return true;
 }
 
-/* Adds an unnecessary batch: moves one barrier of a batch to a pass that has none. */
+/* Adds an unnecessary batch by moving a barrier to a pass without barriers. */
 static bool add_batch(struct plan_mutant *c, uint32_t i)
 {
     struct rg_plan_pass *pass = &c->passes[i];

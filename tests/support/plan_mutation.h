@@ -1,5 +1,4 @@
-/* plan_mutation.h: mutation testing of plan checkers: copies of a plan with one injected fault
- * each. */
+/* plan_mutation.h: mutation testing of plan checkers: plan copies with one injected fault each. */
 #ifndef TESTS_SUPPORT_PLAN_MUTATION_H
 #define TESTS_SUPPORT_PLAN_MUTATION_H
 

@@ -21,7 +21,7 @@ static const struct {
     { "unattributed", "", PROFILE_UNATTRIBUTED, 0, 1, 0, 0, 0.1 },
 };
 
-/* deterministic noise, 0.97 to 1.03, different for every row and run */
+/* Returns deterministic noise from 0.97 to 1.03 for a row of the profile and a run. */
 static double spread(uint32_t row, uint32_t run)
 {
     return 0.97 + 0.06 * ((row * 7 + run * 13) % 23) / 22.0;

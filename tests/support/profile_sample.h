@@ -10,9 +10,10 @@ enum {
 };
 
 /*
- * Five passes (two are repetitions of one row) of 1, 1, 8, 2 and 0.5 ms, record 0.3, submit 0.1 and
- * unattributed 0.1, each times `scale`, with deterministic noise of a few percent. In run 7 the
- * third pass takes three times as long. In every run the rows add up to the frame time.
+ * Fills a profile with five passes of 1, 1, 8, 2 and 0.5 ms, the first two repetitions of one pass,
+ * and with 0.3 ms of recording, 0.1 of submission and 0.1 unattributed; each times `scale`, with
+ * noise of a few percent. In run 7 the third pass takes three times as long. In every run the rows
+ * add up to the frame time.
  */
 void profile_sample(struct profile *profile, double scale);
 

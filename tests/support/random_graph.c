@@ -166,7 +166,7 @@ static void draw_buffer(struct random_tables *t, uint32_t index)
     known->defined[0] = buffer->memory == RG_MEMORY_UPLOAD || buffer->persistent;
 }
 
-/* the first three also suit multisampled images */
+/* the first three are also valid for multisampled images */
 static const enum rg_access image_imports[] = {
     RG_ACCESS_NONE, RG_SAMPLED,      RG_COLOR,   RG_COPY_SRC,
     RG_COPY_DST,    RG_STORAGE_READ, RG_PRESENT, RG_STORAGE_READ_WRITE,
@@ -182,7 +182,7 @@ static const enum rg_access buffer_imports[] = {
 
 static const enum rg_access structure_imports[] = { RG_ACCESS_NONE, RG_TRACE, RG_BUILD };
 
-/* Gives the imported image a shape that differs from its declaration. */
+/* Gives an imported image an extent, mips or layers that differ from its declaration. */
 static void draw_import_shape(struct random_tables *t, struct rg_import *import)
 {
     static const uint32_t sizes[] = { 16, 32, 64 };

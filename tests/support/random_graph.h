@@ -19,9 +19,8 @@ struct random_graph {
 };
 
 /*
- * Generates a graph of at most `most_passes` passes, 0 meaning no limit, plus possibly one that
- * writes an output if no other pass does. Returns false when out of memory. The graph must not be
- * moved afterwards.
+ * Generates a graph of at most `most_passes` passes (0 for no limit), and one more if no other pass
+ * writes an output. Returns false when out of memory. The graph must not be moved afterwards.
  */
 bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_passes);
 

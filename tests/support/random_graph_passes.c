@@ -1,4 +1,4 @@
-/* random_graph_passes.c: random valid passes of a graph; tracks which subresources are written. */
+/* random_graph_passes.c: generates random valid passes; tracks the written subresources. */
 #include <string.h>
 #include "tests/support/random_graph_private.h"
 
@@ -31,7 +31,7 @@ static bool is_never(const struct rg_frame *frame, uint32_t repetition)
 
 static rg_when_fn *const conditions[CONDITIONS] = { is_null_frame, is_any_frame, is_never };
 
-/* Marks a range as written; after writes under two conditions, only the later one defines it. */
+/* Marks a range as written under `condition`, which replaces an earlier condition. */
 static void define(struct random_known *known, const struct rg_range *range, uint32_t condition)
 {
     for (uint32_t layer = range->layer; layer < range->layer + range->layer_count; layer++)
@@ -120,7 +120,7 @@ static struct rg_use *add_use(struct random_tables *t, uint32_t resource, enum r
     return use;
 }
 
-/* Sometimes replaces counts by 0, the default "all remaining". */
+/* Randomly sets mip and layer counts to 0, which means all that remain. */
 static struct rg_range written_range(struct random_tables *t, const struct random_known *known,
                                      struct rg_range range)
 {
@@ -131,7 +131,7 @@ static struct rg_range written_range(struct random_tables *t, const struct rando
     return range;
 }
 
-/* Sometimes makes a buffer access go through a texel buffer view. */
+/* Randomly makes a buffer access use a texel buffer view. */
 static void draw_texels(struct random_tables *t, struct rg_use *use)
 {
     bool known = use->buffer && use->buffer->format;
@@ -249,7 +249,7 @@ static uint32_t mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
-/* Returns the range that a target covers over all repetitions of the row. */
+/* Returns the range that a target covers over all repetitions of the pass. */
 static struct rg_range target_range(const struct random_known *known, const struct rg_pass *pass,
                                     uint32_t mip, uint32_t layer)
 {
@@ -292,7 +292,7 @@ static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
     return true;
 }
 
-/* Returns true if a target fits the first target, `first` of image `main`, in extent and count. */
+/* Returns true if a target has the extent and repetition count of the pass's first target. */
 static bool fits(const struct rg_pass *pass, const struct random_known *main,
                  const struct rg_target *first, const struct random_known *known,
                  const struct rg_target *target)
@@ -334,7 +334,7 @@ static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
     }
 }
 
-/* Adds targets with the extent of the first one, which is image `of`. */
+/* Adds targets of the same extent as the first target, which is image `of`. */
 static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, uint32_t of,
                                const struct rg_target *first)
 {
@@ -413,7 +413,7 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
-/* Generates a row that copies or shades each layer of an image from another image. */
+/* Generates a pass that copies or shades each layer of an image from another image. */
 static bool draw_layer_copy(struct random_tables *t, struct rg_pass *pass)
 {
     uint32_t from = pick_image(t), to = pick_image(t);

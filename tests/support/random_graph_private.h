@@ -19,7 +19,7 @@ enum {
     CONDITIONS = 3,
 };
 
-/* Generator state of an image or buffer; a buffer counts as one layer and mip. */
+/* Generator state of an image or buffer; a buffer has one layer and mip. */
 struct random_known {
     uint32_t layers, mips, samples, width, height;
     VkFormat format; /* of a buffer: its texel format */
@@ -52,13 +52,13 @@ struct random_tables {
     struct random_known known[RESOURCES];
     uint32_t image_count, buffer_count, pass_count, wanted_count, condition_count;
     bool history, multisampled;
-    /* passes use recently written images: short lifetimes, few culled */
+    /* passes use images with near indices, for short lifetimes and little culling */
     bool local;
     uint32_t last_written;
     /* of the pass being generated: */
     struct random_claim claims[CLAIMS];
     uint32_t claim_count, use_count;
-    uint32_t condition; /* number of its condition, from 1; 0 if unconditional */
+    uint32_t condition; /* number of the condition, from 1; 0 if unconditional */
 };
 
 /* random_graph.c */
@@ -67,13 +67,13 @@ bool random_graph_chance(struct random_tables *t, uint32_t percent);
 const char *random_graph_name(struct random_tables *t, char kind, uint32_t index, uint32_t slot);
 bool random_graph_exists(const struct random_tables *t, uint32_t resource);
 
-/* random_graph_passes.c: generates the next row; adds none if the random choices do not fit. */
+/* random_graph_passes.c: tries to generate a pass; adds none if the random choices do not fit. */
 void random_graph_draw(struct random_tables *t);
 
 /* Adds a pass that writes all of image 0, so that there is an output. */
 void random_graph_draw_last(struct random_tables *t);
 
-/* Returns true if the range is written whenever the condition is true; 0 for unconditional. */
+/* Returns true if the range is defined whenever `condition` holds; condition 0 always holds. */
 bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range,
                              uint32_t condition);
 struct rg_range random_graph_whole(const struct random_known *known);

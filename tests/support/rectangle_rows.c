@@ -1,5 +1,4 @@
-/* rectangle_rows.c: graph rows that draw one rectangle each, and exact comparison of texels read
- * back. */
+/* rectangle_rows.c: passes that draw one rectangle each, and exact comparison of texels. */
 #include "tests/support/rectangle_rows.h"
 #include <string.h>
 
@@ -36,7 +35,7 @@ bool painted_when(const struct rg_frame *frame, uint32_t repetition)
 static PFN_vkAllocateMemory allocate_memory;
 static const struct gpu *filled;
 
-/* A vkAllocateMemory that fills mappable memory (on lavapipe: all) with garbage, 48.6 as float. */
+/* Mock of vkAllocateMemory that fills host-visible memory with garbage, which is 48.6 as floats. */
 static VKAPI_ATTR VkResult VKAPI_CALL allocate_garbage(VkDevice device,
                                                        const VkMemoryAllocateInfo *info,
                                                        const VkAllocationCallbacks *callbacks,

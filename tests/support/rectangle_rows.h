@@ -1,5 +1,4 @@
-/* rectangle_rows.h: graph rows that draw one rectangle each, and exact comparison of texels read
- * back. */
+/* rectangle_rows.h: passes that draw one rectangle each, and exact comparison of texels. */
 #ifndef TESTS_SUPPORT_RECTANGLE_ROWS_H
 #define TESTS_SUPPORT_RECTANGLE_ROWS_H
 
@@ -7,18 +6,18 @@
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/run_graph.h"
 
-/* Frame data of these rows: `paints` holds a rectangle for each row, by the row's index. */
+/* Frame data of these passes: paints[i] is the rectangle of rows[i]. */
 struct rg_frame {
     const struct rg_pass *rows;
     const struct paint_push *paints;
     struct rg_mesh mesh;
-    VkDescriptorSet set; /* bound by the test's own record functions */
-    bool wanted;         /* true if conditional rows run */
+    VkDescriptorSet set; /* descriptor set for the test's own record functions */
+    bool wanted;         /* true if conditional passes run */
     uint32_t left_out;   /* bit mask of repetitions that do not run */
     uint32_t *asked;     /* counts evaluations of conditions; may be NULL */
 };
 
-/* An RGBA32F image, and a readback buffer for it: name, then other members. */
+/* An RGBA32F image (name, then other members), and a readback buffer for it. */
 #define COLOR_IMAGE(...) \
     { \
         .format = VK_FORMAT_R32G32B32A32_SFLOAT, .name = __VA_ARGS__, \
@@ -28,17 +27,17 @@ struct rg_frame {
         .name = (title), .size_per_texel = 4 * sizeof(float), .memory = RG_MEMORY_READBACK \
     }
 
-/* Members of a row that draws its rectangle. */
+/* Members of a pass that draws its rectangle. */
 #define PAINTED PAINTED_BY(painted_record, &paint_frag)
 #define PAINTED_BY(record_function, fragment_shader) \
     .vert = &paint_vert, .frag = (fragment_shader), .push_size = sizeof(struct paint_push), \
     .record = (record_function)
 rg_record_fn painted_record;
-/* adds the repetition, from 1, to channel 0; each is nearer */
+/* draws each repetition nearer, and adds its number, from 1, to red */
 rg_record_fn painted_record_number;
 rg_when_fn painted_when;
 
-/* The source that fetch.frag reads, and a row that copies an image with this shader. */
+/* The source image of fetch.frag, and a pass that copies an image with this shader. */
 #define PAINTED_SOURCE(from) \
     { \
         .image = &(from), .access = RG_SAMPLED, .binding = PAINT_SOURCE \
@@ -51,12 +50,12 @@ rg_when_fn painted_when;
 
 void painted_draw(struct rg_cmd *cmd, const struct paint_push *paint);
 
-/* Regions of the target, for a struct paint_push. */
+/* Members of a struct paint_push that cover all or half of the target. */
 #define ALL       .from = { { -1, -1 } }, .to = { { 1, 1 } }
 #define LEFT_HALF .from = { { -1, -1 } }, .to = { { 0, 1 } }
 #define TOP_HALF  .from = { { -1, -1 } }, .to = { { 1, 0 } }
 
-/* Calls run_variants() for a table of rows; members of run_params may follow `check`. */
+/* Calls run_variants() for an array of passes; members of run_params may follow `check`. */
 #define PAINTED_VARIANTS(state, table, rectangles, check, ...) \
     run_variants(*(state), \
                  &(struct run_params){ \
@@ -73,7 +72,7 @@ struct painted_series {
     void (*check)(struct run *run, uint32_t number); /* called when the frame is complete */
 };
 
-/* Runs the frames in memory filled with garbage; waits for a frame only when its slot is reused. */
+/* Runs the frames in garbage-filled memory; waits for a frame only when its slot is reused. */
 void painted_series(struct gpu *gpu, const struct run_params *params,
                     const struct painted_series *series);
 

@@ -1,4 +1,4 @@
-/* reference_ray.c: traces single rays with the ray-traced reference, as images of one pixel. */
+/* reference_ray.c: traces single rays with the reference renderer, as images of one pixel. */
 #include "tests/support/reference_ray.h"
 #include <math.h>
 #include "src/reference/reference_layers.h"

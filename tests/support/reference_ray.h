@@ -1,5 +1,4 @@
-/* reference_ray.h: layers of the traced reference along one ray, and formulas of optics to compare
- * with. */
+/* reference_ray.h: layers of the reference renderer for one ray, and formulas to compare with. */
 #ifndef TESTS_SUPPORT_REFERENCE_RAY_H
 #define TESTS_SUPPORT_REFERENCE_RAY_H
 
@@ -8,17 +7,17 @@
 
 #define REFERENCE_RAY_PI 3.141592653589793
 
-/* Values of the reference's layers for one ray. */
+/* Values of the reference renderer's layers for one ray. */
 struct reference_ray {
     struct vec color, exit, refraction, reflection, remaining, normal, position;
     double fresnel, path, bounces, tir, inclusion_bits, z;
 };
 
-/* Returns the default settings with assignments "refract.ior=1.5"; the list is NULL-terminated. */
+/* Returns default settings with a NULL-terminated list of assignments like "refract.ior=1.5". */
 struct settings reference_ray_settings(const char *const *assignments);
 #define SETTINGS(...) reference_ray_settings((const char *const[]){ __VA_ARGS__, NULL })
 
-/* Returns the bit mask of all layers that the reference computes. */
+/* Returns the bit mask of all layers that the reference renderer computes. */
 uint32_t reference_ray_layers(void);
 
 /* Renders an image with the reference; any failure fails the test. */

@@ -1,4 +1,4 @@
-/* run_graph.c: compiles graph tables for a device and executes them. */
+/* run_graph.c: compiles render graphs for a device and executes them. */
 #include "tests/support/run_graph.h"
 
 #include <string.h>

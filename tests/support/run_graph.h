@@ -1,4 +1,5 @@
-/* run_graph.h: compiles graph tables for a device and executes them; any failure fails the test. */
+/* run_graph.h: compiles render graphs for a device and executes them; any failure fails the test.
+ */
 #ifndef TESTS_RUN_GRAPH_H
 #define TESTS_RUN_GRAPH_H
 
@@ -15,13 +16,13 @@ struct run_params {
     struct rg_technique technique;
     VkExtent2D view;                 /* pixels; 0 means 8 x 8 */
     VkExtent2D max_view, max_region; /* passed on to rg_compile_params */
-    /* readback buffers, copied to after the frame; NULL-terminated */
+    /* readback buffers that are outputs; NULL-terminated */
     const struct rg_buffer *outputs[RUN_OUTPUT_COUNT + 1];
     struct rg_output kept[RUN_KEPT_COUNT + 1]; /* further outputs; ends at {0} */
     const struct rg_import *imports;
     const struct rg_exec_import *objects; /* Vulkan objects of `imports` */
     size_t import_count;
-    const struct rg_exec_set *sets; /* descriptor sets of the application; all rows use the first */
+    const struct rg_exec_set *sets; /* the application's descriptor set, or NULL */
     uint32_t frames_in_flight;
     struct rg_pipelines *pipelines; /* shared with other executors; NULL for none */
     bool render_passes;
@@ -52,14 +53,14 @@ struct run_tables {
 void run_tables_init(struct run_tables *tables, const struct run_params *params,
                      const struct rg_device *device);
 
-/* Compiles a plan without faults for a device, or for none if NULL. The caller destroys it. */
+/* Compiles a plan for a device, or without one if NULL; fails on faults. The caller destroys it. */
 struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device);
 
 /* Creates run->plan for a device; run->exec stays NULL. */
 void run_compile(struct run *run, struct gpu *gpu, const struct run_params *params);
 
-/* Creates run->exec for run->plan or a modified copy of it. It uses volk's current function
- * pointers. May return an error. */
+/* Creates run->exec for `plan`, which is run->plan or a modified copy of it. Uses volk's current
+ * function pointers. May return an error. */
 VkResult run_create(struct run *run, const struct rg_plan *plan);
 
 /* Compiles the plan and creates the executor; fails the test on any error. */
@@ -90,7 +91,7 @@ struct run_params run_variant(const struct run_params *params, unsigned variant)
 void run_variants(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
                   void (*check)(struct run *run));
 
-/* A row that copies an image, or a range of it (.mip = 1, ...), to a buffer. */
+/* A pass that copies an image, or a range of it (.mip = 1, ...), to a buffer. */
 #define RUN_READ_PART(title, from, to, ...) \
     { \
         .name = (title), .kind = RG_TRANSFER, \
@@ -100,7 +101,7 @@ void run_variants(struct gpu *gpu, const struct run_params *params, const struct
     }
 #define RUN_READ(title, from, to) RUN_READ_PART(title, from, to, 0)
 
-/* Record function of RUN_READ: copies the row's first use, an image, to its second, a buffer. */
+/* Record function of RUN_READ: copies the image of the first use to the buffer of the second. */
 rg_record_fn run_record_read;
 
 #endif

@@ -11,7 +11,7 @@
 #include "tests/support/interpret_graph.h"
 #include "tests/support/run_graph.h"
 
-/* Descriptor set that some rows name; it is bound from rg_frame.own. */
+/* Application descriptor set that some passes use; it is bound from rg_frame.own. */
 extern const struct rg_set run_random_own;
 
 /* Optional features that the generated tables may use. */
@@ -22,8 +22,8 @@ enum {
 
 struct run_random {
     uint64_t seed;
-    struct run_params params;       /* tables and how to run them; points into *memory */
-    struct interpret_tables tables; /* tables for the interpreter; point into *memory */
+    struct run_params params;       /* graph and run parameters; points into *memory */
+    struct interpret_tables tables; /* graph for the interpreter; points into *memory */
     void *memory;
 };
 
@@ -35,7 +35,7 @@ void run_random_finish(struct run_random *graph);
 void run_random_fill(const struct run_random *graph, const struct rg_buffer *buffer, uint32_t frame,
                      uint32_t *words);
 
-/* Records any row. Overwrites targets with store op DONT_CARE after drawing, as a device may do. */
+/* Records any pass. Then overwrites targets with store op DONT_CARE, as a device may do. */
 rg_record_fn run_random_record;
 
 #endif

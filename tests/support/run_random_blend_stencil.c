@@ -1,7 +1,7 @@
 /* run_random_blend_stencil.c: blend states and stencil tests of random passes. */
 #include "tests/support/run_random_private.h"
 
-/* Integer formats do not support blending, but write masks. */
+/* Write masks for integer formats, which do not support blending. */
 static const VkPipelineColorBlendAttachmentState masks[] = {
     { .colorWriteMask = VK_COLOR_COMPONENT_R_BIT },
     { .colorWriteMask = VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_A_BIT },

@@ -12,31 +12,31 @@ enum {
     BUFFERS = ARGUMENTS + UPLOADS + DEVICES + RUN_OUTPUT_COUNT,
     RESOURCES = IMAGES + BUFFERS, /* indices of images, then of buffers */
     ROWS = 30,
-    USES = 8, /* per row */
+    USES = 8, /* per pass */
     LAYERS = 4,
     MIPS = 3,
     CELLS = LAYERS * MIPS, /* subresources of an image: layers times mips */
     CLAIMS = USES + RG_COLOR_COUNT + 1,
 };
 
-/* When a subresource is filled: never, by a pass that runs in every frame, or by conditional
- * passes; FILLED_SOMETIMES + n is condition n. */
+/* When a subresource is filled: never, in every frame, or only in frames in which condition n is
+ * true (FILLED_SOMETIMES + n). */
 enum {
     FILLED_NEVER,
     FILLED_ALWAYS,
     FILLED_SOMETIMES,
 };
 
-/* Generator state of an image or buffer; a buffer counts as one layer and mip. */
+/* Generator state of an image or buffer; a buffer has one layer and mip. */
 struct run_random_known {
     uint32_t layers, mips, width, height;
     bool depth, stencil, writable;
     bool volume; /* 3D image */
-    bool sum;    /* float image of small integers, which is only blended and copied */
+    bool sum;    /* float image of small integers, only blended and copied */
     uint8_t filled[CELLS];
 };
 
-/* Range of a resource that the row being generated already uses, over all its repetitions. */
+/* Range of a resource that the pass being generated already uses, over all repetitions. */
 struct run_random_claim {
     uint32_t resource;
     struct rg_range range; /* counts resolved */
@@ -56,17 +56,17 @@ struct run_random_tables {
     char names[RESOURCES + ROWS][16];
     struct run_random_known known[RESOURCES];
     uint32_t image_count, buffer_count, pass_count, output_count, wanted_count;
-    bool local; /* rows use images with near indices, so that lifetimes are short */
+    bool local; /* passes use images with near indices, so that lifetimes are short */
     /* All indirect draws use a count buffer, or none: after one with a count, lavapipe (Mesa 22.3)
      * applies the count as a limit to the other draws of the command buffer. */
     bool is_counted;
     uint32_t last_written;
     unsigned features;
-    /* of the row being generated: */
+    /* of the pass being generated: */
     struct run_random_claim claims[CLAIMS];
     uint32_t claim_count, use_count;
     uint32_t repetitions;
-    uint8_t filled; /* FILLED_* value of what the row writes */
+    uint8_t filled; /* FILLED_ value of what the pass writes */
 };
 
 /* run_random.c */
@@ -75,30 +75,30 @@ bool run_random_chance(struct run_random_tables *t, uint32_t percent);
 void run_random_add_buffer(struct run_random_tables *t, enum rg_memory memory, VkDeviceSize size);
 void run_random_name(struct run_random_tables *t, char kind, uint32_t slot, const char **name);
 
-/* run_random_shader_rows.c: generates the next row; adds none if the random choices do not fit. */
+/* run_random_shader_rows.c: tries to generate a pass; adds none if random choices do not fit. */
 void run_random_draw(struct run_random_tables *t);
 
-/* run_random_begin() starts an unconditional row without repetition; run_random_end() adds it. */
+/* run_random_begin() starts an unconditional, unrepeated pass; run_random_end() adds the pass. */
 struct rg_pass *run_random_begin(struct run_random_tables *t, enum rg_kind kind);
 void run_random_end(struct run_random_tables *t);
 
-/* Randomly makes the row conditional; must be called right after run_random_begin(). */
+/* Randomly makes the pass conditional; must be called right after run_random_begin(). */
 void run_random_condition(struct run_random_tables *t, struct rg_pass *pass);
 
-/* Return a random image; a range of it to read; a range of one mip to write, which also chooses
- * whether and how often the row is repeated. */
+/* Return a random image, a buffer, a range to read, and a range of one mip to write; the last
+ * function also chooses the repetitions of the pass. */
 uint32_t run_random_image(struct run_random_tables *t);
 uint32_t run_random_buffer(struct run_random_tables *t); /* large enough for uniforms */
 struct rg_range run_random_range(struct run_random_tables *t, uint32_t resource);
 struct rg_range run_random_written_range(struct run_random_tables *t, uint32_t image);
 
-/* Resolve a range over all repetitions of the row; return true if it is filled for the row. */
+/* Return a range's union over all repetitions of the pass; true if that union may be read. */
 struct rg_range run_random_covered(const struct run_random_tables *t, uint32_t resource,
                                    struct rg_range range);
 bool run_random_is_filled(const struct run_random_tables *t, uint32_t resource,
                           struct rg_range covered);
 
-/* Reserves a range for the row. Returns false if it is in use, or is read but not filled. */
+/* Reserves a range for the pass. Returns false if it is in use, or is read but not filled. */
 bool run_random_claim(struct run_random_tables *t, uint32_t resource, struct rg_range range,
                       enum rg_access access);
 struct rg_use *run_random_use(struct run_random_tables *t, uint32_t resource, enum rg_access access,
@@ -106,16 +106,14 @@ struct rg_use *run_random_use(struct run_random_tables *t, uint32_t resource, en
 
 uint32_t run_random_mip_size(uint32_t size, uint32_t mip);
 
-/* run_random_blend_stencil.c: randomly adds blending, or a colour write mask, to a target that is
- * kept. */
+/* run_random_blend_stencil.c: randomly adds blending or a write mask to a colour target. */
 void run_random_blend(struct run_random_tables *t, struct rg_target *target, bool sum);
 
-/* Randomly adds a stencil test. It overwrites a stencil that begins undefined; a row that draws
- * whole images gets no other. */
+/* Randomly adds a stencil test. If the stencil is undefined or `whole` is true, any added test
+ * always passes and overwrites the stencil. */
 void run_random_stencil(struct run_random_tables *t, struct rg_pass *pass, bool whole);
 
-/* run_random_transfer_rows.c: generate transfer passes, and one that copies to a new readback
- * buffer. */
+/* run_random_transfer_rows.c: generate a random copy, and a copy to a new readback buffer. */
 void run_random_draw_copy(struct run_random_tables *t);
 void run_random_draw_output(struct run_random_tables *t);
 

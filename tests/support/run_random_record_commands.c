@@ -1,4 +1,4 @@
-/* run_random_record_commands.c: records the commands of random rows. */
+/* run_random_record_commands.c: records the commands of random passes. */
 #include "tests/support/run_random.h"
 
 static const struct rg_plan_pass *plan_pass(const struct rg_cmd *cmd, const struct rg_frame *frame)

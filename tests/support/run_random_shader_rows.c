@@ -1,5 +1,4 @@
-/* run_random_shader_rows.c: random valid draw and dispatch passes; tracks which subresources are
- * filled. */
+/* run_random_shader_rows.c: generates draw and dispatch passes; tracks filled subresources. */
 #include <string.h>
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/run_random_private.h"
@@ -9,11 +8,11 @@ struct program {
     const struct rg_shader *shader;
     uint32_t sampled, targets;
     bool loaded, read, uniform;
-    VkFormat stored; /* format of the storage image written; 0 if a buffer is */
+    VkFormat stored; /* format of the written storage image; 0 if a buffer is written */
     bool array;      /* the sampled images form a descriptor array */
     bool texels;     /* buffers are bound as texel buffers */
     bool volume;     /* images are 3D */
-    bool changes;    /* read-write access to the resource it writes */
+    bool changes;    /* reads the resource that it writes */
     bool instances;  /* reads one vertex attribute per instance */
     bool own;        /* reads the application's descriptor set */
     bool sums;       /* blends into a float image of integers */
@@ -76,7 +75,6 @@ static rg_when_fn *const conditions[] = { is_even, is_later };
 
 /* ---- ranges of resources ---- */
 
-/* Resolves a range over all repetitions of the row. */
 struct rg_range run_random_covered(const struct run_random_tables *t, uint32_t resource,
                                    struct rg_range range)
 {
@@ -229,8 +227,8 @@ uint32_t run_random_buffer(struct run_random_tables *t)
     return IMAGES + buffer;
 }
 
-/* Returns a random range of an image: all of it, or some mips and layers; in a repeated row,
- * perhaps a different one for each repetition. */
+/* Returns a random range of an image: all of it, or some mips and layers. In a repeated pass, the
+ * range may advance with each repetition. */
 struct rg_range run_random_range(struct run_random_tables *t, uint32_t resource)
 {
     const struct run_random_known *known = &t->known[resource];
@@ -300,7 +298,7 @@ static bool draw_inputs(struct run_random_tables *t, const struct program *progr
     return drawn;
 }
 
-/* Chooses the region that a partial write covers, and whether its count is indirect. */
+/* Chooses the region of a partial write, and whether its draw or dispatch is indirect. */
 static void draw_region(struct run_random_tables *t)
 {
     struct interpret_row *row = &t->rows[t->pass_count];
@@ -317,7 +315,7 @@ static void draw_region(struct run_random_tables *t)
 
 /* ---- compute ---- */
 
-/* Chooses whether the row is repeated; returns the first mip or layer of its first image. */
+/* Chooses whether the pass is repeated. Returns the first mip or layer of `image` to write. */
 static uint32_t draw_repeat(struct run_random_tables *t, uint32_t image)
 {
     const struct run_random_known *known = &t->known[image];
@@ -407,7 +405,7 @@ uint32_t run_random_mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
-/* Returns true if a subresource can be an additional target beside the row's first one. */
+/* Returns true if `target` fits the first target of the pass in extent and repetitions. */
 static bool fits(const struct run_random_tables *t, uint32_t first_image,
                  const struct rg_target *first, uint32_t image, const struct rg_target *target)
 {
@@ -463,7 +461,7 @@ static const struct rg_vertex_layout word_of_instance = {
     .rate = VK_VERTEX_INPUT_RATE_INSTANCE,
 };
 
-/* Adds targets with the extent of the first one. Returns the number of colour targets. */
+/* Adds targets of the same extent as the first. Returns the number of colour targets. */
 static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_image, bool whole)
 {
     struct rg_pass *pass = &t->passes[t->pass_count];

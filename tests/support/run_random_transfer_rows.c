@@ -1,7 +1,7 @@
 /* run_random_transfer_rows.c: random transfer passes. */
 #include "tests/support/run_random_private.h"
 
-/* Returns the bytes that one repetition copies: one mip of some layers, the depth aspect only. */
+/* Returns the bytes copied by one repetition: one mip of some layers, depth without stencil. */
 static uint32_t copy_size(const struct run_random_tables *t, uint32_t image, struct rg_range range)
 {
     const struct run_random_known *known = &t->known[image];
@@ -25,7 +25,8 @@ static uint32_t draw_offset(struct run_random_tables *t, uint32_t buffer, uint32
     return 16 * run_random_below(t, (buffer_size(t, buffer) - size) / 16 + 1);
 }
 
-/* Adds a write of `size` bytes to a buffer; a partial write needs the buffer to be filled. */
+/* Adds a write of `size` bytes to a buffer. A partial write is valid only if the buffer is filled.
+ */
 static bool add_written_buffer(struct run_random_tables *t, uint32_t buffer, uint32_t size)
 {
     const struct rg_range all = { .mip_count = 1, .layer_count = 1 };

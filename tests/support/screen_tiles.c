@@ -1,4 +1,4 @@
-/* screen_tiles.c: lists triangles by the screen tiles that they may cover. */
+/* screen_tiles.c: lists for each screen tile the triangles that may cover it. */
 #include "tests/support/screen_tiles.h"
 
 #include <stdlib.h>
@@ -57,7 +57,7 @@ static struct bounds bounds_of(const struct mesh *mesh, uint32_t corner,
     return bounds;
 }
 
-/* Counts a triangle in the tiles that it covers; with `corners`, writes it (counting sort). */
+/* Counting sort: counts a triangle in its tiles or, with `corners`, lists it there. */
 static void add_triangle(struct tiles *tiles, uint32_t corner, uint32_t *corners)
 {
     const struct bounds b = bounds_of(tiles->mesh, corner, tiles->request);

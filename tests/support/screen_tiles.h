@@ -13,11 +13,11 @@ struct tiles {
     const struct mesh *mesh;
     const struct picture_request *request; /* borrowed, as is the mesh */
     uint32_t columns;
-    uint32_t *first;   /* start of each tile's list in `corners`, and the end of the last */
+    uint32_t *first;   /* start of each tile's list in `corners`, then the end of the last list */
     uint32_t *corners; /* first index of each triangle in mesh->indices */
 };
 
-/* The whole mesh must be in front of the camera. */
+/* Builds the lists. The whole mesh must be in front of the camera. */
 void screen_tiles_init(struct tiles *tiles, const struct mesh *mesh,
                        const struct picture_request *request);
 void screen_tiles_finish(struct tiles *tiles);

@@ -1,4 +1,4 @@
-/* small_graph.c: compiles small graph tables, and stubs for their callbacks. */
+/* small_graph.c: compiles small render graphs; has stubs for their callbacks. */
 #include "tests/support/small_graph.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* small_graph.h: macros for small graph tables that tests compile but never record. */
+/* small_graph.h: macros for small render graphs that tests compile but never execute. */
 #ifndef TESTS_SMALL_GRAPH_H
 #define TESTS_SMALL_GRAPH_H
 
@@ -14,7 +14,7 @@ rg_record_fn small_graph_record;
 rg_area_fn small_graph_area;
 rg_more_fn small_graph_more;
 
-/* Valid rows with stub shaders; the variable arguments are targets or uses. */
+/* Valid passes with stub shaders; the variable arguments are targets or uses. */
 #define DRAW(title, ...) \
     { \
         .name = (title), .vert = &small_graph_shader, .frag = &small_graph_shader, \
@@ -40,7 +40,7 @@ rg_more_fn small_graph_more;
 #define TEXTURE(of)  .image = &(of), .access = RG_SAMPLED
 #define SAMPLING(of) .uses = RG_USES({ TEXTURE(of) })
 
-/* A graph of one technique; `outputs` and `imports` end at a row of zeros. */
+/* A graph of one technique; `outputs` and `imports` end at an element of zeros. */
 struct small_graph {
     const struct rg_pass *passes;
     size_t pass_count;
@@ -54,10 +54,10 @@ struct small_graph {
 #define PASSES(table) .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0])
 #define WANTS(of)     .outputs = { { .image = &(of), .access = RG_SAMPLED } }
 
-/* Compiles the graph; fails the test if the plan has faults. The caller destroys it. */
+/* Compiles the graph; fails the test if the plan has faults. The caller destroys the plan. */
 struct rg_plan *small_graph_compile(const struct small_graph *graph);
 
-/* Returns the index in the plan's images, or RG_NONE. */
+/* Returns the index of an image in the plan, or RG_NONE. */
 uint32_t small_graph_find(const struct rg_plan *plan, const struct rg_image *image);
 
 #endif
