@@ -44,7 +44,7 @@ enum app_overlay {
     APP_OVERLAY_OFF,
 };
 
-/* A vector that an option may give. */
+/* A vector option, such as --eye X,Y,Z. */
 struct app_vector {
     bool is_given;
     vec3s value;
@@ -58,7 +58,7 @@ struct app_scene {
     const char *bump, *bump_mask, *air; /* image files; NULL: generated */
     struct material_override material_overrides[APP_NODE_COUNT];
     uint32_t material_override_count;
-    const char *animation; /* animation name or "none"; NULL for the first of the model */
+    const char *animation; /* name or "none"; NULL for the model's first animation */
     struct model_transform model_transform;
     bool has_transform;           /* set by an option */
     bool has_default_environment; /* `environment` is the asset's default */
@@ -117,7 +117,7 @@ struct app_run {
     char *const *args;   /* from the command on; NULL-terminated */
 };
 
-/* Options of firn render; firn farm passes all but json on. */
+/* Options of firn render. firn farm passes all of them on, except `json`. */
 struct app_render {
     const char *frames;          /* unparsed; NULL: a single image */
     uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
@@ -206,7 +206,7 @@ struct app_options {
     struct app_farm farm;
 };
 
-/* Names of the window's colour themes; ends at NULL. */
+/* Names of the window's colour themes, NULL-terminated. */
 extern const char *const app_themes[];
 
 enum app_command {
@@ -229,8 +229,8 @@ enum app_command {
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/* Prints, quoted and each after a space, the arguments of a command that firn render accepts, too,
- * without the first `skip` positional ones. */
+/* Prints those of a command's arguments that firn render accepts, too, each quoted and after a
+ * space. Leaves out the first `skip` positional arguments. */
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
 
@@ -242,7 +242,7 @@ enum status app_graph(const struct app_options *options);
 enum status app_info(const struct app_options *options);
 enum status app_list(const struct app_options *options);
 enum status app_profile(const struct app_options *options);
-/* Replaces this process by firn-view if that is installed. */
+/* Replaces this process by firn-view. Returns only on failure, which is logged. */
 enum status app_view(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
@@ -271,25 +271,25 @@ struct scene_params app_scene_params(const struct app_scene *options,
  * settings that depend on it, such as refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *options);
 
-/* Returns the default environment of a scene of this name; NULL: the built-in sky. */
+/* Returns the default environment for a scene name, or NULL for the built-in sky. */
 struct asset;
 const struct asset *app_default_environment(const char *name);
 
 /* Applies the settings of a loaded scene, except where options set other values. */
 void app_apply_scene_settings(struct app_scene *options, const struct scene *scene);
 
-/* Returns a loaded scene's own settings, without options and changes by the user. */
+/* Returns the settings of a loaded scene before any option or change by the user. */
 struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene);
 
-/* Load a scene in two steps. The first finds all errors; the second only takes time, and may run in
- * parallel with readers of the first's result. It logs nothing and returns NULL, or the name of
- * what did not fit into memory, which app_log_fill_failure() logs, returning STATUS_TRY_AGAIN. */
+/* Load a scene in two steps. app_begin_scene() finds all errors; app_fill_scene() only takes time,
+ * and may run while other threads read the scene. It logs nothing and returns NULL, or the name of
+ * what did not fit into memory, for app_log_fill_failure(), which returns STATUS_TRY_AGAIN. */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *options);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *options);
 enum status app_log_fill_failure(const char *lacking);
 
-/* Poses an animated model of app_begin_scene(), which is at time 0, for another time, seconds:
- * reloads the model and fills the scene. Does nothing if it is not animated or has this time
+/* Reloads an animated model in its pose at `time`, in seconds, and fills the scene. (The pose of
+ * app_begin_scene() is that at time 0.) Does nothing if the scene is not animated or has this pose
  * already. The scene must not be in use. On failure it is unchanged. */
 MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *options,
                                     float time, bool *is_changed);
@@ -304,14 +304,14 @@ void app_choose_refraction(struct app_image *image, const struct scene *scene,
 /* Logs a warning if trace.traversal asks for ray queries and the device has none. */
 void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
-/* Finds the camera: the model's of that name, else its first, else one that frames the object. */
+/* Finds the camera: of the options, else the model's first, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_image *image);
 
 struct renderer_params;
 
-/* Returns parameters for renderers of the image, in tiles if requested. The caller sets samples and
- * outputs. Points into the image. */
+/* Returns renderer parameters for the image, with pointers into it. The caller sets the sample
+ * count and the outputs. */
 struct renderer_params app_renderer_params(const struct app_image *image, struct gpu *gpu,
                                            const struct scene *scene);
 

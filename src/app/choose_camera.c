@@ -20,7 +20,7 @@ static enum status refuse_name(const struct model *model, const struct app_image
         suggest_list_add(&list, model->cameras[i].name);
     }
     if (list.count)
-        log_error("--camera %s: no camera of %s has this name or number%s; it has %s", p->camera,
+        log_error("--camera %s: no camera in %s has this name or number%s; it has %s", p->camera,
                   p->scene.name, suggest_hint(&suggest, hint), list.text);
     else
         log_error("--camera %s: %s has no cameras; place one with --orbit or --eye", p->camera,
@@ -28,7 +28,7 @@ static enum status refuse_name(const struct model *model, const struct app_image
     return STATUS_USAGE;
 }
 
-/* Finds the camera of --camera by name or number; those of --surroundings are not considered. */
+/* Finds the camera of --camera by name or number. Cameras of --surroundings are not considered. */
 static enum status find_named(const struct model_camera **found, const struct model *model,
                               const struct app_image *p)
 {
@@ -125,7 +125,7 @@ enum status app_camera(struct camera *camera, const struct scene *scene, const s
     *camera = choose(scene, p, is_named || model->has_camera ? &model_camera : NULL);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;
-    /* eye and target may differ by less than float resolution far from the origin */
+    /* far from the origin, different options may be rounded to the same position */
     log_error(
         "the camera and its target have the same position: change --eye, --orbit or --target");
     return STATUS_USAGE;

@@ -1,4 +1,4 @@
-/* choose_refraction.c: chooses the refraction model; warns of what it does not draw. */
+/* choose_refraction.c: chooses the refraction model and warns of features that it cannot draw. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@
 #include "src/tech/refract/refract_bounce.h"
 #include "src/tech/trace/refract_trace.h"
 
-/* Fraction of half a box that counts as inside, so that touching surroundings do not. */
+/* Fraction of a box's extent that counts as inside, to exclude surroundings that touch the box. */
 #define INNER_FRACTION 0.9f
 
 static bool is_rough(const struct material *material)
@@ -33,7 +33,7 @@ static bool is_thin(const struct material *material)
     return !(material->thickness > 0.0f);
 }
 
-/* Returns true if a texture that rasterised models use needs the second set of coordinates. */
+/* Returns true if a texture of rasterised refraction models uses the second UV set. */
 static bool has_second_set(const struct material *material)
 {
     static const enum material_texture_use uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION,
@@ -48,7 +48,7 @@ static bool has_second_set(const struct material *material)
 }
 
 /* Returns the number of nested objects that `bounce` draws as if not enclosed: siblings within one
- * object, or objects nested deeper than it follows light. */
+ * object, or objects nested more deeply than `bounce` follows light. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -86,7 +86,7 @@ static void add_count(char *text, size_t size, uint32_t count, const char *name)
         snprintf(&text[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Writes which materials of a scene only `trace` and the reference draw correctly: "1 rough". */
+/* Writes the materials that only `trace` and the reference draw correctly, such as "1 rough". */
 static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
 {
     static const struct {
@@ -120,7 +120,7 @@ static void warn_of_materials(const struct app_image *image, const struct scene 
                            refract_bounce_is_nested(&image->scene.settings, scene);
     name_undrawn(scene, is_nested, text, sizeof(text));
     if (text[0])
-        log_warning("%s: approximated as separate smooth solids: of %u objects %s; "
+        log_warning("%s: approximated as separate smooth solids (%u objects, of which %s); "
                     "--refraction trace draws them exactly",
                     image->scene.name, scene->model.object_count, text);
 }
@@ -139,7 +139,7 @@ static bool holds_surroundings(const struct model *model)
     return false;
 }
 
-/* Returns true if the camera is inside an object, rotated as at motion.time. */
+/* Returns true if the camera is inside an object at the time motion.time. */
 static bool is_camera_inside(const struct scene *scene, const struct settings *settings,
                              const struct camera *camera)
 {
@@ -158,7 +158,7 @@ static bool is_camera_inside(const struct scene *scene, const struct settings *s
     return false;
 }
 
-/* Writes why front and back faces of one object do not suffice for this scene; "" if they do. */
+/* Writes why the scene needs more than one object's front and back faces; "" if it does not. */
 static void name_reason(const struct scene *scene, bool is_inside, char *text, size_t size)
 {
     const struct model *model = &scene->model;
@@ -177,7 +177,7 @@ static void name_reason(const struct scene *scene, bool is_inside, char *text, s
     else
         name_undrawn(scene, false, undrawn, sizeof(undrawn));
     if (undrawn[0])
-        snprintf(text, size, "bounce does not draw all of it: %s", undrawn);
+        snprintf(text, size, "bounce would only approximate its object: %s", undrawn);
 }
 
 static bool can_trace(const struct model *model)
@@ -188,16 +188,16 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
 }
 
-/* Returns true if a refraction model draws bumps. Ray tracing on the device uses smooth surfaces;
- * the reference, which has no passes, draws them. */
+/* Returns true if a refraction model draws bumps. Ray tracing on the device does not; the reference
+ * does, although it has no shaders. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
     return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||
                                                                 refraction->shaders->bump_frag));
 }
 
-/* Warns of explicitly set settings without effect on the refraction model: bumps, and, if it is ray
- * traced, crack properties other than gaps. */
+/* Warns of settings from --set without effect: bumps that the refraction model does not draw, and
+ * crack settings that ray tracing ignores. */
 static void warn_of_settings(const struct app_image *image)
 {
     static const struct {
@@ -222,7 +222,7 @@ static void warn_of_settings(const struct app_image *image)
         log_warning("%s: no effect with --refraction %s", text, image->refraction->refraction.name);
 }
 
-/* Warns of input files and a target scale that have no effect on this image. */
+/* Warns of input files, and of inclusions.scale, if they have no effect on this image. */
 static void warn_of_files(const struct app_image *image, const struct scene *scene)
 {
     const struct app_scene *options = &image->scene;
@@ -246,7 +246,8 @@ static void warn_of_files(const struct app_image *image, const struct scene *sce
 
     for (size_t i = 0; i < sizeof(files) / sizeof(files[0]) && !options->quiet; i++) {
         if (files[i].file && !files[i].has_effect)
-            log_warning("%s: no effect: the scene or its settings do not use it", files[i].option);
+            log_warning("%s: no effect, because the scene or its settings do not use it",
+                        files[i].option);
     }
 }
 
@@ -255,10 +256,10 @@ static void warn_of_outside(const struct app_scene *options, const struct scene 
     if (scene->has_pool && options->is_set[settings_index(settings_find("refract.ior_outside"))] &&
         !options->quiet)
         log_warning(
-            "refract.ior_outside: no effect in a pool, where water and air are around the ice");
+            "refract.ior_outside: no effect in a pool, where water and air surround the ice");
 }
 
-/* Warns of ground.light=traced if the refraction model draws no such shadows. */
+/* Notes that ground.light=traced is not drawn, or not denoised because of tiles. */
 static void warn_of_ground(const struct app_image *image, const struct scene *scene)
 {
     const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
@@ -267,13 +268,12 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
     if (ground->light == GROUND_TRACED && image->scene.is_set[index] && refraction->shaders &&
         !refraction->traces_bvh && scene->material_table &&
         material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
-        log_note("ground.light=traced: not drawn by this refraction model, so surroundings are lit "
-                 "without occlusion; "
-                 "--refraction trace draws it");
+        log_note("ground.light=traced: not supported by this refraction model, which lights "
+                 "surroundings without occlusion; use --refraction trace");
     if (ground->light == GROUND_TRACED && ground->denoise && image->columns &&
         refraction->traces_bvh && scene->material_table &&
         material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
-        log_note("ground.denoise: off with tiles, which cannot be filtered across their edges");
+        log_note("ground.denoise: no effect with tiles, since the filter needs the whole image");
 }
 
 /* Warns of scattering media that the refraction model draws differently. */
@@ -289,11 +289,11 @@ static void warn_of_media(const struct app_image *image, const struct scene *sce
     if (refract_has_medium(image->refraction, scene, settings))
         config.renders_media = true;
     else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
-        log_warning("air.model=medium: drawn as planes; --refraction bounce, one-sided, trace and "
-                    "reference draw a medium");
+        log_warning("air.model=medium: drawn as planes; only --refraction bounce, one-sided, trace "
+                    "and reference draw a medium");
     else if (refraction->shaders && !config.hits_surroundings && !image->scene.quiet)
         log_note(
-            "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw scattering%s",
+            "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw it cloudy%s",
             image->scene.name,
             refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
     if (scene->scattering_media.left_out)
@@ -316,8 +316,8 @@ void app_choose_refraction(struct app_image *image, const struct scene *scene,
     warn_of_materials(image, scene);
     if (is_inside && image->refraction->refraction.shaders &&
         !image->refraction->refraction.traces_bvh)
-        log_warning("%s: the camera is inside an object, which %s draws as seen from outside, so "
-                    "it is missing; --refraction trace draws this view",
+        log_warning("%s: the camera is inside an object, which is missing, because %s draws only "
+                    "the outside of objects; use --refraction trace",
                     image->scene.name, image->refraction->refraction.name);
     warn_of_ground(image, scene);
     warn_of_media(image, scene);

@@ -86,8 +86,8 @@ static enum status check_layers(const struct job *job)
     const struct comparison *c = &job->comparison;
     double value;
     if (!c->layer_count) {
-        log_error("cannot compare %s with %s: no channel name is in both files", o->positionals[0],
-                  o->positionals[1]);
+        log_error("cannot compare %s with %s: the files have no channel in common",
+                  o->positionals[0], o->positionals[1]);
         return STATUS_DATA;
     }
     for (int i = 0; i < COMPARISON_METRIC_COUNT; i++) {

@@ -28,14 +28,14 @@ static bool is_image_option(const char *word)
     return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
 }
 
-/* Finds SCENE among the arguments; for "status" it may be missing, and an output file given. */
+/* Finds SCENE among the arguments. For "status", an output file may be given instead. */
 static enum status parse_arguments(struct app_options *o, bool is_status)
 {
     struct app_outputs *outputs = &o->run.outputs;
     const char *scene = o->positionals[1];
     if (is_status && is_image_option(scene)) {
         if (outputs->count) {
-            log_error("--output: not available with farm status %s; name a SCENE or only files",
+            log_error("--output: conflicts with farm status %s: name a SCENE instead of this file",
                       scene);
             return STATUS_USAGE;
         }
@@ -50,8 +50,8 @@ static enum status check_files(const struct app_options *o)
 {
     for (uint32_t i = 0; i < o->run.outputs.count; i++) {
         if (!strcmp(o->run.outputs.paths[i], "-")) {
-            log_error(
-                "--output: expected a file name, got '-': the stdout of a task is not collected");
+            log_error("--output: expected a file name, got '-', but the stdout of tasks is not "
+                      "collected");
             return STATUS_USAGE;
         }
     }

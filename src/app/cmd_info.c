@@ -290,7 +290,7 @@ static json_t *vector(vec3s v)
     return json_pack("[f, f, f]", json_text_float(v.x), json_text_float(v.y), json_text_float(v.z));
 }
 
-/* Returns a JSON string, "?" if the text from a file is not UTF-8. */
+/* Returns a JSON string; "?" if the text, which comes from a file, is not UTF-8. */
 static json_t *text_of(const char *text)
 {
     json_t *string = json_string(text);
@@ -324,7 +324,7 @@ static json_t *textures_of(const struct material *m)
     return all;
 }
 
-/* Merges the members of `more`, which it frees, into `json`. On failure frees both: NULL. */
+/* Moves the members of `more` into `json`. On failure frees both and returns NULL. */
 static json_t *join(json_t *json, json_t *more)
 {
     const bool is_done = json && more && json_object_update(json, more) == 0;
@@ -523,7 +523,7 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* no BVH: the scene is too large; logged */
+    status = STATUS_OK; /* a scene too large for a BVH was logged, and is no error */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

@@ -74,7 +74,7 @@ static enum status check(struct job *job)
         return STATUS_NO_DEVICE;
     }
     if (status == STATUS_OK && o->mask.file && !o->ladder.reference_image) {
-        log_error("--mask %s: --truth is missing; the mask applies to its image", o->mask.file);
+        log_error("--mask %s: --truth is missing, to whose image the mask applies", o->mask.file);
         return STATUS_USAGE;
     }
     for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
@@ -99,7 +99,7 @@ static enum status read_reference(struct job *job)
     if (status != STATUS_OK)
         return status;
     if (job->reference.width != o->image.width || job->reference.height != o->image.height) {
-        log_error("%s has %u x %u pixels: set --size %ux%u", path, job->reference.width,
+        log_error("%s has %u x %u pixels: use --size %ux%u", path, job->reference.width,
                   job->reference.height, job->reference.width, job->reference.height);
         return STATUS_DATA;
     }
@@ -294,7 +294,7 @@ static void record_scene(struct summary *summary, const struct job *job)
     summary->scenes[summary->scene_count++] = job->o.image.scene.name;
 }
 
-/* Prints the title of a column: the end of a file's path, truncated to the column width. */
+/* Prints a column title: a scene's file name, truncated to the column width. */
 static void print_title(const char *scene)
 {
     const char *slash = strrchr(scene, '/');
@@ -363,7 +363,7 @@ static enum status run_scene(const struct app_options *options, const char *name
     return status;
 }
 
-/* Runs all scenes up to the first that fails. A furnace test that fails only sets the exit code. */
+/* Runs all scenes until one fails. A failed furnace test only sets the exit code. */
 static enum status run_scenes(const struct app_options *o)
 {
     const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;

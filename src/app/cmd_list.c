@@ -85,7 +85,7 @@ static enum status list_layers(void)
     return STATUS_OK;
 }
 
-/* Prints "0 to 16 metres" or "one of fifo, mailbox" after a separator; nothing for a switch. */
+/* Prints a setting's range after a separator, such as "0 to 16 metres"; nothing for a switch. */
 static void print_range(const struct setting *row, const char *separator)
 {
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
@@ -132,15 +132,14 @@ static enum status list_settings(void)
     return STATUS_OK;
 }
 
-/* Returns how rays of the refraction model `trace` are traversed on a usable device. */
+/* Describes how a usable device traverses the rays of refraction model `trace`. */
 static const char *ray_traversal(const struct gpu_device *device)
 {
     if (!device->has_rays)
         return "; traces rays in firn's BVH";
     return device->type == VK_PHYSICAL_DEVICE_TYPE_CPU
-               ? "; traces rays in firn's BVH, with trace.traversal=query in its acceleration "
-                 "structures"
-               : "; traces rays in its acceleration structures";
+               ? "; traces rays in firn's BVH, or with trace.traversal=query by its ray queries"
+               : "; traces rays by its ray queries";
 }
 
 static enum status list_devices(void)
@@ -215,7 +214,7 @@ enum status app_list(const struct app_options *o)
     const bool is_preset = o->run.format == APP_FORMAT_PRESET;
     enum status status = check_topic(topic);
     if (status == STATUS_OK && is_preset && (!topic || strcmp(topic, "settings") != 0)) {
-        log_error("--preset: expected firn list settings --preset");
+        log_error("--preset: only available as firn list settings --preset");
         return STATUS_USAGE;
     }
     if (status == STATUS_OK && is_preset)

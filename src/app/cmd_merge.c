@@ -24,8 +24,8 @@ struct job {
     struct image image;                       /* merged image, with the planes of `first` */
 };
 
-/* Parses the text "number of columns x rows", optionally interleaved. *number becomes the tile's
- * index, from 0. Returns false if the text is invalid. */
+/* Parses "3 of 4x2" or "3 of 4x2 interleaved": tile 3 of 4 columns and 2 rows. *number becomes the
+ * tile's index, from 0. Returns false if the text is invalid. */
 static bool read_text(const char *text, struct tiling *tiling, uint32_t *number, bool *interleaved)
 {
     unsigned columns, rows, at;
@@ -41,13 +41,13 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
     return *interleaved || !text[length];
 }
 
-/* Finds the size of the whole image. Returns false if the file is not at its tile's position. */
+/* Finds the size of the whole image. Returns false if a file is not at the position of its tile. */
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {
     const struct image *image = &input->head.image;
     const struct image_window window = input->head.window;
-    if (interleaved) { /* cannot overflow: image.h limits the size of files */
+    if (interleaved) { /* cannot overflow, because image.h limits the size of files */
         tiling->width = image->width * tiling->columns;
         tiling->height = image->height * tiling->rows;
         return true;
@@ -108,7 +108,8 @@ static enum status check_same(const struct input *tile, const struct input *firs
     if (same && is_same_text(tile, first, "firn/version") &&
         is_same_text(tile, first, "firn/settings"))
         return STATUS_OK;
-    log_error("%s: its image or firn version differs from that of %s", tile->path, first->path);
+    log_error("%s: expected a tile of the same image and firn version as %s", tile->path,
+              first->path);
     return STATUS_DATA;
 }
 
@@ -127,7 +128,7 @@ static enum status add_tile(struct job *job, const char *path, const struct read
         return status;
     status = read_number(&tile, job, &number);
     if (status == STATUS_OK && job->tiles[number].path) {
-        log_error("%s: expected each tile once, got tile %u again, which is %s", path, number + 1,
+        log_error("%s: expected each tile once, but tile %u is already in %s", path, number + 1,
                   job->tiles[number].path);
         status = STATUS_DATA;
     }
@@ -180,7 +181,7 @@ static uint32_t find_row(const struct job *job, uint32_t y)
     return row;
 }
 
-/* Copies a tile's pixels of one row of a plane. */
+/* Copies a tile's part of one image row, for one plane. */
 static enum status copy_from_tile(const struct job *job, uint32_t index, uint32_t plane, uint32_t y,
                                   float *row)
 {

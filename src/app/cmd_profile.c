@@ -96,7 +96,7 @@ static enum status run_frame(struct profile_job *job)
 
 /* ---- a sweep ---- */
 
-/* Refuses reports that describe one frame if several will be measured. */
+/* Refuses reports that can describe only one frame, because several will be measured. */
 static enum status refuse_reports(const struct app_profile *options, const char *many)
 {
     if (!options->baseline && !options->csv && !options->trace && !options->capture)
@@ -135,7 +135,7 @@ static enum status check(struct profile_job *job, bool is_paper)
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK && (is_paper || o->sweeps.count))
-        status = refuse_reports(&o->profile, is_paper ? "paper" : "--sweep");
+        status = refuse_reports(&o->profile, is_paper ? "firn profile paper" : "--sweep");
     if (status == STATUS_OK)
         status = sweep_values_parse(&job->sweep, &o->sweeps, &o->image);
     if (status == STATUS_OK && o->profile.baseline)

@@ -20,13 +20,12 @@ enum {
     CASE_SETTINGS = 10
 };
 
-/* A measured case: scene and settings. Names are the points of the sweep. */
+/* Scene and settings of one measurement, which is a sweep point called `name`. */
 struct paper_case {
     const char *name, *scene;
     const char *set[CASE_SETTINGS + 1]; /* "name=value"; ends at NULL */
 };
 
-/* Camera distances: objects cover a fifth of the screen, in the last case all of it. */
 #define INSIDE(cracks, air) \
     "cracks.count=" cracks, "cracks.clip=convex", "air.count=" air, "bubbles.count=0"
 #define STATIC_CUBE "env_cube.dynamic=off"
@@ -51,6 +50,7 @@ enum {
     CASE_COUNT,
 };
 
+/* Camera distances let the object cover a fifth of the screen, or all of it in WHOLE_SCREEN. */
 static const struct paper_case cases[CASE_COUNT] = {
     [SPHERE_PLAIN] = { "sphere", "sphere", { "orbit=28,9,4.27", INSIDE("0", "0"), STATIC_CUBE } },
     [SPHERE_FULL] = { "sphere with cracks and air",

@@ -23,7 +23,7 @@
 #include "src/reader/image_reader.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
-#include "src/render/cpu_driver.h"
+#include "src/render/lavapipe_tuning.h"
 #include "src/render/renderer.h"
 #include "src/render/renderer_requests.h"
 #include "src/tech/refract/refract_reference.h"
@@ -37,7 +37,7 @@ struct job {
     bool is_opened;       /* open_renderer() has logged its warnings */
     bool is_filled;       /* textures and meshes are filled */
     const char *missing;  /* result of app_fill_scene() */
-    struct camera camera; /* camera at time 0; that of an animated model may move */
+    struct camera camera; /* camera at time 0; a camera of an animated model may move */
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
     struct reference *reference;    /* NULL until a frame needs it */
@@ -79,7 +79,7 @@ static bool has_samples(const struct output *output, const char *path,
     return same;
 }
 
-/* Returns true if --resume may keep a file. Logs why a file is unreadable, which is drawn again. */
+/* Returns true if --resume may keep a file. If it is unreadable, logs why and returns false. */
 static bool is_current(const struct job *job, const struct output *output, const char *path)
 {
     struct image_header head;
@@ -233,14 +233,14 @@ static enum status trace_image(struct job *job, struct frame *frame)
     return status == STATUS_OK ? output_describe(output) : status;
 }
 
-/* Warns once for all frames of light that is missing because paths were cut off. */
+/* Warns, once for all frames, that light is missing because paths were cut off. */
 static void warn_of_remaining(const struct job *job)
 {
     const unsigned long long count = job->pixels_beyond;
     if (count && !job->o.run.quiet)
         log_warning(
-            "--refraction reference: light paths were cut: up to %.2g of a pixel's light "
-            "is missing, more than %g in %llu pixel%s (layer remaining): raise "
+            "--refraction reference: light paths were cut, so up to %.2g of a pixel's light "
+            "is missing, and more than %g in %llu pixel%s (layer remaining); raise "
             "reference.bounces, lower reference.cutoff, or set reference.russian_roulette=on",
             job->remaining, REFERENCE_REMAINING_MAX, count, count > 1 ? "s" : "");
 }
@@ -256,7 +256,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* Makes PNG pixels that the renderer does not: layers, 16 bits, alpha, dither. */
+/* Makes the PNG pixels that the renderer cannot make: layers, 16 bits, alpha, dithering. */
 static bool make_png(const struct app_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -326,15 +326,15 @@ static bool is_small(const struct job *job)
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
-/* Opens the device, and fills the scene in another thread meanwhile. That thread does not log: if
- * both fail, message and status are the device's. */
+/* Opens the device while another thread fills the scene. If both fail, only the failure of the
+ * device is logged and returned. */
 static enum status open_device(struct job *job)
 {
     pthread_t thread;
     if (job->gpu.device)
         return STATUS_OK;
     if (is_small(job))
-        cpu_driver_prefer_start();
+        lavapipe_tuning_prefer_start();
     const bool is_beside = !job->is_filled && pthread_create(&thread, NULL, fill_scene, job) == 0;
     const enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (is_beside)
@@ -347,7 +347,7 @@ static enum status open_device(struct job *job)
     return status == STATUS_OK && job->missing ? app_log_fill_failure(job->missing) : status;
 }
 
-/* Opens the device or the reference, with the first frame that has to be drawn. */
+/* Creates the renderer or the reference for the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
     const struct app_image *p = &job->o.image;
@@ -396,7 +396,7 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
-    /* a pipe may block forever, so signals are not held */
+    /* do not delay signals for a pipe, which may block forever */
     const bool is_direct = file_io_is_direct(path);
     void *data = NULL;
     size_t size = 0;

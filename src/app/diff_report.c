@@ -12,7 +12,7 @@ enum {
     COLUMNS = 100
 };
 
-/* Prints a channel name of a file without its control characters. Returns its width, columns. */
+/* Prints a channel name with control characters replaced. Returns its width in columns. */
 static int print_name(const char *name, FILE *out)
 {
     int columns = 0;
@@ -140,13 +140,13 @@ void diff_report_text(const struct diff_report *report, FILE *out)
 
 /* ---- JSON ---- */
 
-/* Adds a value to an object or, if `key` is NULL, to an array. Always takes ownership of it. */
+/* Moves a value to an object or, if `key` is NULL, to an array. On failure frees the value. */
 static bool append(json_t *json, const char *key, json_t *value)
 {
     return (key ? json_object_set_new(json, key, value) : json_array_append_new(json, value)) == 0;
 }
 
-/* Returns a string; file names that are not UTF-8 are replaced by plain ASCII. */
+/* Returns a JSON string. If a file name is not UTF-8, its non-ASCII bytes become '?'. */
 static json_t *make_text(const char *text)
 {
     json_t *json = json_string(text);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "src/app/shell_quote.h"
 
-/* Prints the arguments for firn render, without "farm" and its own arguments. */
+/* Prints the arguments for firn render, without those that only firn farm has. */
 static void print_arguments(const struct farm_script *script, FILE *out)
 {
     app_print_render_arguments(script->options->run.args + 1, APP_FARM, 1, out);

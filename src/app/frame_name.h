@@ -17,10 +17,10 @@ struct frame_name {
     bool hashes;       /* the width excludes the sign */
 };
 
-/* Parses a path that may have one field. STATUS_USAGE (logged) if there are more, or a lone '%'. */
+/* Parses a path with at most one frame number. Logs and returns STATUS_USAGE for other paths. */
 MUST_USE enum status frame_name_parse(struct frame_name *name, const char *path);
 
-/* Returns true if a path clearly contains a field: "##" or "%d"; a single '#' does not count. */
+/* Returns true if a path contains a frame number, "##" or "%d". A single '#' does not count. */
 bool frame_name_is_pattern(const char *path);
 
 /* Returns the path of a frame, to be freed by the caller; NULL when out of memory. */

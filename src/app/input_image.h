@@ -11,12 +11,12 @@
 MUST_USE enum status input_image_read(const char *path, const struct reader_params *params,
                                       struct image *image);
 
-/* Checks that both images have the same size, else logs with the paths: STATUS_DATA. */
+/* Checks that two images have the same size. If not, logs both paths and returns STATUS_DATA. */
 MUST_USE enum status input_image_check_size(const struct image *image, const char *path,
                                             const struct image *other, const char *other_path);
 
-/* Sets *counted to an array, to be freed by the caller, that is true for pixels with the channel
- * above 0. Returns STATUS_DATA if the channel is missing or nowhere above 0; STATUS_TRY_AGAIN. */
+/* Allocates *counted, which the caller frees: true for pixels where the channel is above 0. Returns
+ * STATUS_DATA if the channel is missing or nowhere above 0; STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status input_image_make_mask(const struct image *image, const char *path,
                                            const char *channel, bool **counted);
 

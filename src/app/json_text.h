@@ -1,4 +1,4 @@
-/* json_text.h: helpers for JSON output on stdout. NULL means out of memory, and is passed on. */
+/* json_text.h: helpers for JSON output on stdout. A NULL value means out of memory. */
 #ifndef FIRN_APP_JSON_TEXT_H
 #define FIRN_APP_JSON_TEXT_H
 

@@ -11,7 +11,7 @@
 /* Planes of a layer, and the value ranges that are mapped to black and white. */
 struct source {
     const float *planes[3];
-    uint32_t count; /* one plane is grey; two planes have no blue */
+    uint32_t count; /* number of planes: 1 is shown as grey, 2 without blue */
     float minimum[3], maximum[3];
 };
 
@@ -70,7 +70,7 @@ static void find_range(struct source *source, size_t pixels)
     }
 }
 
-/* Maps a value to 0 to 1 in its plane's range; 1 if the range is empty. */
+/* Maps a value from its plane's range to 0..1. Returns 1 if the range is empty. */
 static float stretch(const struct source *source, uint32_t p, float x)
 {
     const float width = source->maximum[p] - source->minimum[p];
@@ -153,7 +153,7 @@ uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_laye
     return rgba;
 }
 
-/* Tone-maps a pixel of the beauty, with straight (unpremultiplied) alpha. */
+/* Tone-maps a pixel of the beauty. The result has straight (unpremultiplied) alpha. */
 static void show_beauty(const float *const planes[static 4], size_t i,
                         const struct tonemap_params *params, float rgba[static 4])
 {

@@ -12,7 +12,7 @@
 /* Returns the layer of that name, or NULL; logs nothing. */
 const struct frame_layer *layer_image_find(const char *name);
 
-/* Returns bit i of renderer_params.layers for techniques_layer(i); 0 for NULL. */
+/* Returns the layer's bit in renderer_params.layers; 0 for NULL. */
 uint32_t layer_image_bit(const struct frame_layer *layer);
 
 /* Return RGBA pixels for png_image_source, to be freed by the caller; NULL when out of memory,
@@ -20,8 +20,8 @@ uint32_t layer_image_bit(const struct frame_layer *layer);
 uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* Tone-maps the beauty with the settings and keeps its alpha: to 8-bit pixels, dithered if set so,
- * or to 16-bit ones; the other pointer is NULL. Logs and returns false when out of memory. */
+/* Tone-maps the beauty and keeps its alpha. Allocates 8-bit pixels, dithered if tonemap.dither is
+ * on, or 16-bit pixels; one pointer is NULL. Logs and returns false when out of memory. */
 bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
                         uint16_t **rgba_16);
 

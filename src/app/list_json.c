@@ -14,7 +14,7 @@
 #include "src/settings/quality.h"
 #include "src/tech/refract/refract_reference.h"
 
-/* In the functions below, NULL means out of memory; functions of jansson pass it on. */
+/* In this file, a NULL value means out of memory. Functions of jansson pass it on. */
 
 /* Appends the assets of a kind. */
 static json_t *append_assets(json_t *all, enum asset_kind kind)
@@ -126,7 +126,7 @@ static json_t *setting_of(const struct setting *row)
                      "choices", row->type == SETTING_CHOICE ? choices_of(row) : NULL);
 }
 
-/* Returns the quality levels, with the values of settings that differ from the defaults. */
+/* Returns the quality levels, each with the settings that differ from the defaults. */
 static json_t *qualities_all(void)
 {
     json_t *all = json_array();

@@ -22,7 +22,7 @@
 #include "src/tech/techniques.h"
 #include "src/tech/water/pool.h"
 
-/* Stops above white at which a file's lights are reported as too bright. */
+/* Overexposure, in stops above white, from which a file's lights are reported. */
 #define BRIGHT_STOPS 4.0
 
 /* Sets the refractive index. Precedence: --set, --material, --preset, the model's own, the default.
@@ -73,14 +73,14 @@ static bool has_ice(const struct scene *scene)
            (scene->model.object_count > 0 && frame_media_are_from_settings(scene));
 }
 
-/* Returns true if an asset with its own material sets inclusions of this kind itself. */
+/* Returns true if a bundled asset, with its own material, sets this kind of inclusion. */
 static bool has_default(const struct app_scene *options, const struct technique *technique)
 {
     return !options->material &&
            options->is_asset_setting[settings_index(&technique->settings[0]->rows[0])];
 }
 
-/* Switches off inclusions and bumps that only ice has, for other materials and with --plain. */
+/* Switches off inclusions and bumps, which only ice has, for other materials or with --plain. */
 static void switch_off_ice_effects(struct app_scene *options, const struct scene *scene)
 {
     const bool is_ice =
@@ -93,30 +93,29 @@ static void switch_off_ice_effects(struct app_scene *options, const struct scene
         switch_off(options, &highlight);
 }
 
-/* Switches off inclusions in scenes with several refractive objects: they belong to one object. */
+/* Switches off inclusions, which support only one object, if the scene has several. */
 static void check_inclusions(struct app_scene *options, const struct scene *scene, bool is_verbose)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
         if (scene->model.object_count < 2 || !(*t)->is_ice_only || !(*t)->is_on(&options->settings))
             continue;
         if (is_verbose)
-            log_warning("%s: left out, because the scene has %u refractive objects",
+            log_warning("%s: left out, because the scene has %u refractive objects instead of one",
                         (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
         settings_set_value(&options->settings, &(*t)->settings[0]->rows[0], 0);
     }
 }
 
-/* Warns if the lights of a file have no effect, because only opaque surfaces are lit by them. */
+/* Warns that a file's lights have no effect if there is no opaque surface for them to light. */
 static void check_lights(const struct app_scene *options, const struct scene *scene)
 {
     if (scene->model.light_count > 0 && !scene->punctual_light_table)
         log_warning(
-            "%s: its lights have no effect: they light only opaque surfaces that are not unlit, "
-            "and the scene has none",
+            "%s: its lights have no effect, because the scene has no opaque surface to light",
             options->name);
 }
 
-/* Notes lights in physical units, as other programs write them, that overexpose the image. */
+/* Logs a note if lights in physical units, as other programs write them, overexpose the image. */
 static void note_brightness(const struct app_scene *options, const struct scene *scene)
 {
     const struct setting *exposure = settings_find("tonemap.exposure");
@@ -131,12 +130,12 @@ static void note_brightness(const struct app_scene *options, const struct scene 
     const double stops = log2((double)brightest / (double)CGLM_PI);
     if (stops >= BRIGHT_STOPS && !options->quiet && !options->is_preset[settings_index(exposure)] &&
         !options->is_set[settings_index(exposure)])
-        log_note("%s: its lights make white surfaces %.0f times as bright as white; "
-                 "--set tonemap.exposure=%.0f shows them",
+        log_note("%s: its lights overexpose white surfaces %.0f times; "
+                 "use --set tonemap.exposure=%.0f",
                  options->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
-/* Warns if the environment box is empty; no error, since a window's user may be editing it. */
+/* Warns if the environment box is empty. This is no error, since a user may be editing it. */
 static void check_box(const struct app_scene *options, const struct scene *scene)
 {
     const struct refract_params *refract = settings_of(&options->settings, &refract_settings);
@@ -144,7 +143,7 @@ static void check_box(const struct app_scene *options, const struct scene *scene
     const bool is_box = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
     if (refract->lookup == REFRACT_LOOKUP_BOX && !is_box)
         log_warning("refract.lookup=box: the box is empty, so the environment is infinitely far "
-                    "away; set env_box.min_x < right, bottom < top and back < front");
+                    "away; set env_box.min_x < max_x, min_y < max_y and min_z < max_z");
 }
 
 enum status app_require_scene(const struct app_scene *options)
@@ -155,11 +154,11 @@ enum status app_require_scene(const struct app_scene *options)
     return STATUS_USAGE;
 }
 
-/* Notes that an object without materials is drawn as ice, which its author may not have meant. */
+/* Logs a note that an object without materials is drawn as ice, which may not be intended. */
 static void note_ice(const struct app_scene *options, const struct scene *scene)
 {
     if (!options->quiet && !options->material && !scene_is_known(options->name) && has_ice(scene))
-        log_note("%s: has no materials, so it is drawn as ice; to change it, use for example "
+        log_note("%s: has no materials, so it is drawn as ice; to change that, use for example "
                  "--material glass",
                  options->name);
 }
@@ -179,7 +178,7 @@ static void finish_settings_callback(void *user, const struct scene *scene,
     *params = app_scene_params(settings_callback_data->options, settings_callback_data->maps);
 }
 
-/* Returns true for --env valley: the built-in landscape, also around a model file. */
+/* Returns true for --env valley, the built-in landscape. */
 static bool is_valley(const struct app_scene *options)
 {
     return options->environment && asset_is_valley(options->environment);

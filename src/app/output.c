@@ -1,4 +1,4 @@
-/* output.c: encodes images as EXR and PNG files with metadata, and recognises current files. */
+/* output.c: encodes images as EXR and PNG files with metadata, and recognises up-to-date files. */
 #include "src/app/output.h"
 #include <cglm/struct.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@
 #include "src/tech/refract/refract_reference.h"
 #include "src/version.h"
 
-/* Texts are stored in this order; texts that are not compared by --resume come last. */
+/* Maximum number of metadata texts. Texts that --resume does not compare come last. */
 enum {
     TEXT_COUNT_MAX = 7
 };
@@ -192,7 +192,7 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     add_text(texts, "firn/noise", texts->noise);
 }
 
-/* Returns the pixels of the image that a file contains; at (0, 0) if tiles are interleaved. */
+/* Returns the rectangle of image pixels in an output file; at (0, 0) for an interleaved tile. */
 static struct tile pixels_of(const struct app_image *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
@@ -206,7 +206,7 @@ static struct tile pixels_of(const struct app_image *p)
     };
 }
 
-/* Returns the position of a file's pixels in the whole image; {0} if it has no single position. */
+/* Returns the position of a rectangular tile in the whole image; empty for other files. */
 static struct image_window window_of(const struct app_image *p)
 {
     const struct tile tile = pixels_of(p);
@@ -347,7 +347,7 @@ static enum status encode_exr(const struct output *output, const struct render_r
     const mat4s view = camera_view_from_world(camera);
     const mat4s ndc = camera_clip_from_world(
         camera, p->width, p->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
-    /* a column-major matrix for column vectors is in memory a row-major one for row vectors */
+    /* in memory, a column-major matrix for column vectors equals a row-major one for row vectors */
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     const struct exr_header header = {
         .texts = texts->all,

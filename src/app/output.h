@@ -1,4 +1,4 @@
-/* output.h: encodes images as EXR and PNG files with metadata, and recognises current files. */
+/* output.h: encodes images as EXR and PNG files with metadata, and recognises up-to-date files. */
 #ifndef FIRN_APP_OUTPUT_H
 #define FIRN_APP_OUTPUT_H
 
@@ -19,24 +19,24 @@ struct output {
 };
 
 /* Sets output->settings and png_settings (freed first) to a description of options, camera and
- * every setting. A frame is described like the single image at its time (motion.time), so that both
- * have the same pixels. On failure logs and returns STATUS_TRY_AGAIN. */
+ * every setting. A frame of a sequence is described like a single image at its time (motion.time),
+ * because their pixels are the same. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status output_describe(struct output *output);
 
 /* Frees what output_describe() allocated. */
 void output_finish(struct output *output);
 
-/* Returns true if an undamaged file with this head equals what output_encode() would write to
- * `path`, judged by size, layers, firn/settings and firn/version. Changes of input files are not
- * noticed, and the device may differ. */
+/* Returns true if an undamaged file with this header is what output_encode() would write to `path`,
+ * judged by size, layers, firn/settings and firn/version. Does not notice changes of input files,
+ * or another device. */
 bool output_is_current(const struct output *output, const char *path,
                        const struct image_header *head);
 
-/* Returns the sample count stored in the head of a reference image that stopped at a limit of noise
- * (0: none) or time, if it still satisfies that limit with at most `samples`; else 0. */
+/* Returns the sample count in the header of a reference image that needs no more: one with
+ * `samples` samples or, if fewer, with at most `noise` (0 for no limit). Otherwise returns 0. */
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
-/* Checks that --tiles and --tile fit size, refraction model and files: STATUS_USAGE (logged). */
+/* Checks --tiles and --tile against size, refraction model and files. Logs errors: STATUS_USAGE. */
 MUST_USE enum status output_check_tiles(const struct app_image *image,
                                         const struct app_outputs *outputs);
 

@@ -69,7 +69,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     return true;
 }
 
-/* Writes the material's name, or the refractive index if it is not that of a named material. */
+/* Writes the material's name, or the refractive index if no named material has it. */
 static void describe_material(struct profile *p, const struct app_scene *options)
 {
     const double ior = settings_get(&options->settings, settings_find("refract.ior"));
@@ -105,7 +105,7 @@ struct subject {
     struct scene scene;
 };
 
-/* Loads the scene and fills the request, which points to the subject. */
+/* Loads the subject's scene and fills the request, which points to the subject. */
 static enum status prepare(struct profile_job *job, struct subject *subject,
                            struct profile_request *request)
 {

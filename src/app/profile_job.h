@@ -17,18 +17,18 @@ struct profile_job {
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures images interleaved: one run of each before the next run. The profiles must be {0}; after
- * a failure they may be in any state that profile_finish() accepts. */
+/* Measures images in turn: one run of each before the next run of any. The profiles must be empty
+ * before; after a failure, profile_finish() must still be called for them. */
 MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
                                          struct profile *profiles, uint32_t count);
 
 /* Writes the reports of job->sweep that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
-/* Returns true if tables are printed on stdout: no report is written there. */
+/* Returns true if tables are printed on stdout, that is, unless a report is written there. */
 bool profile_job_has_table(const struct app_profile *options);
 
-/* Writes and frees a text, unless `made` is an error, which it returns. */
+/* Writes a text to a file, unless `made` is an error, which is then returned. Frees the text. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,
                                             size_t size);
 

@@ -20,7 +20,7 @@ struct progress {
 
 void progress_begin(struct progress *progress, uint32_t frames, const char *step_name, bool quiet);
 
-/* Draws the bar with `done` of the frame's `all` steps done, unless there is only one step. */
+/* Draws the bar after `done` of the frame's `all` steps. Draws nothing for a single step. */
 void progress_show(const struct progress *progress, uint32_t done, uint32_t all);
 
 /* Writes the progress line to `line`: the bar, the steps and, after 2 seconds, the estimated

@@ -19,8 +19,8 @@ enum {
 
 /* ---- reading ---- */
 
-/* Logs the first setting of firn/settings in which the file differs. The file's own text is not
- * printed, because it is not trusted. */
+/* Logs the first setting of firn/settings in which the file differs. Does not print the file's
+ * text, which is not trusted. */
 static enum status refuse_settings(const struct sample_sums_file *file, const char *expected,
                                    const char *found)
 {
@@ -30,7 +30,7 @@ static enum status refuse_settings(const struct sample_sums_file *file, const ch
         found += length + (found[length] != '\0');
         length = strcspn(expected, " ");
     }
-    log_error("%s: has the sums of another image, not of one with '%.*s'; remove the file, or "
+    log_error("%s: expected sample sums of an image with '%.*s'; remove the file, or "
               "leave out --resume",
               file->path, (int)length, expected);
     return STATUS_DATA;
@@ -44,18 +44,18 @@ static enum status check_texts(const struct sample_sums_file *file, const struct
     const char *version = image_header_text(head, "firn/version");
     const unsigned long number = count ? strtoul(count, NULL, 10) : 0;
     if (!settings || !version || number < 1 || number > SAMPLES_MAX) {
-        log_error("%s: expected the sums of a reference, which --keep-sums writes", file->path);
+        log_error("%s: expected sample sums of the reference, written by --keep-sums", file->path);
         return STATUS_DATA;
     }
     if (strcmp(version, FIRN_VERSION) != 0) {
-        log_error("%s: expected the sums of firn %s, got those of another version; remove the "
+        log_error("%s: expected sample sums of firn %s, got another version; remove the "
                   "file, or leave out --resume",
                   file->path, FIRN_VERSION);
         return STATUS_DATA;
     }
     if (number > file->output->image->samples) {
-        log_error("%s: has %lu samples, more than the %u of --samples; give more, or leave out "
-                  "--resume",
+        log_error("%s: has %lu samples, more than the %u of --samples; raise --samples, or leave "
+                  "out --resume",
                   file->path, number, file->output->image->samples);
         return STATUS_DATA;
     }
@@ -85,8 +85,8 @@ static enum status find_planes(const struct sample_sums_file *file, const struct
         while (i < head->image.plane_count && strcmp(head->image.planes[i].name, name) != 0)
             i++;
         if (i == head->image.plane_count) {
-            log_error("%s: has no sums for channel %.*s; give the --aov with which it was begun, "
-                      "or leave out --resume",
+            log_error("%s: has no sample sums of channel %.*s; use the --aov of the first run, or "
+                      "leave out --resume",
                       file->path, (int)(strlen(name) - (strstr(name, ".sum.") ? 6 : 0)), name);
             return STATUS_DATA;
         }

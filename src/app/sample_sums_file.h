@@ -17,8 +17,8 @@ struct sample_sums_file {
     double cost;          /* its duration, seconds */
 };
 
-/* Loads the sums; a reference_load_fn with `user` a struct sample_sums_file. Logs and refuses sums
- * of another image or version, or of more samples: STATUS_DATA. A missing file means no samples. */
+/* Loads the sums; a reference_load_fn whose `user` is a struct sample_sums_file. Refuses sums of
+ * another image or version, or of too many samples: STATUS_DATA (logged). No file: no samples. */
 MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
 
 /* Writes the sums; a reference_save_fn. Skips the write if it would take more than a tenth of the

@@ -18,7 +18,7 @@ static enum status parse_frames(struct sequence *sequence, const struct app_opti
     return sequence->range.frames ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Keeps the frames of --chunk. Names are checked first: those of all chunks must differ. */
+/* Keeps only the frames of --chunk. Must follow parse_names(), which needs the whole list. */
 static enum status apply_chunk(struct sequence *sequence, const struct app_options *o)
 {
     if (!o->render.frames) {

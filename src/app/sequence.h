@@ -15,7 +15,7 @@ struct sequence {
  * default file. The options must outlive *sequence. Logs errors: STATUS_USAGE, STATUS_TRY_AGAIN. */
 MUST_USE enum status sequence_parse(struct sequence *sequence, struct app_options *options);
 
-/* Returns the time of a frame, seconds. */
+/* Returns the time of a frame in seconds. */
 double sequence_time(const struct settings *settings, int32_t frame);
 
 /* Checks that every file can be created, and that every frame's time is in the range of

@@ -11,7 +11,7 @@ static void *wait_for_signals(void *user)
     if (sigwait(&stop->signals, &number) != 0)
         return NULL;
     pthread_mutex_lock(&stop->writing);
-    /* ends a line of the progress bar on the terminal */
+    /* end the line of the progress bar */
     const ssize_t written = isatty(STDERR_FILENO) ? write(STDERR_FILENO, "\n", 1) : 0;
     (void)written;
     const int code = number == SIGUSR1 ? STATUS_TRY_AGAIN : 128 + number;

@@ -20,14 +20,14 @@ struct signals {
 };
 
 /* Blocks the signals and starts the waiting thread. Must be called before any other thread exists,
- * because threads inherit the signal mask. *stop is {0} except for `last` and `user`, and must not
- * be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
+ * because threads inherit the signal mask. *stop must be empty except for `last` and `user`, and
+ * must not be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status signals_begin(struct signals *stop);
 
-/* Stops the waiting thread. The signals stay blocked and do nothing. {0} is fine. */
+/* Stops the waiting thread. The signals stay blocked and do nothing. An empty *stop is fine. */
 void signals_end(struct signals *stop);
 
-/* Delay signals while a file is written, or data that `last` reads is changed. */
+/* Delay signals between these calls, while a file is written or data for `last` is changed. */
 void signals_hold(struct signals *stop);
 void signals_release(struct signals *stop);
 

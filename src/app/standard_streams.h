@@ -10,8 +10,8 @@
  * be called before any file is opened. */
 void standard_streams_begin(void);
 
-/* Flushes stdout at the end of the program. Returns the status, or STATUS_WRITE (logged) if not all
- * output was written. If the reader has closed (`firn list | head`), ends silently with SIGPIPE. */
+/* Flushes stdout at the end of the program. Returns `status`, or STATUS_WRITE (logged) if not all
+ * output was written. If the reader has gone (`firn list | head`), ends silently with SIGPIPE. */
 enum status standard_streams_end(enum status status);
 
 #endif

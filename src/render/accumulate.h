@@ -7,7 +7,7 @@
 #include "src/frame/output_layers.h"
 #include "src/image/image.h"
 
-/* Adds a layer's planes, filled with 0, to the image. Returns false when out of memory. */
+/* Adds zero-filled planes for a layer to the image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
 
 /* Adds one sample of a layer to a rectangle of the image's planes. `texels` is the layer's image as
@@ -16,7 +16,7 @@ bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
 void accumulate_sample(struct image *image, const struct tile *tile,
                        const struct frame_layer *layer, const void *texels, uint32_t sample);
 
-/* Divides the planes of an averaged layer by the number of samples. */
+/* Divides the sums in an averaged layer's planes by the number of samples. */
 void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples);
 
 #endif

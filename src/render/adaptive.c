@@ -1,4 +1,4 @@
-/* adaptive.c: adaptive sampling: error estimates of cells, and rectangles that cover noisy ones. */
+/* adaptive.c: adaptive sampling: estimates errors of cells, covers noisy cells with rectangles. */
 #include "src/render/adaptive.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 
 enum {
     CELL = ADAPTIVE_CELL,
-    FIRST_END = 4,       /* samples of the first round; later rounds quadruple it */
-    RECTANGLE_COST = 64, /* cost per rectangle in cells, since some passes draw the full image */
+    FIRST_END = 4,       /* samples per pixel after round 1; each later round quadruples them */
+    RECTANGLE_COST = 64, /* fixed cost per rectangle, in cells: some passes draw the full image */
 };
 
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height)
@@ -71,7 +71,7 @@ void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint
     }
 }
 
-/* Returns the pixel rectangle of some cells. Cells at the right and lower edges may be smaller. */
+/* Converts a rectangle of cells to pixels, clipped to the image. */
 static struct tile pixels_of(const struct adaptive *a, const struct tile *cells)
 {
     struct tile tile = { cells->x * CELL, cells->y * CELL, cells->width * CELL,
@@ -116,8 +116,8 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
     return left <= right;
 }
 
-/* Covers the noisy cells of a rectangle with rectangles: splits it in half recursively where that
- * is cheaper than drawing it whole. Returns the cost of the cover, in cells. */
+/* Covers the noisy cells among `cells` with rectangles to draw. Splits `cells` in half recursively
+ * where that is cheaper than drawing all of it. Returns the cost of the cover, in cells. */
 static uint32_t cover(struct adaptive *a, struct tile cells)
 {
     const uint32_t before = a->rectangle_count;

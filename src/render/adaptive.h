@@ -29,27 +29,27 @@ struct adaptive {
     uint32_t width, height; /* size of the image, pixels */
     uint32_t columns, rows; /* number of cells across and down */
     float *sums,
-        *alternate_sums; /* brightness sums per pixel: of all samples, and of every other sample */
+        *alternate_sums; /* sums of brightness per pixel over all samples, and every other one */
     uint32_t *counts;    /* samples drawn per cell */
     bool *is_noisy;      /* per cell: needs more samples */
     struct tile *rectangles; /* draw these until `end` samples */
     uint32_t rectangle_count, end;
 };
 
-/* Starts with one rectangle, the whole image. Returns false when out of memory. */
+/* Starts with the whole image as the only rectangle. Returns false when out of memory. */
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height);
 void adaptive_finish(struct adaptive *adaptive);
 
-/* Adds one sample of a rectangle: its texels, RGBA half floats, rows tightly packed. */
+/* Adds one sample per pixel of a rectangle. `texels` are RGBA half floats, rows tightly packed. */
 void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint16_t *texels,
                   uint32_t sample);
 
-/* Starts the next round, once all rectangles have `end` samples: raises `end` and finds the
- * rectangles that are still noisy. Returns false if no cell needs more samples. */
+/* Starts the next round after all rectangles have `end` samples per pixel: raises `end` and covers
+ * the cells that are still noisy with new rectangles. Returns false if no cell is noisy. */
 bool adaptive_next_round(struct adaptive *adaptive);
 
 /* Scales the sample sums of an averaged layer as if every cell had ADAPTIVE_SAMPLES samples, so
- * that one division yields all means. The factors are powers of two, so this rounds nothing. */
+ * that one divisor yields all means. The factors are powers of two, so nothing is rounded. */
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 

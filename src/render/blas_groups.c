@@ -22,7 +22,7 @@ static double float_from_bits(uint32_t word)
     return (double)x;
 }
 
-/* Affine map of a triangle from world space to barycentric coordinates and plane distance. */
+/* Affine map from world space to a triangle's barycentric coordinates and plane distance. */
 struct affine_map {
     double rows[3][3], translation[3];
 };
@@ -68,7 +68,7 @@ static void compute_point(const struct affine_map *map, double u, double v, floa
     }
 }
 
-/* Computes a triangle's vertices, enlarged by `margin` on each side; false if it has no area. */
+/* Computes the vertices, enlarged by `margin` on each side. Returns false if there is no area. */
 static bool compute_vertices(const struct affine_map *map, double margin, float to[static 3][3])
 {
     static const double none[3] = { 0 };
@@ -83,8 +83,8 @@ static bool compute_vertices(const struct affine_map *map, double margin, float 
     return true;
 }
 
-/* Writes the vertices of a group. Triangles without area can never be hit, and are replaced by a
- * point of another triangle. */
+/* Writes the vertices of a group. A triangle without area can never be hit, so all its vertices are
+ * set to one vertex of another triangle. */
 static void write_group(struct gpu_blas_groups *groups, const struct bvh *bvh,
                         const struct gpu_blas_group *group, double margin)
 {
@@ -114,7 +114,7 @@ static uint32_t object_id_of(const struct bvh *bvh, uint32_t triangle)
     return id ? id : bvh->corners.all[(size_t)(surface & BVH_SURFACE_MASK) + 3][3] / 2;
 }
 
-/* Extends a range of triangles by those of a leaf, or pushes an inner node onto the stack. */
+/* Extends `range` by a leaf's triangles, or pushes an inner node onto the stack. */
 static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uint32_t *top)
 {
     const uint32_t first = (child & ~BVH_LEAF) >> 3, count = child & 7;
@@ -126,7 +126,7 @@ static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uin
     }
 }
 
-/* Finds the triangles below a BVH root: indices from range[0] to before range[1]. */
+/* Finds the triangle indices below a BVH root, from range[0] to range[1] (exclusive). */
 static void find_triangle_range(const struct bvh *bvh, uint32_t root, uint32_t range[static 2])
 {
     uint32_t stack[BVH_DEPTH_MAX + 2], top = 0;
@@ -227,8 +227,8 @@ static struct similarity_transform_corners vertices_of(const struct gpu_blas_gro
                                                   3 * group->count };
 }
 
-/* Returns true if a group has only moved rigidly or scaled uniformly since `built`. The deviation
- * may take up half of the margin; the other half remains for rounding. */
+/* Returns true if a group has only moved rigidly or scaled uniformly since `built`, within half of
+ * the margin. The other half is reserved for rounding errors. */
 static bool has_moved(const struct gpu_blas_groups *groups, const struct gpu_blas_groups *built,
                       uint32_t index, struct similarity_transform *motion)
 {

@@ -5,14 +5,14 @@
 #include <stdlib.h>
 
 enum {
-    STEPS = 4,         /* iteration i reaches 2 << i pixels */
+    STEPS = 4,         /* filter iterations; iteration i reaches 2 << i pixels */
     WINDOW_RADIUS = 3, /* radius of the variance window, pixels */
 };
 
-/* Sample count above which a pixel skips an iteration; the widest iterations are skipped first. */
+/* Samples per pixel from which each filter iteration is skipped; the widest is skipped first. */
 static const float enough_samples[STEPS] = { DENOISE_SAMPLES_ENOUGH, 16.0f, 8.0f, 6.0f };
 
-/* Lighting of a pixel, without albedo, as the difference from the light of an unoccluded sky. */
+/* Demodulated lighting of a pixel: irradiance, without albedo, minus that of an unoccluded sky. */
 struct light {
     vec3s mean;
     float count;                /* samples in `mean`; 0 for none */
@@ -21,7 +21,7 @@ struct light {
 
 struct surface {
     vec3s position, normal;
-    /* distance to the surface point of the next pixel, metres; 0 at an edge */
+    /* distance to the surface point of the nearer neighbour pixel, metres; 0 if there is none */
     float spacing_x, spacing_y;
     float count; /* number of samples that gathered light */
     bool is_diffuse;
@@ -38,7 +38,7 @@ static float brightness(vec3s v)
     return (v.x + v.y + v.z) / 3.0f;
 }
 
-/* Decodes a normal packed octahedrally by denoise_normal() of trace_denoise.glsl. */
+/* Decodes an octahedral normal that denoise_normal() in trace_denoise.glsl has packed. */
 static vec3s normal_of(float code)
 {
     const float steps = fmaxf(code - 1.0f, 0.0f), y = floorf(steps / 4096.0f);
@@ -56,7 +56,7 @@ static float spacing(const struct surface *s, const struct surface *other)
     return other->is_diffuse ? glms_vec3_distance(s->position, other->position) : INFINITY;
 }
 
-/* Computes the distances on the surface to a pixel's nearer neighbour in x and in y. */
+/* Computes the distance to the nearer of a pixel's two neighbours, metres, in x and in y. */
 static void find_spacing(struct denoiser *s, int x, int y)
 {
     struct surface *own = &s->surfaces[y * s->width + x];
@@ -125,8 +125,8 @@ static bool read_planes(struct denoiser *s, const struct image *ground)
     return true;
 }
 
-/* Computes the local mean and variance by which the edge-stopping weights compare pixels. Comparing
- * the pixels' own values would reject rare rays that are occluded or hit a lamp. */
+/* Computes the local mean and variance that the edge-stopping weights compare. Comparing single
+ * pixels instead would reject the rare rays that are occluded or hit a lamp. */
 static struct light local_statistics(const struct denoiser *s, int x, int y)
 {
     const struct surface *own = &s->surfaces[y * s->width + x];
@@ -186,7 +186,7 @@ static struct light filtered(const struct denoiser *s, int x, int y, int step)
     return light;
 }
 
-/* Runs a pass over all pixels: variance estimation if index is -1, else a filter iteration. */
+/* Runs variance estimation on all pixels if `index` is -1, else filter iteration `index`. */
 static void replace(struct denoiser *s, int index)
 {
     for (int y = 0; y < s->height; y++) {

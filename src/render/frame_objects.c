@@ -6,7 +6,7 @@
 #include "src/base/log.h"
 
 struct frame_object_distance {
-    /* distance of the box centre from the camera (orthographic: its plane), metres */
+    /* distance of the box centre from the camera, or from an orthographic camera's plane, metres */
     float distance;
     uint32_t object;
 };
@@ -81,7 +81,7 @@ static bool lookups_overlap(const struct frame_object *a, const struct frame_obj
     return overlap(a->reach, b->area) || overlap(b->reach, a->area);
 }
 
-/* Returns the bounding rectangle of both rectangles. */
+/* Returns the smallest rectangle that contains both. */
 static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
 {
     const int32_t x[2] = { a.offset.x + (int32_t)a.extent.width,
@@ -96,8 +96,8 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest layer for an object that is above all objects it overlaps, and in which no
- * other object can look up its faces. */
+/* Returns the lowest layer that an object can be in: above all farther objects that it overlaps,
+ * and without objects that may look up its faces, or whose faces it may look up. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];
@@ -137,12 +137,12 @@ static void assign_layers(struct frame_object *objects, uint32_t count)
     }
 }
 
-void frame_objects_place(struct frame_objects *objects, const struct frame_exec *frame_exec,
+void frame_objects_place(struct frame_objects *objects, const struct frame_executor *frame_executor,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach)
 {
-    const struct frame_list *list = &frame_exec->frame->list;
-    const VkExtent2D size = frame_exec->frame->plan->view;
+    const struct frame_list *list = &frame_executor->frame->list;
+    const VkExtent2D size = frame_executor->frame->plan->view;
     struct frame_view drawn = *view; /* view of one interleaved tile */
     drawn.width = size.width;
     drawn.height = size.height;
@@ -154,7 +154,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
         const uint32_t index = objects->order[entry->depth_index].object;
         const struct object *object = &view->scene->model.objects[index];
         const struct globals own = frame_view_object_globals(view, globals, index);
-        void *memory = rg_exec_mapped(frame_exec->exec, entry->globals, slot);
+        void *memory = rg_exec_mapped(frame_executor->exec, entry->globals, slot);
         if (memory)
             memcpy(memory, &own, sizeof(own));
         objects->all[i] = (struct frame_object){

@@ -4,9 +4,9 @@
 
 #include "src/frame/frame_uniforms.h"
 #include "src/frame/pass_list.h"
-#include "src/render/frame_exec.h"
+#include "src/render/frame_executor.h"
 
-/* Memory for the objects of a plan's frames; {0} if the plan has no passes for several objects. */
+/* Objects that a plan's frames draw; empty if the plan has no per-object passes. */
 struct frame_objects {
     struct frame_object *all; /* one per object of the plan */
     size_t count;
@@ -18,9 +18,9 @@ MUST_USE enum status frame_objects_init(struct frame_objects *objects,
                                         const struct frame_list *list, const struct scene *scene);
 void frame_objects_finish(struct frame_objects *objects);
 
-/* Chooses an object for each position in the depth order, and writes the uniform data of a frame's
- * slot. `reach` is how far the refraction model looks up faces, in bounding radii. */
-void frame_objects_place(struct frame_objects *objects, const struct frame_exec *frame_exec,
+/* Assigns an object to each position in the depth order, and writes its uniform data for a frame
+ * slot. The refraction model looks up faces within `reach` bounding radii of an object. */
+void frame_objects_place(struct frame_objects *objects, const struct frame_executor *frame_executor,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach);
 

@@ -8,20 +8,20 @@
 enum pixel_filter {
     PIXEL_FILTER_BOX,             /* uniform over the pixel area */
     PIXEL_FILTER_POINT,           /* every sample at the pixel centre */
-    PIXEL_FILTER_BLACKMAN_HARRIS, /* dense at the centre, radius 1.5 pixels */
+    PIXEL_FILTER_BLACKMAN_HARRIS, /* Blackman-Harris window, radius 1.5 pixels */
     PIXEL_FILTER_COUNT,
 };
 
-/* Names of the filters, as in the values of the option --pixel-filter. */
+/* Names of the filters, which are the values of --pixel-filter. */
 extern const char *const pixel_filter_names[PIXEL_FILTER_COUNT];
 
-/* Returns the offset of a sample from the pixel centre, pixels, to the right and down. Every sample
- * has the same weight, because the sample density follows the filter (filter importance sampling;
- * Ernst, Stamminger and Greiner 2006). Sample 0 is at the centre. */
+/* Returns the offset of a sample from the pixel centre, in pixels to the right and down. All
+ * samples have the same weight, because their density follows the filter (filter importance
+ * sampling; Ernst, Stamminger and Greiner 2006). Sample 0 is at the centre. */
 vec2s pixel_filter_offset(enum pixel_filter filter, uint32_t sample);
 
-/* Returns a sample offset of the box filter, pixels, in [-0.5, 0.5). Samples follow Roberts' R2
- * low-discrepancy sequence, evenly distributed at any count; sample 0 is at the centre. */
+/* Returns a sample offset for the box filter, in pixels from -0.5 to 0.5 (exclusive). Samples
+ * follow Roberts' R2 low-discrepancy sequence; sample 0 is at the pixel centre. */
 vec2s pixel_filter_jitter(uint32_t sample);
 
 #endif

@@ -16,7 +16,7 @@
 #include "src/image/half.h"
 #include "src/render/accumulate.h"
 #include "src/render/adaptive.h"
-#include "src/render/frame_exec.h"
+#include "src/render/frame_executor.h"
 #include "src/render/frame_objects.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/renderer_requests.h"
@@ -66,21 +66,21 @@ struct rg_exec_import *renderer_imports(const struct renderer *r, const struct f
     return imports;
 }
 
-static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
+static enum status realise(struct renderer *r, struct frame_executor *frame_executor)
 {
-    struct rg_exec_import *imports = renderer_imports(r, frame_exec->frame);
-    const enum status status =
-        imports ? frame_exec_realise(frame_exec, &r->params, imports) : log_out_of_memory(NULL);
+    struct rg_exec_import *imports = renderer_imports(r, frame_executor->frame);
+    const enum status status = imports ? frame_executor_realise(frame_executor, &r->params, imports)
+                                       : log_out_of_memory(NULL);
     free(imports);
     return status;
 }
 
-enum status renderer_compile(struct renderer *r, struct frame_exec *frame_exec,
+enum status renderer_compile(struct renderer *r, struct frame_executor *frame_executor,
                              struct frame_request request)
 {
-    enum status status = frame_exec_compile(frame_exec, &r->params, request);
+    enum status status = frame_executor_compile(frame_executor, &r->params, request);
     if (status == STATUS_OK)
-        status = realise(r, frame_exec);
+        status = realise(r, frame_executor);
     return status;
 }
 
@@ -112,8 +112,8 @@ static enum status upload(struct renderer *r)
     return status;
 }
 
-/* Returns the offset, in image pixels, of an interleaved tile's pixels from the centre of their
- * block: every tile contributes one pixel to each block. */
+/* Returns the offset, in image pixels, of an interleaved tile's pixel from the centre of its block.
+ * Each block of columns x rows pixels has one pixel of every tile. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
     if (!renderer_is_interleaved(params))
@@ -176,7 +176,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         status = renderer_build_bvh(r);
     const double start = clock_ms();
     if (status == STATUS_OK)
-        status = frame_exec_compile(&r->image, &r->params, renderer_image_request(&r->params));
+        status = frame_executor_compile(&r->image, &r->params, renderer_image_request(&r->params));
     r->costs.compile = clock_ms() - start;
     if (status == STATUS_OK && params->warm_up)
         r->warm_up = shader_warm_up_begin(&r->image, &r->params);
@@ -210,9 +210,9 @@ void renderer_destroy(struct renderer *renderer)
     if (!renderer)
         return;
     shader_warm_up_end(renderer->warm_up);
-    frame_exec_destroy(&renderer->resolve);
-    frame_exec_destroy(&renderer->image);
-    frame_exec_destroy(&renderer->capture);
+    frame_executor_destroy(&renderer->resolve);
+    frame_executor_destroy(&renderer->image);
+    frame_executor_destroy(&renderer->capture);
     frame_objects_finish(&renderer->objects);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
@@ -226,7 +226,7 @@ void renderer_destroy(struct renderer *renderer)
 
 /* ---- a frame ---- */
 
-/* Fills those upload buffers of the techniques that the plan contains. */
+/* Fills the techniques' upload buffers, as far as the plan contains them. */
 static void write_uploads(const struct frame_view *view, const struct globals *globals,
                           struct rg_exec *exec, uint32_t slot)
 {
@@ -242,8 +242,8 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the pixels in which shaders may look up the object's faces: rays begin up to 0.02 radii
- * inside it. Layers and floating ice in a pool need the whole image. */
+/* Returns the image area in which shaders may look up the object's faces, with a margin because
+ * rays begin up to 0.02 radii inside it. Layers and a pool need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
@@ -254,7 +254,7 @@ static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *v
                   : frame_view_box_area(view, globals, view->scene->box, size, 0.05f);
 }
 
-/* Restricts the next frame to a tile, and to the pixels that rays of the tile may look up. */
+/* Restricts the next frame to the current tile and to the pixels that its rays may look up. */
 static void restrict_to_tile(const struct renderer *r, const struct frame_view *view,
                              const struct globals *globals)
 {
@@ -267,7 +267,7 @@ static void restrict_to_tile(const struct renderer *r, const struct frame_view *
         rg_exec_set_region(r->image.exec, &region);
 }
 
-enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
+enum status renderer_run(struct renderer *r, struct frame_executor *frame_executor,
                          const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
 {
     const struct uploaded_scene *s = r->scene;
@@ -294,8 +294,8 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .scene = r->params.scene,
         .object = uploaded_scene_mesh(&s->object, r->params.is_coarse),
         .surroundings = uploaded_scene_mesh(&s->surroundings, r->params.is_coarse),
-        .objects = frame_exec == &r->image ? r->objects.all : NULL,
-        .object_count = frame_exec == &r->image ? r->objects.count : 0,
+        .objects = frame_executor == &r->image ? r->objects.all : NULL,
+        .object_count = frame_executor == &r->image ? r->objects.count : 0,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
         .time = shot->time,
@@ -305,35 +305,35 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     const struct globals globals = frame_view_globals(&view, &frame.view);
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
-    const VkExtent2D size = frame_exec->frame->plan->view;
+    const VkExtent2D size = frame_executor->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.ground_area = frame_view_reflection_area(&view, &globals, size);
-    frame.due = frame_exec == &r->image ? frame_cube_due(&r->cube, &view, &globals)
-                                        : (struct frame_updates){ FRAME_CUBE_ALL, true };
-    VkResult result = rg_exec_begin(frame_exec->exec, slot);
+    frame.due = frame_executor == &r->image ? frame_cube_due(&r->cube, &view, &globals)
+                                            : (struct frame_updates){ FRAME_CUBE_ALL, true };
+    VkResult result = rg_exec_begin(frame_executor->exec, slot);
     if (result == VK_SUCCESS) {
-        write_uploads(&view, &globals, frame_exec->exec, *slot);
-        if (frame_exec == &r->image) {
-            frame_objects_place(&r->objects, frame_exec, *slot, &view, &globals,
+        write_uploads(&view, &globals, frame_executor->exec, *slot);
+        if (frame_executor == &r->image) {
+            frame_objects_place(&r->objects, frame_executor, *slot, &view, &globals,
                                 r->params.refraction ? r->params.refraction->refraction.reach
                                                      : 0.0f);
             restrict_to_tile(r, &view, &globals);
         }
-        result = rg_exec_submit(frame_exec->exec, &frame);
+        result = rg_exec_submit(frame_executor->exec, &frame);
     }
-    if (frame_exec == &r->image && result == VK_SUCCESS)
+    if (frame_executor == &r->image && result == VK_SUCCESS)
         frame_cube_mark_drawn(&r->cube, &view, &globals, frame.due);
     return gpu_status(result);
 }
 
 /* ---- an image ---- */
 
-const void *renderer_read_back(struct frame_exec *frame_exec, const struct rg_image *image,
+const void *renderer_read_back(struct frame_executor *frame_executor, const struct rg_image *image,
                                uint32_t slot)
 {
-    const struct rg_buffer *buffer = frame_plan_buffer(frame_exec->frame, image);
-    return buffer ? rg_exec_mapped(frame_exec->exec, buffer, slot) : NULL;
+    const struct rg_buffer *buffer = frame_plan_buffer(frame_executor->frame, image);
+    return buffer ? rg_exec_mapped(frame_executor->exec, buffer, slot) : NULL;
 }
 
 static bool wants_layer(const struct renderer *r, uint32_t layer)
@@ -421,7 +421,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = false; /* draw all faces: an image must not depend on earlier ones */
+    r->cube.round_robin = false; /* draw all cube faces: no image may depend on earlier ones */
     r->skips_readback = false;
     /* The device draws one sample while the host accumulates the previous one. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
@@ -437,13 +437,13 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-/* Copies the tile from the 8-bit image read back, whose rows are `width` pixels long. */
-static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, uint32_t slot,
-                             uint32_t width)
+/* Copies the tile out of the read-back 8-bit image, whose rows are `width` pixels long. */
+static uint8_t *copy_display(struct renderer *r, struct frame_executor *frame_executor,
+                             uint32_t slot, uint32_t width)
 {
     const size_t row_size = (size_t)r->tile.width * 4;
     uint8_t *rgba = malloc(row_size * r->tile.height);
-    const uint8_t *source = renderer_read_back(frame_exec, &frame_display, slot);
+    const uint8_t *source = renderer_read_back(frame_executor, &frame_display, slot);
     if (!rgba || !source)
         (void)log_out_of_memory(NULL);
     for (size_t y = 0; y < r->tile.height && rgba && source; y++)
@@ -451,7 +451,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
     return rgba;
 }
 
-/* Tone-maps the mean on the device; uploads it as half floats, the format of frame_color. */
+/* Uploads the mean of the samples as half floats, the format of frame_color, and tone-maps it. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
     const uint32_t width = r->resolve.frame->plan->view.width;
@@ -520,7 +520,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = renderer_draw_adaptive(r, shot, result, progress, user);
     else
         status = draw_samples(r, shot, &result->image, progress, user);
-    /* The warm-up ends first, so that a crash of a driver's compiler cannot damage an output. */
+    /* Stop the warm-up first: a crash in a driver's compiler must not damage an output file. */
     shader_warm_up_end(r->warm_up);
     r->warm_up = NULL;
     if (status == STATUS_OK)
@@ -582,7 +582,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
         status = gpu_status(rg_exec_wait(r.capture.exec, slot));
     if (status == STATUS_OK)
         status = fetch_cube(&r, slot, image);
-    frame_exec_destroy(&r.capture);
+    frame_executor_destroy(&r.capture);
     uploaded_scene_finish(&r.own, params->gpu);
     uploaded_scene_finish(&r.bvh, params->gpu);
     free(r.meshes);

@@ -62,19 +62,19 @@ struct renderer_shot {
     struct camera earlier; /* previous frame's; fov_deg 0: `camera` */
 };
 
-/* Draws all samples of a shot. *result must be {0} or finished; on failure it is {0}. With tiles it
- * has the size of one tile. `progress` may be NULL. */
+/* Draws all samples of a shot into *result, which must be empty or finished, and is empty after a
+ * failure. With tiles, the result has the size of one tile. `progress` may be NULL. */
 MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
-/* Submits the shot's sample 0 and returns without waiting for it, except that at most two frames
- * are in flight. For renderers with params.keep. */
+/* Submits sample 0 of the shot and does not wait for its end, but blocks while two frames are in
+ * flight. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
-/* Draws the environment cube at `time`, seconds, into an image in the layout of environment.h: six
- * faces, one below the other, planes R, G, B, A of half floats. Uses only gpu, scene, uploaded,
- * settings, sharing and width (of a face) of params. *image must be {0} and stays so on failure. */
+/* Draws the environment cube at `time`, in seconds, into an image in the layout of environment.h:
+ * six faces, one below the other, with half-float planes R, G, B and A. Uses only gpu, scene,
+ * uploaded, settings, sharing and width (of a face) of params. *image stays empty on failure. */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
@@ -93,17 +93,17 @@ MUST_USE enum status renderer_refine(struct renderer *renderer, const struct ren
                                      uint32_t sample);
 MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
 VkImage renderer_mean(const struct renderer *renderer);
-/* sample sums; {0} if there are none */
+/* Returns the sample sums; an empty image if there are none. */
 const struct image *renderer_sums(const struct renderer *renderer);
 uint32_t renderer_sum_count(const struct renderer *renderer); /* number of samples in the sums */
 
 /* Waits for the frame submitted last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);
 
-/* Returns the kept image (frame_display); every frame leaves it in a layout ready to be sampled. */
+/* Returns the tone-mapped image on the device. After every frame, its layout allows sampling. */
 VkImage renderer_display_image(const struct renderer *renderer);
 
-/* Host time spent by renderer_create(), milliseconds, and sizes of what it built. */
+/* Host times of renderer_create(), in milliseconds, and sizes of what it built. */
 struct renderer_costs {
     double bvh;             /* BVH build time */
     uint32_t bvh_triangles; /* 0 without a BVH */
@@ -116,12 +116,12 @@ struct renderer_costs {
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* Measures the passes of a frame (graph/rg_time.h), with times in the order of renderer_frame(). */
+/* Sets what later frames measure (graph/rg_time.h). Times are in the order of renderer_frame(). */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);
 
-/* Returns the name of a pass of renderer_frame(); copies of a pass for several objects share it. */
+/* Returns the name of a pass of renderer_frame(). Per-object copies of a pass share one name. */
 const char *renderer_pass_name(const struct renderer *renderer, const struct rg_pass *row);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */

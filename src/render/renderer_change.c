@@ -5,52 +5,52 @@
 #include "src/render/renderer_requests.h"
 #include "src/render/shader_warm_up.h"
 
-/* Replaces the plan of frame_exec by one compiled from the request. */
-static enum status replace(struct renderer *r, struct frame_exec *frame_exec,
+/* Replaces the plan of frame_executor by one compiled from the request. */
+static enum status replace(struct renderer *r, struct frame_executor *frame_executor,
                            struct frame_request request)
 {
-    struct frame_exec next = { 0 };
-    enum status status = frame_exec_compile(&next, &r->params, request);
+    struct frame_executor next = { 0 };
+    enum status status = frame_executor_compile(&next, &r->params, request);
     struct rg_exec_import *imports = status == STATUS_OK ? renderer_imports(r, next.frame) : NULL;
     if (status == STATUS_OK && !imports)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        status = frame_exec_replace(frame_exec, &next, &r->params, imports);
-    frame_exec_destroy(&next);
+        status = frame_executor_replace(frame_executor, &next, &r->params, imports);
+    frame_executor_destroy(&next);
     free(imports);
     return status;
 }
 
-static enum status update(struct renderer *r, struct frame_exec *frame_exec,
+static enum status update(struct renderer *r, struct frame_executor *frame_executor,
                           struct frame_request request)
 {
-    return frame_exec->exec ? replace(r, frame_exec, request)
-                            : renderer_compile(r, frame_exec, request);
+    return frame_executor->exec ? replace(r, frame_executor, request)
+                                : renderer_compile(r, frame_executor, request);
 }
 
-/* Updates all executors: `capture` first and destroyed last, because the image imports its cube. */
+/* Updates all executors. `capture` comes first and is destroyed last: `image` imports its cube. */
 static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);
     const bool resolves = renderer_wants_resolve(&r->params);
-    struct frame_exec unused = r->capture;
+    struct frame_executor unused = r->capture;
     enum status status = STATUS_OK;
     if (captures)
         status = update(r, &r->capture, renderer_capture_request(&r->params));
     else
-        r->capture = (struct frame_exec){ 0 };
+        r->capture = (struct frame_executor){ 0 };
     if (status == STATUS_OK)
         status = update(r, &r->image, renderer_image_request(&r->params));
     if (!captures)
-        frame_exec_destroy(&unused);
+        frame_executor_destroy(&unused);
     if (!resolves)
-        frame_exec_destroy(&r->resolve);
+        frame_executor_destroy(&r->resolve);
     else if (status == STATUS_OK)
         status = update(r, &r->resolve, renderer_resolve_request(&r->params));
     return status;
 }
 
-/* Resets the renderer to the state in which it has drawn nothing. */
+/* Discards sums and drawn cube faces. */
 static void discard_images(struct renderer *r)
 {
     image_finish(&r->sums);

@@ -4,7 +4,7 @@
 
 #include "src/base/tile.h"
 #include "src/frame/env_cube_updates.h"
-#include "src/render/frame_exec.h"
+#include "src/render/frame_executor.h"
 #include "src/render/frame_objects.h"
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
@@ -22,15 +22,15 @@ struct renderer {
     struct uploaded_scene bvh;          /* the scene's BVH, if traced */
     struct bvh own_bvh;                 /* BVH of `own_scene` */
     struct scene own_scene;
-    struct rg_mesh *meshes;       /* one mesh per technique */
-    struct frame_exec capture;    /* draws a static environment cube */
-    struct frame_exec image;      /* draws one sample of the image */
-    struct frame_objects objects; /* objects drawn by `image` */
-    struct frame_exec resolve;    /* tone-maps the mean of many samples */
-    struct warm_up *warm_up;      /* shader compilation; may be NULL */
-    bool captured;                /* `capture` has drawn the environment cube */
-    struct frame_cube cube;       /* cube state of `image` */
-    bool skips_readback;          /* the image is not read back */
+    struct rg_mesh *meshes;        /* one mesh per technique */
+    struct frame_executor capture; /* draws a static environment cube */
+    struct frame_executor image;   /* draws one sample of the image */
+    struct frame_objects objects;  /* objects drawn by `image` */
+    struct frame_executor resolve; /* tone-maps the mean of many samples */
+    struct warm_up *warm_up;       /* shader compilation; may be NULL */
+    bool captured;                 /* `capture` has drawn the environment cube */
+    struct frame_cube cube;        /* cube state of `image` */
+    bool skips_readback;           /* the image is not read back */
     struct renderer_costs costs;
     uint32_t last_slot;    /* `image` slot of the last sample */
     uint32_t sum_count;    /* number of samples in `sums` */
@@ -38,12 +38,12 @@ struct renderer {
     struct image lighting; /* samples to denoise; {0} if none */
 };
 
-/* Return true if the params need a static cube, a mean of samples, or a BVH. */
+/* Return true if params need a static environment cube, a mean of many samples, or a BVH. */
 bool renderer_wants_capture(const struct renderer_params *params);
 bool renderer_wants_resolve(const struct renderer_params *params);
 bool renderer_uses_bvh(const struct renderer_params *params);
 
-/* Copies the params, replaces sizes of 0 by 1, and the size by that of an interleaved tile. */
+/* Copies the params and fills in defaults. For interleaved tiles, reduces the size to a tile's. */
 void renderer_set_params(struct renderer *renderer, const struct renderer_params *params);
 
 /* Builds the scene's BVH. The renderer owns it if the scene has no storage for one. */
@@ -53,7 +53,8 @@ MUST_USE enum status renderer_build_bvh(struct renderer *renderer);
 MUST_USE enum status renderer_upload_bvh(struct renderer *renderer);
 
 /* Compiles a request and creates its executor. */
-MUST_USE enum status renderer_compile(struct renderer *renderer, struct frame_exec *frame_exec,
+MUST_USE enum status renderer_compile(struct renderer *renderer,
+                                      struct frame_executor *frame_executor,
                                       struct frame_request request);
 
 /* Returns the Vulkan objects of a plan's imports, to be freed by the caller; NULL when out of
@@ -61,25 +62,25 @@ MUST_USE enum status renderer_compile(struct renderer *renderer, struct frame_ex
 struct rg_exec_import *renderer_imports(const struct renderer *renderer,
                                         const struct frame_plan *plan);
 
-/* Submits a frame of one of the renderer's executors. */
-MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_exec *frame_exec,
+/* Submits one sample to an executor of the renderer. Sets *slot to the frame's slot. */
+MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_executor *frame_executor,
                                   const struct renderer_shot *shot, uint32_t sample,
                                   uint32_t *slot);
 
-/* Waits for a sample, and adds it to a rectangle of the result's image. */
+/* Waits for a sample and adds it to the rectangle `tile` of the image. */
 MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);
 
-/* Denoising of light on surroundings (renderer_denoise.c, denoise.h). In order of use: adds the
- * planes if the params ask for them; accumulates a sample; rescales sums after adaptive sampling
- * like adaptive_rescale(); filters the light and adds it to the image. */
+/* Denoise the lighting of surroundings (renderer_denoise.c). Call them in this order: begin adds
+ * the planes if the params ask for denoising, accumulate adds a sample, rescale corrects the sums
+ * of adaptive sampling, end filters the lighting and adds it to the image. */
 bool renderer_denoise_begin(struct renderer *renderer); /* false when out of memory */
 void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
                                  uint32_t sample, uint32_t slot);
 void renderer_denoise_rescale(struct renderer *renderer, const struct adaptive *adaptive);
 MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct image *image);
 
-/* Draws the samples of a result with params.adapts; the sums are scaled to ADAPTIVE_SAMPLES. */
+/* Draws all samples if params.is_adaptive, and scales the sums to ADAPTIVE_SAMPLES samples. */
 MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,
                                             const struct renderer_shot *shot,
                                             struct render_result *result,
@@ -89,8 +90,8 @@ MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,
 MUST_USE enum status renderer_capture_cube(struct renderer *renderer,
                                            const struct renderer_shot *shot);
 
-/* Returns the texels of an image that a finished frame copied to the host; NULL if none. */
-const void *renderer_read_back(struct frame_exec *frame_exec, const struct rg_image *image,
+/* Returns the texels of an image that a finished frame copied to the host, or NULL. */
+const void *renderer_read_back(struct frame_executor *frame_executor, const struct rg_image *image,
                                uint32_t slot);
 
 #endif

@@ -16,7 +16,7 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
     if (!imports)
         return log_out_of_memory(NULL);
     request.view = view;
-    const enum status status = frame_exec_change_view(&r->image, &r->params, request, imports);
+    const enum status status = frame_executor_change_view(&r->image, &r->params, request, imports);
     free(imports);
     if (status == STATUS_OK) {
         r->width = view.width;
@@ -42,7 +42,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = false; /* draw all faces: an image must not depend on earlier ones */
+    r->cube.round_robin = false; /* draw all cube faces: no image may depend on earlier ones */
     r->skips_readback = false;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->image, shot, sample, &r->last_slot);
@@ -55,7 +55,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     return status;
 }
 
-/* Writes the mean of the samples as half floats, as in accumulate_mean(), and keeps the sums. */
+/* Writes the mean of the samples as half floats. Unlike accumulate_mean(), keeps the sums. */
 static void write_mean(const struct image *sums, uint32_t sample_count, uint16_t *texels)
 {
     const size_t count = (size_t)sums->width * sums->height;

@@ -37,8 +37,8 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
-/* Returns true if the image is denoised: it is read back, drawn whole, and has few samples. Images
- * with many samples are left as progressive rendering in the window shows them. */
+/* Returns true if the image should be denoised: it is read back, drawn whole and has few samples.
+ * Images of many samples are not, so that they equal the window's progressive rendering. */
 static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);

@@ -1,4 +1,4 @@
-/* shader_warm_up.c: compiles shaders in parallel, each thread with a logical device of its own. */
+/* shader_warm_up.c: compiles shaders in parallel threads, each with its own logical device. */
 #include "src/render/shader_warm_up.h"
 #include <pthread.h>
 #include <sched.h>
@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include "src/frame/env_cube_updates.h"
 #include "src/gpu/gpu.h"
-#include "src/render/cpu_driver.h"
+#include "src/render/lavapipe_tuning.h"
 #include "src/settings/settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/techniques.h"
@@ -20,7 +20,7 @@ enum {
 
 struct warm_up {
     const struct gpu *gpu;
-    struct frame_exec_params described;
+    struct frame_executor_params described;
     struct settings settings;
     struct rg_frame frame;
     struct rg_mesh *meshes; /* meshes of the techniques */
@@ -44,8 +44,8 @@ static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_d
     rg_exec_destroy(exec);
 }
 
-/* Gives this thread, and the threads that the driver starts for it, the lowest priority, so that
- * they delay neither the renderer nor Mesa's low-priority thread that writes the shader cache. */
+/* Gives this thread, and the driver threads that it starts, the lowest priority, so that they delay
+ * neither the renderer nor Mesa's low-priority thread that writes the shader cache. */
 static void lower_priority(void)
 {
     (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });
@@ -64,14 +64,14 @@ static void *run_thread(void *user)
     return NULL;
 }
 
-/* Describes a frame in which every mesh is one triangle. */
-static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exec,
+/* Fills in executor parameters, and a frame in which every mesh is a single triangle. */
+static void describe(struct warm_up *warm_up, const struct frame_executor *frame_executor,
                      const struct renderer_params *params)
 {
     const struct rg_mesh mesh = { .index_count = 3 };
     for (size_t i = 0; i < techniques_count; i++)
         warm_up->meshes[i] = mesh;
-    frame_exec_describe(&warm_up->described, frame_exec, params);
+    frame_executor_describe(&warm_up->described, frame_executor, params);
     warm_up->gpu = params->gpu;
     warm_up->settings = *params->settings;
     warm_up->frame = (struct rg_frame){
@@ -89,7 +89,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     exec->measured = false;
     exec->warm_up_only = true;
     exec->log = NULL;
-    atomic_init(&warm_up->next, (int)frame_exec->frame->plan->pass_count - 1);
+    atomic_init(&warm_up->next, (int)frame_executor->frame->plan->pass_count - 1);
 }
 
 static bool is_enabled(void)
@@ -98,12 +98,12 @@ static bool is_enabled(void)
     return !value || strcmp(value, "off") != 0;
 }
 
-struct warm_up *shader_warm_up_begin(const struct frame_exec *frame_exec,
+struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
                                      const struct renderer_params *params)
 {
     const struct gpu *gpu = params->gpu;
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    if (!cpu_driver_is(gpu) || gpu->validated || params->replace || !is_enabled())
+    if (!lavapipe_tuning_is_cpu(gpu) || gpu->validated || params->replace || !is_enabled())
         return NULL;
     struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
     if (!warm_up)
@@ -113,7 +113,7 @@ struct warm_up *shader_warm_up_begin(const struct frame_exec *frame_exec,
         free(warm_up);
         return NULL;
     }
-    describe(warm_up, frame_exec, params);
+    describe(warm_up, frame_executor, params);
     const uint32_t limit = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
     while (warm_up->thread_count < limit &&
            !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, run_thread, warm_up))

@@ -12,14 +12,14 @@
 #ifndef FIRN_RENDER_SHADER_WARM_UP_H
 #define FIRN_RENDER_SHADER_WARM_UP_H
 
-#include "src/render/frame_exec.h"
+#include "src/render/frame_executor.h"
 
 struct warm_up;
 
-/* Starts the threads for a compiled frame_exec; it, gpu and scene must outlive the result. Returns
- * NULL, which is no error, if the device is not a CPU, there is only one core, validation is on,
- * shaders are replaced, memory is short, or the environment disables the warm-up. */
-struct warm_up *shader_warm_up_begin(const struct frame_exec *frame_exec,
+/* Starts the threads for a compiled frame_executor. The result borrows frame_executor, gpu and scene.
+ * Returns NULL, which is no error, if the device is not a CPU or has one core, validation is on,
+ * shaders are replaced, memory is short, or the environment has FIRN_WARM_UP=off. */
+struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
                                      const struct renderer_params *params);
 
 /* Stops the threads after their current pass, waits for them and frees everything. NULL is fine. */

@@ -8,8 +8,8 @@
 #include "src/scene/mip_levels.h"
 #include "src/tech/techniques.h"
 
-/* Simplification error of coarse meshes, relative to their size. It is smaller for surroundings,
- * which may lie directly on each other: water on stone. */
+/* Maximum simplification error of coarse meshes, relative to the mesh size. It is smaller for
+ * surroundings, which may touch each other, such as water on stone. */
 static const float object_error = 0.003f;
 static const float surroundings_error = 0.0003f;
 
@@ -41,7 +41,7 @@ static enum status upload_meshes(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* Returns the size of a scene image's texels, bytes, without mip levels that are generated. */
+/* Returns the size in bytes of a scene image's texels, without mip levels generated later. */
 static size_t size_of(const struct technique_texels *texels, size_t texel_size)
 {
     const uint32_t layers = texels->layers ? texels->layers : 1;
@@ -163,7 +163,7 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* Simplifies a mesh; `error` is relative to its size. A mesh that would keep more than 3/4 of its
+/* Simplifies a mesh; `error` is relative to its size. A mesh that would keep at least 3/4 of its
  * triangles is not simplified. */
 static enum status add_coarse(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
                               float error)
@@ -236,7 +236,7 @@ enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu, str
     return status;
 }
 
-/* Destroys the acceleration structures; those of an animated scene are kept for the next pose. */
+/* Destroys the acceleration structures, or keeps them in gpu->rays if the scene is animated. */
 static void release_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
     struct gpu_acceleration *unused = on_gpu->rays;

@@ -6,7 +6,7 @@
 #include "src/gpu/gpu_acceleration.h"
 #include "src/scene/scene.h"
 
-/* Vertex and index buffers of a mesh; {0} if it has no triangles. */
+/* Vertex and index buffers of a mesh; empty if it has no triangles. */
 struct uploaded_mesh {
     struct gpu_buffer vertices, indices;
     struct gpu_buffer coarse; /* simplified mesh; {0} without one */
@@ -33,7 +33,7 @@ struct uploaded_scene {
  * logs and returns STATUS_DATA. */
 MUST_USE enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene);
 
-/* Uploads a scene without its BVH. Logs errors; on failure *on_gpu is {0}. */
+/* Uploads a scene without its BVH. Logs errors; on failure *on_gpu is empty. */
 MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                          const struct scene *scene);
 
@@ -41,8 +41,8 @@ MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct g
 MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                              const struct scene *scene);
 
-/* Builds the acceleration structures of a scene's BVH, unless they exist. Reuses the structures of
- * a previous pose, if its upload has been finished, for objects that have only moved. */
+/* Builds the acceleration structures of a scene's BVH, unless they exist. Objects that have only
+ * moved reuse those of the previous pose, after uploaded_scene_finish() for that pose. */
 MUST_USE enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu,
                                                        struct gpu *gpu, const struct scene *scene);
 
@@ -55,13 +55,13 @@ MUST_USE enum status uploaded_scene_add_simplified(struct uploaded_scene *on_gpu
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);
 
-/* Returns the buffers with which rg_cmd draws the mesh, or the simplified one if it exists. */
+/* Returns the mesh's buffers for rg_cmd; with `is_coarse`, the simplified mesh if there is one. */
 struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh, bool is_coarse);
 
-/* Returns the image that was uploaded for a declaration, or VK_NULL_HANDLE. */
+/* Returns the image uploaded for `declared`, or VK_NULL_HANDLE. */
 VkImage uploaded_scene_image(const struct uploaded_scene *on_gpu, const struct rg_image *declared);
 
-/* Returns the buffer that was uploaded for a declaration, or VK_NULL_HANDLE. */
+/* Returns the buffer uploaded for `declared`, or VK_NULL_HANDLE. */
 VkBuffer uploaded_scene_buffer(const struct uploaded_scene *on_gpu,
                                const struct rg_buffer *declared);
 

@@ -180,8 +180,8 @@ class Scenes(Case):
         (self.folder / 'four.gltf').write_text(boxes(*parts))
         words = ('render', 'four.gltf', *SMALL, '-o', 'a.exr')
         said = self.succeed(*words, '-r', 'bounce').stderr.decode()
-        self.assertRegex(said, r'\Afirn: warning: four.gltf: .* of 4 objects 1 rough, '
-                               r'1 thin-walled, 1 inside others; .*trace.*\n\Z')
+        self.assertRegex(said, r'\Afirn: warning: four.gltf: .*4 objects, of which 1 rough, '
+                               r'1 thin-walled, 1 inside others\); .*trace.*\n\Z')
         self.assertEqual(self.succeed(*words, '-r', 'trace').stderr, b'')
         self.assertEqual(self.succeed(*words, '-r', 'reference', env=NO_DRIVER).stderr, b'')
         words = ('render', 'two.gltf', *SMALL, '-o', 'a.exr', '-r', 'bounce')
@@ -233,7 +233,7 @@ class Scenes(Case):
         for name, why in (('two.gltf', 'it has 2 refractive objects'),
                           ('core.gltf', 'something is inside its object'),
                           ('open.obj', 'its object is not closed'),
-                          ('rough.gltf', 'bounce does not draw all of it: 1 rough')):
+                          ('rough.gltf', 'bounce would only approximate its object: 1 rough')):
             pixel, said, note = self.chosen(name)
             self.assertEqual((pixel, said), ('refract_trace', 'trace'), name)
             self.assertIn(f'firn: note: {name}: drawn with --refraction trace, because {why}\n',
@@ -463,7 +463,7 @@ class Scenes(Case):
                 boxes(({}, [0, 0, 0], 1)), nodes[0], extensions={'KHR_lights_punctual': {
                     'lights': [{'type': 'directional', 'intensity': lux}]}}))
             said = self.succeed('graph', 'lit.gltf', *words, env=NO_DRIVER).stderr
-            self.assertEqual(b'652 times as bright as white; --set tonemap.exposure=-9' in said,
+            self.assertEqual(b'652 times; use --set tonemap.exposure=-9' in said,
                              is_said, said)
 
     def test_what_is_not_drawn_is_listed(self):

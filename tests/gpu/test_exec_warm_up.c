@@ -9,7 +9,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/render/cpu_driver.h"
+#include "src/render/lavapipe_tuning.h"
 #include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
@@ -212,7 +212,7 @@ static void passes_draw_nowhere(void **state)
     const struct rg_frame frame = { .rows = rows, .mesh.index_count = 3000 };
     struct gpu_secondary_device twin;
     struct run run;
-    if (!cpu_driver_is(*state)) {
+    if (!lavapipe_tuning_is_cpu(*state)) {
         print_message("skipped: the memory of a GPU cannot be read\n");
         skip();
     }

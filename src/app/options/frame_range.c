@@ -11,12 +11,12 @@ static const char bad_form[] =
 static const char bad_frame[] = "expected frame numbers from -9999999 to 9999999";
 static const char bad_step[] = "expected a step (the N of A-BxN) from 1 to 9999999";
 static const char too_many[] = "expected at most 100000 frames";
-static const char has_colon[] = "expected A-BxN for a step, not ':' (a step or a count elsewhere)";
+static const char has_colon[] = "expected A-BxN for every Nth frame, without ':'";
 
 struct list {
     struct frame_range range;
     uint32_t capacity;
-    unsigned char *listed; /* bitset: frame already listed; bit is frame + FRAME_RANGE_MAX */
+    unsigned char *listed; /* bitset of listed frames, indexed by frame + FRAME_RANGE_MAX */
     const char *at;        /* next character to parse */
     const char *error;     /* error message, or NULL */
     bool out_of_memory;
@@ -26,7 +26,7 @@ enum {
     LISTED_SIZE = (2 * FRAME_RANGE_MAX + 1) / 8 + 1
 };
 
-/* Skips the character if it is next. Returns true if it was. */
+/* Skips the next character if it is `expected`. Returns true if it was. */
 static bool skip(struct list *list, char expected)
 {
     bool found = *list->at == expected;
@@ -116,7 +116,7 @@ static bool parse_item(struct list *list)
     last = first;
     if (skip(list, '-') && (!parse_frame(list, &last) || !parse_step(list, &step)))
         return false;
-    /* both are within FRAME_RANGE_MAX, as is the step: no sum overflows */
+    /* cannot overflow, because frames and step are within FRAME_RANGE_MAX */
     bool ok = true;
     for (int32_t frame = first; ok && first <= last && frame <= last; frame += step)
         ok = add(list, frame);

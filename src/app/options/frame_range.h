@@ -27,8 +27,8 @@ struct frame_range {
  * STATUS_TRY_AGAIN when out of memory. On failure *range is {0}. */
 MUST_USE enum status frame_range_parse(struct frame_range *range, const char *text);
 
-/* Keeps chunk k (1 to n) of the list split into n (up to 1000000) consecutive chunks, whose sizes
- * differ by at most one; a chunk may be empty. The split depends on the list alone. */
+/* Splits the list into n (up to 1000000) consecutive chunks, whose sizes differ by at most one, and
+ * keeps chunk k (1 to n), which may be empty. The split depends on the list alone. */
 void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n);
 
 void frame_range_finish(struct frame_range *range); /* {0} is fine */

@@ -1,4 +1,4 @@
-/* option.h: a row of the table of command-line options, and its setter function. */
+/* option.h: declaration of a command-line option, and the type of its setter function. */
 #ifndef FIRN_APP_OPTIONS_OPTION_H
 #define FIRN_APP_OPTIONS_OPTION_H
 
@@ -6,8 +6,8 @@
 
 struct option;
 
-/* Sets an option. `at` points to the row's field; `value` is NULL if the option has none. Logs an
- * invalid value and returns STATUS_USAGE. */
+/* Sets the option's field, to which `at` points. `value` is NULL if none is given. Logs an invalid
+ * value and returns STATUS_USAGE. */
 typedef enum status option_fn(const struct option *option, void *at, const char *value);
 
 struct option {

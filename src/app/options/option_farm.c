@@ -8,7 +8,7 @@ enum status option_farm_sbatch(const struct option *option, void *at, const char
 {
     struct app_farm *farm = at;
     if (value[0] != '-' || strchr(value, '\n'))
-        return option_refuse(option, value, "an option of sbatch, which begins with -,");
+        return option_refuse(option, value, "an sbatch option, which begins with -");
     if (farm->sbatch_count == APP_SBATCH_COUNT)
         return option_refuse_more(option, value, APP_SBATCH_COUNT);
     farm->sbatch[farm->sbatch_count++] = value;

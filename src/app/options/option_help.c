@@ -93,7 +93,7 @@ void option_help(enum app_command command, const struct option *options, size_t 
                "all are. For files without\nSCENE, status compares their settings with those of "
                "the newest file.\n");
     if (command == APP_LADDER)
-        printf("\nThe default SCENE is ice-cube. firn ladder draws the smooth object alone, "
+        printf("\nThe default SCENE is valley. firn ladder draws the smooth object alone, "
                "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "
                "settings.\n--whole draws ice with all its inclusions, and cracks as air gaps.\n");
     if (command == APP_DIFF)

@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-/* Prints the help of a command on stdout: its usage, examples and rows of the table of options. */
+/* Prints the help of a command on stdout: usage, examples and the options that it accepts. */
 void option_help(enum app_command command, const struct option *options, size_t count);
 
 #endif

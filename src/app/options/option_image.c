@@ -57,7 +57,7 @@ enum status option_chunk(const struct option *option, void *at, const char *valu
                     *rest == '/' &&
                     option_parse_count(rest + 1, 1, CHUNKS_MAX, &render->chunk_count, &rest) &&
                     !*rest && render->chunk <= render->chunk_count;
-    return ok ? STATUS_OK : option_refuse(option, value, "K/N, K from 1 to N, such as 1/4");
+    return ok ? STATUS_OK : option_refuse(option, value, "K/N with K from 1 to N, such as 1/4");
 }
 
 /* Sets the output format. Only one is allowed; repeating it is harmless. */
@@ -354,7 +354,7 @@ enum status option_orbit(const struct option *option, void *at, const char *valu
                ? STATUS_OK
                : option_refuse(
                      option, value,
-                     "AZIMUTH,ELEVATION,DISTANCE, in degrees, degrees and metres up to 1e9");
+                     "AZIMUTH,ELEVATION,DISTANCE: degrees, degrees, and metres above 0 up to 1e9");
 }
 
 enum status option_position(const struct option *option, void *at, const char *value)

@@ -8,8 +8,8 @@
 option_fn option_ladder_output;     /* of struct app_outputs */
 option_fn option_refraction_models; /* of struct app_ladder */
 
-/* Sets the defaults of firn ladder: what the reference does not draw is off, and refraction models
- * use their exact variants. Options of the command line are applied afterwards. */
+/* Sets the defaults of firn ladder: switches off what the reference does not draw, and selects
+ * exact refraction. Must be called before the options are parsed. */
 void option_ladder_settings(struct settings *settings);
 
 /* Switches inclusions and surface effects of ice back on, as in other commands, unless --set or

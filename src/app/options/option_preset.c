@@ -4,7 +4,7 @@
 #include "src/reader/preset.h"
 #include "src/scene/scene.h"
 
-/* Name of the built-in preset: an object in the paper's surroundings and lighting. */
+/* Name of the built-in preset, which restores the paper's surroundings and lighting. */
 static const char paper[] = "paper";
 static const char *const paper_lines[] = {
     "ice_caustics.light=none", "ground.light=open",  "ssr.steps=0", "ao.strength=0",

@@ -7,7 +7,7 @@
 /* Sets the quality level of a struct app_image; --set and --preset take precedence. */
 option_fn option_quality;
 
-/* Applies firn render's default quality, unless level, samples, preset or a limit is given. */
+/* Applies the default quality if no --quality, --samples, --preset, --noise or --time is given. */
 void option_default_quality(struct app_options *o);
 
 #endif

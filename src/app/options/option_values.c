@@ -25,7 +25,7 @@ enum status option_refuse(const struct option *option, const char *value, const 
 
 enum status option_refuse_more(const struct option *option, const char *value, uint32_t max_count)
 {
-    log_error("--%s: expected at most %u of these options, '%s' is one more", option->name,
+    log_error("--%s: expected at most %u of these options, got another with '%s'", option->name,
               max_count, value);
     return STATUS_USAGE;
 }
@@ -64,8 +64,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
              word);
     offer_names(&suggest, names);
     if (names == OPTION_REFRACTION_MODELS && !strcmp(name, refract_reference.refraction.name))
-        log_error("--%s: refraction model '%s' is ray traced, which only firn render --refraction "
-                  "supports",
+        log_error("--%s: refraction model '%s' is only available with firn render --refraction",
                   option->name, name);
     else
         log_error("--%s: unknown %s '%s'%s (firn list %s)", option->name, kinds[names].singular,

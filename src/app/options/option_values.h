@@ -4,10 +4,10 @@
 
 #include "src/app/options/option.h"
 
-/* Set a bool to true, a string to the value, and a uint32_t from option->min to option->max. */
+/* Set, in this order, a bool to true, a string, and a uint32_t from option->min to option->max. */
 option_fn option_flag, option_text, option_count;
 
-/* Returns true if the option's value is optional, and then given with '='. */
+/* Returns true if the option's value may be left out. If given, it follows '='. */
 bool option_is_optional(const struct option *option);
 
 /* Logs "--option: expected EXPECTED, got 'value'". Returns STATUS_USAGE. */
@@ -28,7 +28,7 @@ enum option_names {
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length);
 
-/* Adds an output file. Logs that there are too many and returns STATUS_USAGE. */
+/* Adds an output file. If there are too many, logs that and returns STATUS_USAGE. */
 enum status option_add_output(const struct option *option, struct app_outputs *outputs,
                               const char *value);
 
@@ -38,7 +38,7 @@ int option_find_word(const char *const *names, int count, const char *value);
 /* Parses numbers between separators. Returns true if there are exactly `count`, all finite. */
 bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count);
 
-/* Parses a number from min to max that consists of digits; *rest points to what follows it. */
+/* Parses a decimal number from min to max. *rest points to the text after it. */
 bool option_parse_count(const char *text, uint32_t min, uint32_t max, uint32_t *count,
                         const char **rest);
 

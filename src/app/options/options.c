@@ -7,7 +7,6 @@
 #include "src/app/layer_image.h"
 #include "src/app/options/option_diff.h"
 #include "src/app/options/option_farm.h"
-#include "src/app/options/option_file_conflicts.h"
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_image.h"
 #include "src/app/options/option_ladder.h"
@@ -17,6 +16,7 @@
 #include "src/app/options/option_reference.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/option_view.h"
+#include "src/app/options/output_overwrite_check.h"
 #include "src/app/shell_quote.h"
 #include "src/base/log.h"
 #include "src/base/suggest.h"
@@ -40,8 +40,8 @@ enum {
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
-/* Give the offset of a row's field, and its setter; a field of another type does not compile. A
- * type cannot be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
+/* Initialise an option's `offset` and `set`. A field of another type does not compile. A type
+ * cannot be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
 /* NOLINTEND(bugprone-macro-parentheses) */
@@ -62,107 +62,107 @@ enum {
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS(option_output),
-      "output file, .exr or .png; - is an EXR on stdout; repeatable (firn.exr)" },
+      "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)" },
     { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS(option_ladder_output),
       "report: .png sheet, .exr layers, .svg plot or .html page; repeatable" },
     { "Output", "output", 'o', "FILE", APP_BAKE, OUTPUTS(option_bake_output),
-      "output file, .exr, or - for stdout (env.exr)" },
+      "output file, .exr, or - for stdout (default: env.exr)" },
     { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS(option_sheet_output),
-      "output file, .png (sheet.png)" },
+      "output file, .png (default: sheet.png)" },
     { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_bake_output),
-      "output file, .exr, or - for stdout (merged.exr)" },
+      "output file, .exr, or - for stdout (default: merged.exr)" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
-      "values of a setting, one image each; repeatable: all combinations (materials)" },
+      "setting and its values, one image each; repeat for all combinations (default: materials)" },
     { "Output", "size", 's', "WxH", APP_SHEET, IMAGE(option_size),
-      "size of each image, pixels, 1x1 to 16384x16384 (320x240)" },
+      "size of each image, pixels, 1x1 to 16384x16384 (default: 320x240)" },
     { "Output", "size", 's', "N", APP_BAKE, IMAGE(option_bake_size),
-      "side of a cube face, texels, 1 to 4096 (512)" },
+      "side of a cube face, texels, 1 to 4096 (default: 512)" },
     { "Output", "size", 's', "WxH", FRAMES, IMAGE(option_size),
-      "size of the image, pixels, 1x1 to 16384x16384 (1024x768)" },
+      "size of the image, pixels, 1x1 to 16384x16384 (default: 1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, IMAGE(option_size),
-      "size of the image, pixels, 1x1 to 16384x16384 (512x512)" },
+      "size of the image, pixels, 1x1 to 16384x16384 (default: 512x512)" },
     { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, IMAGE(option_samples),
-      "samples per pixel, 1 to 65536; auto: 4, 16 or 64 by noise (set by --quality)", 1, 65536 },
+      "samples per pixel, 1 to 65536; auto: 4 to 64 by noise (default: by --quality)", 1, 65536 },
     { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(image.samples),
-      "samples per pixel, 1 to 65536 (1)", 1, 65536 },
+      "samples per pixel, 1 to 65536 (default: 1)", 1, 65536 },
     { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
-      "reference: stop at this mean standard error of RGB clamped to 0..1 (no limit)" },
+      "reference: stop at this mean standard error of RGB clamped to 0..1 (default: none)" },
     { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
-      "reference: start no new samples after this time, seconds (no limit)" },
+      "reference: seconds after which no more samples are started (default: no limit)" },
     { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
-      "reference: keep sample sums in a.sums.exr beside a.exr, for --resume" },
+      "reference: store the sample sums of a.exr in a.sums.exr, for --resume to continue" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(image.samples),
-      "samples per pixel at rest and in screenshots, 1 to 65536 (64; 1 with --frames)", 1, 65536 },
+      "samples per pixel of a still view, 1 to 65536 (default: 64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
       AT(struct app_image, image, option_pixel_filter),
-      "pixel reconstruction filter: box, point (pixel centre) or blackman-harris (box)" },
+      "pixel filter: box, point or blackman-harris (default: box; high quality: the last)" },
     { "Output", "aov", 0, "LIST", FILES, IMAGE(option_aov),
-      "additional EXR layers (AOVs), separated by commas, or all (firn list layers)" },
+      "additional EXR layers (AOVs), separated by commas, or all; see firn list layers" },
     { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, IMAGE(option_tiles),
-      "columns and rows of tiles, 1x1 to 16x16: less memory, identical output" },
+      "draw in tiles, columns x rows, 1x1 to 16x16: less memory, identical output" },
     { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, IMAGE(option_tile),
-      "number of the only tile to draw, from 1; firn merge joins the files" },
+      "draw only one tile, with this number from 1; firn merge joins the files" },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(image.interleaved),
-      "interleave tiles, for images beyond the device's size limit; output differs" },
+      "interleave the tiles' pixels, to exceed the device's size limit; the output differs" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, IMAGE(option_show),
-      "layer that PNG files show instead of the image: firn list layers" },
+      "layer that PNG files show instead of the image; see firn list layers" },
     { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, IMAGE(option_png_bits),
-      "bits per channel of PNG files (8)" },
+      "bits per channel of PNG files (default: 8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(view.frame_count),
-      "number of frames until the window closes, 1 to 1000000000 (no limit)", 1, 1000000000 },
+      "frames until the window closes, 1 to 1000000000 (default: no limit)", 1, 1000000000 },
     { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, view.time_step, option_time_step),
-      "scene time per frame, seconds, 0 to 3600 (real time)" },
+      "scene time per frame, seconds, 0 to 3600 (default: real time)" },
     { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
       "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
-      "present mode: fifo, mailbox or immediate; auto: shared memory, else fifo (auto)" },
+      "present mode: auto (shared memory, else fifo), fifo, mailbox, immediate (default: auto)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(view.fps_limit),
-      "limit of the frame rate, frames per second, 1 to 1000 (none)", 1, 1000 },
+      "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
-      "panels beside the image (on; off with --frames or --screenshot)" },
+      "panels beside the image (default: on; off with --frames or --screenshot)" },
     { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, VIEW(option_ui_scale),
-      "size of text and panels, 0.5 to 4 (as the desktop's); Ctrl and +, -, 0" },
+      "scale of text and panels, 0.5 to 4; keys Ctrl +, Ctrl -, Ctrl 0 (default: the desktop's)" },
     { "Window", "theme", 0, "dark|light", APP_VIEW, VIEW(option_theme),
-      "colours of the panels (dark); Ctrl T" },
+      "colours of the panels; key Ctrl T (default: dark)" },
     { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(view.ui_dump),
-      "file for the positions of all controls, pixels, rewritten when they change" },
+      "file for the pixel positions of all controls, rewritten when they change" },
     { "Window", "session", 0, "FILE", APP_VIEW, INPUT(view.session),
-      "session file, as Ctrl S saves it, to open instead of SCENE" },
+      "session file, saved with Ctrl S, to open instead of SCENE" },
     { "Window", "split", 0, "MODEL", APP_VIEW, IMAGE(option_split),
-      "refraction model to compare, to the right of a divider; keys W, [ and ]" },
+      "refraction model to compare with, right of a divider; keys W, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),
-      "folder of shaders that are recompiled and reloaded when saved (shaders)" },
+      "folder of shaders that are recompiled and reloaded when saved (default: shaders)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, TEXT(render.frames),
       "frames to render: A, A-B, A-BxN (every Nth) or A-B,C; use -o a.####.exr" },
     { "Sequence", "chunk", 0, "K/N", APP_RENDER, AT(struct app_render, render, option_chunk),
-      "part K of N of the frame list, to distribute it over machines" },
+      "render only part K of N of the frames, to distribute them over machines" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, FLAG(render.resume),
-      "skip frames whose files are complete and have the same options" },
+      "skip frames whose files are complete and were rendered with the same options" },
     { "Sequence", "json", 0, "FILE", APP_RENDER, REPORT(render.json),
-      "report with state, seconds and hash of each frame; - is stdout" },
+      "JSON report with state, seconds and hash of each frame; - is stdout" },
     { "Farm", "tasks", 0, "N", APP_FARM, COUNT(farm.task_count),
-      "number of jobs, 1 to 1000 (one per frame, at most 100)", 1, TASKS_MAX },
+      "number of jobs, 1 to 1000 (default: one per frame, at most 100)", 1, TASKS_MAX },
     { "Farm", "submit", 0, NULL, APP_FARM, FLAG(farm.submit),
       "run the script instead of printing it" },
     { "Farm", "sbatch", 0, "OPTION", APP_FARM, FARM(option_farm_sbatch),
       "additional option for sbatch, such as --time=2:00:00; repeatable" },
     { "Farm", "hosts", 0, "LIST", APP_FARM, FARM(option_farm_hosts),
-      "ssh hosts, separated by commas; : is this machine (:)" },
+      "ssh hosts, separated by commas; : is this machine (default: :)" },
     { "Runs", "runs", 'n', "N", APP_PROFILE, COUNT(profile.run_count),
-      "number of measured runs, 1 to 100000 (30)", 1, 100000 },
+      "number of measured runs, 1 to 100000 (default: 30)", 1, 100000 },
     { "Runs", "warmup", 0, "N", APP_PROFILE, COUNT(profile.warmup),
-      "number of warm-up runs, which are not measured, 0 to 100000 (5)", 0, 100000 },
+      "number of warm-up runs, which are not measured, 0 to 100000 (default: 5)", 0, 100000 },
     { "Runs", "time-step", 0, "SECONDS", APP_PROFILE,
       AT(double, profile.time_step, option_time_step),
-      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (0)" },
+      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (default: 0)" },
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
-      "timer: timestamps, submits (each pass submitted alone) or auto (auto)" },
+      "timer: timestamps, submits (each pass submitted alone) or auto (default: auto)" },
     { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, SWEEP,
-      "values of a setting or option to profile; repeatable: all combinations" },
+      "setting or option and its values to profile; repeat for all combinations" },
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),
       "profile from --json to compare with; exit code 1 if a pass is slower" },
     { "Reports", "each", 0, NULL, APP_PROFILE, FLAG(profile.each),
-      "one line per repetition of a pass, such as cube faces, or per object" },
+      "list repetitions of a pass separately: each cube face, each object" },
     { "Reports", "json", 0, "FILE", APP_PROFILE, REPORT(profile.json),
       "JSON report with all samples; - is stdout, which then has no table" },
     { "Reports", "csv", 0, "FILE", APP_PROFILE, REPORT(profile.csv),
@@ -174,9 +174,9 @@ static const struct option options[] = {
       "RenderDoc capture of one frame; start firn from RenderDoc" },
     { "Ladder", "rungs", 0, "LIST", APP_LADDER,
       AT(struct app_ladder, ladder, option_refraction_models),
-      "refraction models to compare, separated by commas: firn list refractions (all)" },
+      "refraction models, separated by commas; see firn list refractions (default: all)" },
     { "Ladder", "runs", 0, "N", APP_LADDER, COUNT(ladder.run_count),
-      "timed frames per refraction model, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
+      "timed frames per refraction model, 0 to 10000; 0 for no timing (default: 10)", 0, 10000 },
     { "Ladder", "furnace", 0, NULL, APP_LADDER, FLAG(ladder.furnace),
       "white furnace test; exit code 1 if a refraction model gains or loses light" },
     { "Ladder", "whole", 0, NULL, APP_LADDER, FLAG(ladder.whole),
@@ -184,85 +184,85 @@ static const struct option options[] = {
     { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.reference_image),
       "second reference: an image of the same view by another renderer" },
     { "Rendering", "refraction", 'r', "MODEL", FRAMES | APP_SHEET, IMAGE(option_refraction),
-      "refraction model: paper, bounce, ...: firn list refractions (chosen by the scene)" },
+      "refraction model, such as bounce; see firn list refractions (default: by scene)" },
     { "Rendering", "quality", 0, "LEVEL", IMAGES, IMAGE(option_quality),
-      "quality level: draft, normal or high (high in firn render, normal elsewhere)" },
+      "quality level: draft, normal or high (default: normal; high in firn render)" },
     { "Rendering", "material", 'm', "NAME", IMAGES, SCENE(option_material),
-      "material: ice, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
+      "material, such as glass, or NODE=glass[,ior=1.5,...]; see firn list materials" },
     { "Rendering", "plain", 0, NULL, IMAGES, FLAG(image.scene.plain),
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
-      "tone curve of PNG files: neutral, agx, aces, hable or clip (neutral)" },
+      "tone curve of PNG files: neutral, agx, aces, hable or clip (default: neutral)" },
     { "Rendering", "preset", 0, "FILE", SCENES, INPUT(image.scene.preset),
-      "settings: NAME=VALUE lines, firn's .exr or .png, or paper: the paper's scenes" },
+      "settings of a file: NAME=VALUE lines, or firn's .exr or .png; paper is built in" },
     { "Rendering", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),
-      "up axis of the model file, y or z; does not affect --surroundings (y)" },
+      "up axis of the model file, y or z; does not affect --surroundings (default: y)" },
     { "Scene", "scale", 0, "X", SCENES, SCENE(option_scale),
-      "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (1)" },
+      "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (default: 1)" },
     { "Scene", "rotate", 0, "X,Y,Z", SCENES, SCENE(option_rotate),
-      "rotation of the model file about X, Y, Z, degrees; not of --surroundings" },
+      "rotation of the model file about X, Y and Z, degrees; does not affect --surroundings" },
     { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(image.scene.animation),
-      "animation of the model file: name, number from 0, or none (the first)" },
+      "animation of the model file: name, number from 0, or none (default: the first)" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(image.scene.environment),
-      "environment: name, .exr, .hdr or firn bake's cube (sky; studio for model files)" },
+      "environment: name, .exr, .hdr or cube of firn bake (default: sky; studio for model files)" },
     { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),
-      "rotation of the --env panorama about +Y, degrees, -360 to 360 (0)" },
+      "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)" },
     { "Scene", "env-exposure", 0, "EV", SCENES, SCENE(option_env_exposure),
-      "exposure of the --env file, stops, -16 to 16 (0)" },
+      "exposure of the --env file, stops, -16 to 16 (default: 0)" },
     { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(image.scene.surroundings),
-      "model file that surrounds the object (the scene's own surroundings)" },
+      "model file that surrounds the object (default: the scene's own surroundings)" },
     { "Scene", "cracks", 0, "FILE", SCENES, INPUT(image.scene.cracks),
       "model file of a crack; cracks.count copies of it are placed at random" },
     { "Scene", "bump", 0, "FILE", SCENES, INPUT(image.scene.bump),
-      "height map of bumps, tiled over the surface: .exr, .hdr or .png (noise)" },
+      "height map of bumps, tiled over the surface: .exr, .hdr or .png (default: noise)" },
     { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(image.scene.bump_mask),
-      "mask image: white where the surface has no bumps (noise and bump.mask)" },
+      "mask image, white where the surface has no bumps (default: noise, by bump.mask)" },
     { "Scene", "air", 0, "FILE", SCENES, INPUT(image.scene.air),
-      "texture of the planes of bubbles: white is bubble, black is ice (random)" },
+      "texture of the planes of bubbles: white is bubble, black is ice (default: random)" },
     { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
-      "constant linear colour instead of the sky; none: alpha 0 behind surfaces" },
+      "constant linear colour instead of the sky, or none for alpha 0 behind surfaces" },
     { "Camera", "camera", 0, "NAME|N", IMAGES, TEXT(image.camera),
-      "camera of the model file, name or number from 0: firn info FILE (the first)" },
+      "camera of the model file, name or number from 0; see firn info (default: the first)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", IMAGES, VECTOR(orbit, option_orbit),
       "orbit camera: azimuth and elevation, degrees; distance to the target, metres" },
     { "Camera", "eye", 0, "X,Y,Z", IMAGES, VECTOR(eye, option_position),
       "position of the camera, metres" },
     { "Camera", "target", 0, "X,Y,Z", IMAGES, VECTOR(target, option_position),
-      "point that the camera looks at, metres (the object's centre)" },
+      "point that the camera looks at, metres (default: the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", IMAGES, IMAGE(option_fov),
-      "vertical field of view, degrees, 1 to 170 (45)" },
+      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
-      "Vulkan device, number or part of its name: firn list devices (a GPU)" },
+      "Vulkan device, number or part of its name; see firn list devices (default: a GPU)" },
     { "Device", "validate", 0, NULL, DEVICES, FLAG(run.gpu.validate),
-      "Vulkan validation layer, with synchronization validation" },
+      "enable the Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
     { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, image.sharing, option_sharing),
-      "memory aliasing of images: batches (no extra batches), memory, nothing (batches)" },
+      "aliasing of image memory: batches (adds no barriers), memory, nothing (default: batches)" },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
-      "limit of CPU time per file, seconds, 1 to 3600 (60)", 1, 3600, " of seconds" },
+      "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " of seconds" },
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(image.scene.reader.memory_gib),
-      "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
+      "memory limit per file, GiB, 1 to 1024 (default: 4)", 1, 1024, " of GiB" },
     { "Reading", "sandbox", 0, "on|off", READERS, SCENE(option_sandbox),
-      "sandbox of the processes that read files; off is for debugging (on)" },
+      "sandbox of the processes that read files; off is for debugging (default: on)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, INPUT(mask.file),
-      "mask, .exr or .png: only pixels with A above 0 are compared (none)" },
+      "mask image, .exr or .png: only pixels with A above 0 are compared (default: none)" },
     { "Comparison", "mask-channel", 0, "NAME", APP_DIFF | APP_LADDER, TEXT(mask.channel),
-      "channel that --mask reads (A)" },
+      "channel of the --mask image (default: A)" },
     { "Comparison", "exposure", 0, "STOPS", APP_DIFF, DIFF(option_exposure),
-      "exposure for LDR-FLIP of EXR and HDR files, stops, -40 to 40 (HDR-FLIP)" },
+      "exposure for LDR-FLIP of EXR and HDR files, stops, -40 to 40 (default: HDR-FLIP)" },
     { "Comparison", "curve", 0, "NAME", APP_DIFF, DIFF(option_curve),
-      "tone curve of HDR-FLIP: aces, hable or reinhard (aces)" },
+      "tone curve of HDR-FLIP: aces, hable or reinhard (default: aces)" },
     { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
-      "pixels per degree of the viewer's field of view, 1 to 400 (67)" },
+      "pixels per degree of the viewer's field of view, 1 to 400 (default: 67)" },
     { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_image),
       "error image, .png in colours or .exr as numbers; repeatable" },
     { "Result", "only", 0, "heat", APP_DIFF, DIFF(option_only),
       "PNG files show only the errors (default: both images, errors and scale)" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
-      "limit of flip, rmse, relmse, mae or angle, degrees: exit code 1 above it" },
+      "limit of flip, rmse, relmse, mae or angle (degrees); above it the exit code is 1" },
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
     { "Format", "html", 0, NULL, APP_GRAPH, FORMAT,
       "HTML page of passes and memory instead of text" },
@@ -271,7 +271,7 @@ static const struct option options[] = {
     { "Format", "json", 0, NULL, APP_LIST, FORMAT, "JSON instead of text: a key for each list" },
     { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
       "settings as a file for --preset, with every line commented out" },
-    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress output" },
+    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress or notes" },
 };
 
 enum {
@@ -362,7 +362,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
     return option->set(option, (char *)o + option->offset, value);
 }
 
-/* Adds an argument that is no option. Most commands take one, SCENE; firn ladder takes several. */
+/* Adds an argument that is no option. Most commands take one, SCENE; some take several. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
@@ -392,12 +392,12 @@ static enum status refuse_traced(const struct app_image *image)
 {
     if (image->refraction != &refract_reference)
         return STATUS_OK;
-    log_error("--refraction: 'reference' is ray traced, which only firn render supports; choose "
-              "another refraction model");
+    log_error("--refraction: only firn render supports 'reference'; choose another refraction "
+              "model");
     return STATUS_USAGE;
 }
 
-/* Checks that the selected renderer draws all requested layers; needs all options to be parsed. */
+/* Checks that the refraction model draws all requested layers. Call it after option parsing. */
 static enum status check_layers(struct app_image *image)
 {
     uint32_t made = 0;
@@ -436,7 +436,7 @@ void app_default_output(struct app_options *o, enum app_command command)
     }
 }
 
-/* Checks that no output is an input or another output. */
+/* Checks that no output file is also an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
     struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 2];
@@ -524,7 +524,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     o->image.scene.quiet = o->run.quiet;
     if (o->ladder.whole)
         option_ladder_whole(&o->image.scene);
-    if (command != APP_FARM) /* firn farm sets its outputs later: a positional word may be one */
+    if (command != APP_FARM) /* firn farm sets it later, because an argument may name the output */
         app_default_output(o, command);
     enum status status = check_layers(&o->image);
     if (command & (APP_RENDER | APP_FARM))
@@ -561,7 +561,7 @@ void app_print_render_arguments(char *const *args, enum app_command command, uin
     }
 }
 
-/* Sets an option of an image; only offsets within struct app_image are valid here. */
+/* Only options with offsets within struct app_image can be set here. */
 enum status app_set_option(struct app_image *image, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);

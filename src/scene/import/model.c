@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 static enum status check_file(const char *path)
 {

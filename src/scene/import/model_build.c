@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 static bool are_finite(const float *numbers, size_t count)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 static int hex_digit(char c)
 {

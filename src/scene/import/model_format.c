@@ -4,7 +4,7 @@
 #include <strings.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 enum {
     HEAD_SIZE = 4096, /* bytes to check at the start */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/image/image.h"
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 enum {
     MAGIC_MODEL = 0x4d4e5246,

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 enum {
     IMAGE_SIDE_MAX = 16384,

@@ -2,7 +2,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 static const uint32_t unused = UINT32_MAX;
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 enum {
     CHANNELS = 4,

@@ -4,7 +4,7 @@
 #ifndef FIRN_SCENE_IMPORT_OBJ_PLY_H
 #define FIRN_SCENE_IMPORT_OBJ_PLY_H
 
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 #include "src/scene/import/text_scan.h"
 
 /* Texture maps of an MTL material. */

@@ -204,7 +204,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &landing_red, RG_LOAD_CLEAR }, { &landing_green, RG_LOAD_CLEAR },
                             { &landing_blue, RG_LOAD_CLEAR }),
         .uses = photon_uses,
-        .vert = &ice_caustics_photons_vert,
+        .vert = &ice_caustics_sun_view_vert,
         .frag = &ice_caustics_photons_frag,
         .push_size = sizeof(struct ice_caustics_push),
         .record = record_photons,

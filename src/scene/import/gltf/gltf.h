@@ -10,7 +10,7 @@
 #define FIRN_SCENE_IMPORT_GLTF_GLTF_H
 
 #include <jansson.h>
-#include "src/scene/import/model_import.h"
+#include "src/scene/import/importer.h"
 
 enum {
     GLTF_LOCATION_SIZE = 96,

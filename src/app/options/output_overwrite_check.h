@@ -1,11 +1,11 @@
-/* option_file_conflicts.h: checks that no output of a command overwrites another of its files. */
-#ifndef FIRN_APP_OPTIONS_OPTION_FILE_CONFLICTS_H
-#define FIRN_APP_OPTIONS_OPTION_FILE_CONFLICTS_H
+/* output_overwrite_check.h: checks that no output of a command overwrites another of its files. */
+#ifndef FIRN_APP_OPTIONS_OUTPUT_OVERWRITE_CHECK_H
+#define FIRN_APP_OPTIONS_OUTPUT_OVERWRITE_CHECK_H
 
 #include "src/app/options/option.h"
 
-/* Set a text as option_text() does. A row with option_input names a file that is read, a row with
- * option_report a file that is written. */
+/* Set a string like option_text(). Options with option_input() name files that are read; options
+ * with option_report() name files that are written. */
 option_fn option_input, option_report;
 
 /* A file that a command reads or writes. */

@@ -1,27 +1,27 @@
-/* cpu_driver.c: tuning for software Vulkan drivers: environment variables and memory page size. */
+/* lavapipe_tuning.c: tuning for software Vulkan drivers: environment variables and memory page size. */
 #define _DEFAULT_SOURCE /* for madvise */
-#include "src/render/cpu_driver.h"
+#include "src/render/lavapipe_tuning.h"
 #include <stdlib.h>
 #include <sys/mman.h>
 
-bool cpu_driver_is(const struct gpu *gpu)
+bool lavapipe_tuning_is_cpu(const struct gpu *gpu)
 {
     return gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
 
-void cpu_driver_prefer_start(void)
+void lavapipe_tuning_prefer_start(void)
 {
     (void)setenv("GALLIVM_PERF", "nopt", 0); /* failure only costs time */
 }
 
-/* Uses madvise(): all memory of a CPU device is host-visible memory of this process. */
-void cpu_driver_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
-                              struct rg_exec *exec)
+/* madvise() works because a CPU device's memory is ordinary memory of this process. */
+void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
+                                   struct rg_exec *exec)
 {
     const uintptr_t page = 2 << 20;
     const bool whole =
         plan->max_region.width == plan->view.width && plan->max_region.height == plan->view.height;
-    if (!cpu_driver_is(gpu))
+    if (!lavapipe_tuning_is_cpu(gpu))
         return;
     for (uint32_t i = 0; i < plan->block_count; i++) {
         VkDeviceMemory memory = rg_exec_block(exec, i);

@@ -1,8 +1,8 @@
-/* model_import.h: internal interface of the model importers (glTF, OBJ, PLY): import state,
+/* importer.h: internal interface of the model importers (glTF, OBJ, PLY): import state,
  * formats, textures, mesh building. Functions that return a status log one line unless it is
  * STATUS_OK. */
-#ifndef FIRN_SCENE_IMPORT_MODEL_IMPORT_H
-#define FIRN_SCENE_IMPORT_MODEL_IMPORT_H
+#ifndef FIRN_SCENE_IMPORT_IMPORTER_H
+#define FIRN_SCENE_IMPORT_IMPORTER_H
 
 #include <stdio.h>
 #include "src/scene/import/model.h"

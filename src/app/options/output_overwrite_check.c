@@ -1,5 +1,5 @@
-/* option_file_conflicts.c: refuses command lines whose outputs overwrite files in use. */
-#include "src/app/options/option_file_conflicts.h"
+/* output_overwrite_check.c: refuses command lines whose outputs overwrite files in use. */
+#include "src/app/options/output_overwrite_check.h"
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -17,7 +17,7 @@ enum status option_report(const struct option *option, void *at, const char *val
     return option_text(option, at, value);
 }
 
-/* Stats the folder of a file ("." for a bare name). Returns false if it does not exist. */
+/* Calls stat() for the folder that contains `path`. Returns false if it does not exist. */
 static bool stat_folder(const char *path, struct stat *info)
 {
     char folder[4096] = ".";

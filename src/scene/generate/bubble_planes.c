@@ -1,4 +1,4 @@
-/* air_planes.c: generates planes of air bubbles inside ice, and their textures. */
+/* bubble_planes.c: generates planes of air bubbles inside ice, and their textures. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* ice_caustics_photons.vert: vertex shader of the photon pass: full-screen triangle in the sun's
+/* ice_caustics_sun_view.vert: vertex shader of the photon pass: full-screen triangle in the sun's
  * light space, whose projection is perspective. */
 #version 460
 #include "lib/globals.glsl"

@@ -1,0 +1,173 @@
+/* frame_executor.c: compiles a frame's plan for the device and creates its executor. */
+#include "src/render/frame_executor.h"
+#include <math.h>
+#include <stdlib.h>
+#include "src/base/log.h"
+#include "src/gpu/gpu.h"
+#include "src/render/lavapipe_tuning.h"
+#include "src/render/renderer_requests.h"
+#include "src/settings/scene_settings.h"
+
+enum {
+    FRAMES_IN_FLIGHT = 2,
+};
+
+static void log_exec(void *user, const char *what, VkResult result)
+{
+    (void)user;
+    (void)gpu_failed(what, result);
+}
+
+/* Checks that the plan's memory fits. Each frame in flight has separate host-visible buffers. A CPU
+ * device commits memory on first use, so an image drawn in tiles needs only one tile's memory. */
+static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
+{
+    const bool is_cpu = lavapipe_tuning_is_cpu(gpu);
+    const VkDeviceSize texels = (VkDeviceSize)plan->max_region.width * plan->max_region.height;
+    const VkDeviceSize tile_count =
+        is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
+    VkDeviceSize host_size = 0;
+    for (uint32_t i = 0; i < plan->buffer_count; i++) {
+        const struct rg_plan_buffer *buffer = &plan->buffers[i];
+        if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
+            host_size += FRAMES_IN_FLIGHT * buffer->size;
+    }
+    return gpu_check_memory(gpu, view, plan->memory_used / tile_count + plan->memory_persistent,
+                            host_size);
+}
+
+struct rg_vulkan frame_executor_vulkan(const struct gpu *gpu)
+{
+    return (struct rg_vulkan){
+        gpu->instance,
+        vkGetInstanceProcAddr,
+        gpu->physical,
+        gpu->device,
+    };
+}
+
+enum status frame_executor_compile(struct frame_executor *frame_executor,
+                                   const struct renderer_params *params,
+                                   struct frame_request request)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct rg_vulkan vulkan = frame_executor_vulkan(gpu);
+    const struct rg_device device = rg_exec_device(&vulkan);
+    request.device = &device;
+    frame_executor->frame = calloc(1, sizeof(*frame_executor->frame));
+    if (!frame_executor->frame)
+        return log_out_of_memory(NULL);
+    enum status status = frame_plan_init(frame_executor->frame, &request);
+    if (status == STATUS_OK)
+        status = check_memory(gpu, frame_executor->frame->plan, request.view);
+    return status;
+}
+
+void frame_executor_describe(struct frame_executor_params *described,
+                             const struct frame_executor *frame_executor,
+                             const struct renderer_params *params)
+{
+    const struct gpu *gpu = params->gpu;
+    const struct texture_params *texture = settings_of(params->settings, &texture_settings);
+    struct frame_executor_params *d = described;
+    const struct settings settled =
+        frame_resolve_settings(params->settings, params->refraction, params->height);
+    d->constants = frame_view_constants(params->scene, &settled, params->refraction);
+    d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
+    d->constants.values[CONSTANT_ORTHOGRAPHIC] = params->is_orthographic;
+    for (uint32_t i = 0; i < CONSTANT_COUNT; i++)
+        d->entries[i] = (VkSpecializationMapEntry){ i, i * sizeof(uint32_t), sizeof(uint32_t) };
+    d->info =
+        (VkSpecializationInfo){ CONSTANT_COUNT, d->entries, sizeof(d->constants), &d->constants };
+    d->params = (struct rg_exec_params){
+        .plan = frame_executor->frame->plan,
+        .instance = gpu->instance,
+        .get_proc_addr = vkGetInstanceProcAddr,
+        .physical = gpu->physical,
+        .device = gpu->device,
+        .queue = gpu->queue,
+        .queue_family = gpu->queue_family,
+        .pipeline_cache = gpu->pipeline_cache,
+        .pipelines = gpu->pipelines,
+        .import_count = frame_executor->frame->import_count,
+        .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
+        .frames_in_flight = FRAMES_IN_FLIGHT,
+        /* some versions of synchronization validation ignore dynamic rendering */
+        .render_passes = gpu->validated,
+        .measured = params->measured,
+        .statistics = gpu->has_statistics,
+        .constants = &d->info,
+        .replace_shader = params->replace,
+        .log = log_exec,
+        .user = params->replace_user,
+    };
+}
+
+enum status frame_executor_realise(struct frame_executor *frame_executor,
+                                   const struct renderer_params *params,
+                                   const struct rg_exec_import *imports)
+{
+    struct frame_executor_params described;
+    VkResult result;
+    frame_executor_describe(&described, frame_executor, params);
+    described.params.imports = imports;
+    frame_executor->exec = rg_exec_create(&described.params, &result);
+    if (frame_executor->exec)
+        lavapipe_tuning_advise_memory(params->gpu, frame_executor->frame->plan,
+                                      frame_executor->exec);
+    return gpu_status(result);
+}
+
+/* Frees the frame plan. No frame may be in flight. */
+static void destroy_frame(struct frame_executor *frame_executor)
+{
+    if (frame_executor->frame)
+        frame_plan_finish(frame_executor->frame);
+    free(frame_executor->frame);
+    frame_executor->frame = NULL;
+}
+
+enum status frame_executor_replace(struct frame_executor *frame_executor,
+                                   struct frame_executor *next,
+                                   const struct renderer_params *params,
+                                   const struct rg_exec_import *imports)
+{
+    struct frame_executor former = *frame_executor;
+    struct frame_executor_params described;
+    frame_executor_describe(&described, next, params);
+    described.params.imports = imports;
+    const enum status status = gpu_status(rg_exec_update(former.exec, &described.params));
+    if (status == STATUS_OK)
+        lavapipe_tuning_advise_memory(params->gpu, next->frame->plan, former.exec);
+    frame_executor->frame = next->frame;
+    next->frame = NULL;
+    destroy_frame(&former);
+    return status;
+}
+
+enum status frame_executor_change_view(struct frame_executor *frame_executor,
+                                       const struct renderer_params *params,
+                                       struct frame_request request,
+                                       const struct rg_exec_import *imports)
+{
+    const struct rg_vulkan vulkan = frame_executor_vulkan(params->gpu);
+    const struct rg_device device = rg_exec_device(&vulkan);
+    struct frame_executor_params described;
+    struct rg_plan *former;
+    request.device = &device;
+    enum status status = frame_plan_change_view(frame_executor->frame, &request, &former);
+    if (status != STATUS_OK)
+        return status;
+    frame_executor_describe(&described, frame_executor, params);
+    described.params.imports = imports;
+    status = gpu_status(rg_exec_update(frame_executor->exec, &described.params));
+    rg_plan_destroy(former);
+    return status;
+}
+
+void frame_executor_destroy(struct frame_executor *frame_executor)
+{
+    rg_exec_destroy(frame_executor->exec);
+    frame_executor->exec = NULL;
+    destroy_frame(frame_executor);
+}
