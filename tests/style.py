@@ -19,6 +19,7 @@ MAX_FUNCTION, MAX_COLUMN, MAX_SUBJECT = 60, 100, 72
 LONG_FILE = 800  # lines, above which a file is reported
 MAX_FILES = 40  # in a folder of CROWDED
 CROWDED = ('shaders/', 'src/tech/', 'src/scene/')
+SPOKEN = ('graph/', 'src/', 'shaders/', 'examples/', 'assets/', 'tests/support/')
 
 FOLDERS = ('.ci', 'assets', 'completions', 'docs', 'graph', 'man', 'shaders', 'src', 'tests')
 # Objects with tables of a library's header that are not const there: stb_easy_font's
@@ -108,6 +109,51 @@ NOT_OURS = (
     (r'^ *(?!return |goto |else |case |typedef |extern |struct \w+;)(\w+ )+\**'
      r'(?!LLVM|RENDERDOC|ABI_)\w*[A-Z]\w*( = |;|\[|\(|, )', 'capitals in a name'),
 )
+
+
+# Words of a private dialect in comments, help and messages, and what to write instead. Only what is
+# always wrong is here. Left to the reader, since each has an ordinary meaning as well: part, share,
+# picture, turn, place, words, look, still, quick, mirror, contact, smooth, foot, seen, beside.
+PRIVATE_WORDS = tuple((re.compile(rf'\b(?:{words})\b'), term) for words, term in (
+    (r'ways? (?:of|that) (?:light|waits?)|light ways?', 'path, pending branch'),
+    (r'straight parts?', 'segment'),
+    (r'(?:rays?|paths?|ways?) (?:that )?meets?', 'hits, intersects'),
+    (r'trees? of (?:the )?triangles', 'BVH'),
+    (r'trees? (?:is|are) (?:fitted|made)', 'BVH refit, rebuild'),
+    (r'anew', 'rebuild, again'),
+    (r'(?:cloudy|clouds of) ice', 'scattering medium'),
+    (r'dress(?:es|ed)?', 'material'),
+    (r'hairs?', 'epsilon'),
+    (r'floes?', 'floating ice'),
+    (r'(?:films?|sheets?) of water', 'water layer'),
+    (r'shares? of (?:the |a )?(?:light|ray|pixel)', 'fraction, throughput'),
+    (r'pixels? (?:that )?sees?|sun sees', 'primary hit, shadow map'),
+    (r'eye rays?|the eye sees', 'primary ray, camera'),
+    (r'mirrored by (?:the )?surroundings', 'screen-space reflections'),
+    (r'smooth(?:s|ed)? over pixels', 'denoise'),
+    (r'rungs? of refraction|rung of', 'refraction model'),
+    (r'a hand (?:has|moves|drags|changes|sets)', 'the user'),
+    (r'(?:used )?longest ago', 'least recently used'),
+    (r'greatest memory', 'peak memory'),
+    (r'lack of lifetimes', 'alias'),
+    (r'linear between', 'linearly interpolated'),
+    (r'bit for bit|byte for byte', 'bit-identical'),
+    (r'joins? corners', 'welds vertices'),
+    (r'gives? away|gave away', 'moves ownership to'),
+    (r'could not interrupt', 'real-time priority'),
+))
+# How a comment does not begin, and how it does not name a sentinel.
+PRIVATE_SYNTAX = (
+    (re.compile(r'^(?:What|Whether|That of|Those|Of) '), 'begin with a verb or a noun'),
+    (re.compile(r'(?:\b\d+|NULL|""|\{0\}|\{ 0 \}): (?:none|nothing)\b'), '"; 0 if there is none"'),
+)
+# The same for the parts of identifiers, between underscores.
+PRIVATE_NAMES = {
+    'way': 'path', 'ways': 'paths', 'dress': 'material', 'dressed': 'material', 'hair': 'epsilon',
+    'floe': 'floating_ice', 'meet': 'hit', 'meets': 'hits', 'met': 'hit', 'hand': 'user, input',
+    'hands': 'user, input', 'rung': 'model', 'cloud': 'medium', 'clouds': 'media',
+    'cloudy': 'medium', 'smooths': 'denoises',
+}
 
 
 class File(NamedTuple):
@@ -207,7 +253,39 @@ def c_rule(file):
         yield from matches(file, NOT_OURS)
 
 
-RULES = (layout_rule, function_rule, include_rule, leak_rule, c_rule)
+def texts(text):
+    """Yields (line, is comment, text) of the comments and the strings of C or GLSL."""
+    pattern = r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|/\*.*?\*/|//[^\n]*'
+    for found in re.finditer(pattern, text, re.S):
+        words = ' '.join(re.sub(r'^\s*(/\*+|\*/|\*|//)', '', found[0], flags=re.M).split())
+        if found[0][0] != "'":
+            yield text.count('\n', 0, found.start()) + 1, found[0][0] == '/', words.strip(' */')
+
+
+def identifiers(text):
+    """Yields (line, identifier) of C or GLSL, outside comments and strings."""
+    code = re.sub(r'"(?:\\.|[^"\\\n])*"|/\*.*?\*/|//[^\n]*',
+                  lambda found: '\n' * found[0].count('\n'), text, flags=re.S)
+    for number, line in enumerate(code.splitlines(), 1):
+        for name in re.findall(r'[A-Za-z_]\w*', line):
+            yield number, name
+
+
+def language_rule(file):
+    if not file.ends(C + GLSL) or not file.path.startswith(SPOKEN):
+        return
+    for line, is_comment, words in texts(file.text):
+        for pattern, term in PRIVATE_WORDS + (PRIVATE_SYNTAX if is_comment else ()):
+            found = pattern.search(words)
+            if found:
+                yield line, f'"{found[0].strip()}": write {term}'
+    for line, name in identifiers(file.text):
+        for part in name.lower().split('_'):
+            if part in PRIVATE_NAMES:
+                yield line, f'{name}: "{part}" is {PRIVATE_NAMES[part]}'
+
+
+RULES = (language_rule, layout_rule, function_rule, include_rule, leak_rule, c_rule)
 
 
 def check_file(file):
@@ -225,6 +303,14 @@ def check_circles(files):
     units = {file.path[:-2] for file in files if file.path.endswith('.c')}
     return [f'{a}: it and {b} include each other' for a in sorted(units & needs.keys())
             for b in sorted(needs[a] & units) if a < b and a in needs.get(b, ())]
+
+
+def check_headers(files):
+    """Files whose first line does not say what they are."""
+    header = r'(?:/\*\n \* |/\* |// )'
+    return [f'{file.path}:1: the first line is not a comment "NAME: what the file is"'
+            for file in files if file.ends(C + GLSL) and file.path.startswith(SPOKEN) and
+            not re.match(header + re.escape(os.path.basename(file.path)) + ': ', file.text)]
 
 
 def check_folders(files):
@@ -339,6 +425,20 @@ SAMPLES = (
     ('src/a.c', 'static void getA(struct a *b)\n', 'capitals in a name'),
     ('src/a.c', '    VkResult r = VK_SUCCESS;\n', None),
 )
+# Comments and names in a private dialect.
+SPEECH = (
+    ('/* Returns the light of straight parts. */', 'segment'),
+    ('/* The ray meets no face. */', 'hits'),
+    ('/* Requirements that meet here. */', None),
+    ('/* Whether it is on. */', 'begin with a verb'),
+    ('/* Returns true if it is on. */', None),
+    ('int count; /* 0: none */', '0 if there is none'),
+    ('int count; /* 0 if there is none */', None),
+    ('log_error("the tree is made anew");', 'rebuild'),
+    ('struct refract_way *w;', '"way" is path'),
+    ('float always, away;', None),
+    ('int is_met = meets_all(hand);', '"met" is hit'),
+)
 # Files of one tree, each a path and what it includes.
 TREES = (
     ((('src/a.c', 'src/b'), ('src/b.c', 'src/a')), 'src/a: it and src/b include each other'),
@@ -377,6 +477,7 @@ def self_test():
     """What the rules say of the samples, compared with what they should say."""
     with tempfile.TemporaryDirectory() as folder:
         said = [(text, check_file(File(path, text)), want) for path, text, want in SAMPLES]
+        said += [(text, list(language_rule(File('src/a.c', text))), want) for text, want in SPEECH]
         said += [(text, list(filter(None, [subject_fault(text)])), want) for text, want in SUBJECTS]
         said += [(str(tree), check_circles([File(path, f'#include "{header}.h"\n')
                                             for path, header in tree]), want)
@@ -385,7 +486,7 @@ def self_test():
                  for text, want in OBJECTS]
     wrong = 0
     for text, faults, want in said:
-        if any(want in fault for fault in faults) if want else not faults:
+        if any(want in str(fault) for fault in faults) if want else not faults:
             continue
         wrong += 1
         print(f'{text[:80]!r}: expected {want!r}, got {faults}')
@@ -402,7 +503,7 @@ def main(arguments):
     root = pathlib.Path(arguments[0])
     files = list(read_tree(root))
     faults = [fault for file in files for fault in check_file(file)] + check_circles(files)
-    faults += check_folders(files)
+    faults += check_folders(files) + check_headers(files)
     for file in files:
         if file.ends(CODE) and len(file.lines) > LONG_FILE:
             print(f'{file.path}: warning: {len(file.lines)} lines; split it by what it owns')

@@ -123,7 +123,7 @@ struct app_render {
     uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
     bool resume;
     bool keep_sums;        /* see sample_sums_file.h */
-    double noise, seconds; /* limits of the reference; 0: none */
+    double noise, seconds; /* limits of the reference; 0 if unlimited */
     const char *json;      /* report file, or NULL */
 };
 

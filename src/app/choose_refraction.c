@@ -292,10 +292,10 @@ static void warn_of_media(const struct app_image *image, const struct scene *sce
         log_warning("air.model=medium: drawn as planes; only --refraction bounce, one-sided, trace "
                     "and reference draw a medium");
     else if (refraction->shaders && !config.hits_surroundings && !image->scene.quiet)
-        log_note(
-            "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw it cloudy%s",
-            image->scene.name,
-            refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
+        log_note("%s: its scattering medium is drawn clear; --refraction trace and bounce draw "
+                 "scattering%s",
+                 image->scene.name,
+                 refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
     if (scene->scattering_media.left_out)
         log_warning("%s: more than %d objects are cloudy; %u of them are drawn clear",
                     image->scene.name, SCATTERING_MEDIA_MAX, scene->scattering_media.left_out);

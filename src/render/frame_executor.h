@@ -1,4 +1,5 @@
-/* frame_executor.h: compiled plan of a frame, and its executor. Errors are logged once (renderer.h). */
+/* frame_executor.h: compiled plan of a frame, and its executor. Errors are logged once
+ * (renderer.h). */
 #ifndef FIRN_RENDER_FRAME_EXECUTOR_H
 #define FIRN_RENDER_FRAME_EXECUTOR_H
 

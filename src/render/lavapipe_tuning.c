@@ -1,4 +1,5 @@
-/* lavapipe_tuning.c: tuning for software Vulkan drivers: environment variables and memory page size. */
+/* lavapipe_tuning.c: tuning for software Vulkan drivers: environment variables and memory page
+ * size. */
 #define _DEFAULT_SOURCE /* for madvise */
 #include "src/render/lavapipe_tuning.h"
 #include <stdlib.h>

@@ -47,7 +47,7 @@ MUST_USE enum status renderer_change(struct renderer *renderer,
                                      const struct renderer_params *params);
 
 /*
- * What renderer_render() or renderer_draw() draws: an image, or one of its tiles.
+ * An image, or one of its tiles, that renderer_render() or renderer_draw() draws.
  *
  * A tile is a rectangle of the image (src/base/tile.h), bit-identical to that rectangle of a whole
  * image. Render targets have the size of the whole image, but only part of their memory is touched.

@@ -16,9 +16,9 @@
 
 struct warm_up;
 
-/* Starts the threads for a compiled frame_executor. The result borrows frame_executor, gpu and scene.
- * Returns NULL, which is no error, if the device is not a CPU or has one core, validation is on,
- * shaders are replaced, memory is short, or the environment has FIRN_WARM_UP=off. */
+/* Starts the threads for a compiled frame_executor. The result borrows frame_executor, gpu and
+ * scene. Returns NULL, which is no error, if the device is not a CPU or has one core, validation is
+ * on, shaders are replaced, memory is short, or the environment has FIRN_WARM_UP=off. */
 struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
                                      const struct renderer_params *params);
 
