@@ -1,6 +1,6 @@
 /* ice_depth.vert: vertex shader of the ice's depth maps and depth peeling. */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;
 

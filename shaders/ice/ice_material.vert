@@ -2,7 +2,7 @@
 #version 460
 #include "ice/ice_material.h"
 #include "lib/optics.glsl"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "lib/primary_ray.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;

@@ -1,6 +1,6 @@
 /* ice_nested.vert: vertex shader of nested objects; ICE_WIDE: for maps wider than the image. */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_NORMAL) in vec3 normal;

@@ -1,7 +1,7 @@
 /* air.vert: vertex shader of the textured planes that show milky air in the ice. */
 #version 460
 #include "inclusions/air.h"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_NORMAL) in vec3 normal;

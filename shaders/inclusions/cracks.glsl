@@ -4,7 +4,7 @@
 #include "inclusions/cracks.h"
 #include "inclusions/cracks_noise.h"
 #include "inclusions/cracks_reflectance.h"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "lib/specialization_constants.glsl"
 
 layout(location = CRACKS_POSITION) in vec3 position;

@@ -3,7 +3,7 @@
  * shaders fetch each float of a uniform separately for each pixel (Mesa 22.3). */
 #version 460
 #include "inclusions/cracks.h"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 
 layout(push_constant, scalar) uniform Push
 {

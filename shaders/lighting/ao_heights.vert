@@ -1,6 +1,6 @@
 /* ao_heights.vert: vertex shader of the height maps of the surroundings, for ambient occlusion. */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "lighting/ao.h"
 
 layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders

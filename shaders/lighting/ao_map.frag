@@ -5,7 +5,7 @@
 #include "surroundings/surroundings.h"
 #define LIT_ENVIRONMENT_BINDING SURROUNDINGS_ENVIRONMENT_LIGHT
 #include "lib/environment_diffuse.glsl"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 
 layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 {

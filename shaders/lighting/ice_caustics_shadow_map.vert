@@ -1,6 +1,6 @@
 /* ice_caustics_shadow_map.vert: vertex shader of the sun's shadow map. */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "lib/sun_light_space.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;

@@ -1,6 +1,6 @@
 /* first_surface.vert: vertex shader of the albedo, object and motion layers (AOVs). */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "output/first_surface.h"
 
 layout(location = MESH_POSITION) in vec3 position;

@@ -1,6 +1,6 @@
 /* gbuffer.vert: vertex shader of the G-buffer of the visible surface: normal and position. */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "output/gbuffer.h"
 
 layout(location = MESH_POSITION) in vec3 position;

@@ -2,7 +2,7 @@
 #version 460
 #define HIGHLIGHT_VERTEX
 #include "lib/optics.glsl"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"
 #include "lighting/highlight.glsl"

@@ -3,7 +3,7 @@
 #define REFRACT_MEDIUM_GLSL
 #define LIT_ENVIRONMENT_BINDING MEDIUM_AROUND
 #include "inclusions/medium_light.glsl"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 
 /* Ray-marches a medium from a world-space point along `dir` up to length `t`. Returns the
  * in-scattered radiance times `transmittance`, and multiplies that by the segment's own. */

@@ -12,7 +12,7 @@
 #include "ice/ice_nested.h"
 #include "lib/depth_interpolate.glsl"
 #include "refract/refract_bounce.h"
-#include "refract/refract_bracket.glsl"
+#include "refract/refract_exit_bracket.glsl"
 
 layout(push_constant, scalar) uniform Push
 {

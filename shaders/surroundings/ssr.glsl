@@ -3,7 +3,7 @@
 #ifndef SSR_GLSL
 #define SSR_GLSL
 #include "lib/octahedral_encoding.glsl"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "lib/primary_ray.glsl"
 #include "material_layout.h"
 #include "surroundings/ssr.h"

@@ -1,6 +1,6 @@
 /* surroundings.vert: vertex shader of surroundings; SURROUNDINGS_EXTRA adds struct mesh_extra. */
 #version 460
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "surroundings/surroundings.h"
 #ifdef SURROUNDINGS_EXTRA
 #include "lib/vertex_extra.glsl"

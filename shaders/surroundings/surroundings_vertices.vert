@@ -6,7 +6,7 @@
 #define LIT_PER_VERTEX
 #include "lib/ao.glsl"
 #include "lib/brdf_shading.glsl"
-#include "lib/pose.glsl"
+#include "lib/object_pose.glsl"
 #include "surroundings/surroundings.h"
 #ifdef SURROUNDINGS_EXTRA
 #include "lib/vertex_extra.glsl"

@@ -5,7 +5,7 @@
 #include "lib/optics.glsl"
 #include "lib/pool_walls.glsl"
 #include "water/pool_tiles.h"
-#include "water/wave.h"
+#include "water/wave_function.h"
 
 layout(push_constant, scalar) uniform Push
 {

@@ -2,7 +2,7 @@
 #version 460
 #include "lib/grid_strip.glsl"
 #include "lib/pool_walls.glsl"
-#include "water/wave.h"
+#include "water/wave_function.h"
 
 layout(push_constant, scalar) uniform Push
 {

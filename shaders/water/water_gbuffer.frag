@@ -1,7 +1,7 @@
 /* water_gbuffer.frag: fragment shader of the G-buffer of the water surface: normal and position. */
 #version 460
 #include "lib/pool_walls.glsl"
-#include "water/wave.h"
+#include "water/wave_function.h"
 
 layout(push_constant, scalar) uniform Push
 {

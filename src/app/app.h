@@ -83,7 +83,7 @@ struct app_image {
     bool is_refraction_named;           /* by --refraction or in the window */
     const struct technique *split;      /* model of side B, or NULL */
     uint32_t width, height, samples;
-    bool is_adaptive;             /* adaptive sampling: adaptive.h */
+    bool is_adaptive;             /* adaptive sampling: adaptive_sampling.h */
     uint32_t level_samples;       /* samples of --quality; 0 if unset */
     bool level_has_smooth_filter; /* --quality selects a smooth filter */
     bool is_filter_named;

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/app/app.h"
-#include "src/app/output.h"
+#include "src/app/image_output.h"
 #include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/file_io.h"

@@ -11,7 +11,7 @@
 #include "src/base/path.h"
 #include "src/image/file_io.h"
 #include "src/ladder/comparison_report.h"
-#include "src/ladder/furnace.h"
+#include "src/ladder/white_furnace.h"
 #include "src/profile/text_format.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"

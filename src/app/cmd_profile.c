@@ -6,10 +6,10 @@
 #include "src/app/profile_job.h"
 #include "src/base/log.h"
 #include "src/image/file_io.h"
+#include "src/profile/baseline_comparison.h"
 #include "src/profile/chrome_trace.h"
-#include "src/profile/compare.h"
 #include "src/profile/csv.h"
-#include "src/profile/html.h"
+#include "src/profile/html_page.h"
 #include "src/profile/json.h"
 #include "src/profile/table.h"
 

@@ -6,14 +6,14 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
+#include "src/app/frame_sequence.h"
+#include "src/app/image_output.h"
 #include "src/app/layer_image.h"
-#include "src/app/options/option_reference.h"
-#include "src/app/output.h"
+#include "src/app/options/reference_options.h"
 #include "src/app/previous_pose.h"
 #include "src/app/progress.h"
 #include "src/app/render_report.h"
 #include "src/app/sample_sums_file.h"
-#include "src/app/sequence.h"
 #include "src/app/signals.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"

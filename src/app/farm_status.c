@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "src/app/output.h"
+#include "src/app/image_output.h"
 #include "src/base/log.h"
 #include "src/reader/image_reader.h"
 

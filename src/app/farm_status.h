@@ -2,7 +2,7 @@
 #ifndef FIRN_APP_FARM_STATUS_H
 #define FIRN_APP_FARM_STATUS_H
 
-#include "src/app/sequence.h"
+#include "src/app/frame_sequence.h"
 
 /* Prints the state of all frames, as text or JSON. A frame is done if firn render --resume would
  * keep it or, without a scene name, if its settings except the time equal those of the newest file.

@@ -9,7 +9,7 @@
 #include "src/frame/pass_list.h"
 #include "src/gpu/gpu_capture.h"
 #include "src/image/file_io.h"
-#include "src/profile/html.h"
+#include "src/profile/html_page.h"
 #include "src/profile/json.h"
 #include "src/render/renderer_requests.h"
 #include "src/scene/material.h"

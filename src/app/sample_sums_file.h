@@ -4,7 +4,7 @@
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
-#include "src/app/output.h"
+#include "src/app/image_output.h"
 #include "src/app/signals.h"
 #include "src/reference/reference.h"
 

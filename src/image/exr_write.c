@@ -6,7 +6,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/image/exr.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 
 /* Maximum length of names, because old OpenEXR readers reject files with longer ones. */
 enum {

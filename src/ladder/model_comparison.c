@@ -6,7 +6,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/ladder/ladder_cost.h"
 #include "src/metric/angle.h"
 #include "src/metric/difference.h"

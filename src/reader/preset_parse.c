@@ -7,7 +7,7 @@
 #include "src/base/path.h"
 #include "src/image/exr.h"
 #include "src/image/png.h"
-#include "src/reader/preset.h"
+#include "src/reader/preset_reader.h"
 
 enum {
     FILE_SIZE_MAX = 1 << 20

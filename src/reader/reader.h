@@ -5,8 +5,8 @@
  * use all memory, or execute code. Therefore the program starts itself as a child process that
  * inherits no environment except what the dynamic loader needs and no descriptors except its pipes;
  * that has limits on memory, CPU time and open files; and that may only read the file, or its
- * folder, and compute (sandbox.h). The data it sends is validated again (pipe.h). The child is
- * spawned rather than forked: this is safe in a multithreaded program, and no memory is shared.
+ * folder, and compute (sandbox.h). The data it sends is validated again (reader_pipe.h). The child
+ * is spawned rather than forked: this is safe in a multithreaded program, and no memory is shared.
  * While a reader exists, the parent is not dumpable, so the child cannot open the parent's memory
  * either. Smaller limits of the program itself (RLIMIT_AS, RLIMIT_CPU, RLIMIT_NOFILE, as set by
  * batch systems) also apply to the child.
@@ -20,7 +20,7 @@
 #define FIRN_READER_READER_H
 
 #include "src/base/status.h"
-#include "src/reader/pipe.h"
+#include "src/reader/reader_pipe.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define READER_MAPS_SHADOWS 1 /* sanitizers map terabytes: no RLIMIT_AS */

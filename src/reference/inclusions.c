@@ -5,7 +5,7 @@
 #include "shaders/inclusions/cracks_noise.h"
 #include "shaders/lighting/bump_normal.h"
 #include "shaders/surroundings/sky.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/reference/linear_filter.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/cracks.h"

@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
-#include "shaders/water/wave.h"
+#include "shaders/water/wave_function.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/water/pool.h"
 

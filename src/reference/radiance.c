@@ -6,7 +6,7 @@
 #include "shaders/surroundings/sky.h"
 #include "shaders/surroundings/surroundings.h"
 #include "shaders/water/pool_tiles.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/image/srgb.h"
 #include "src/reference/linear_filter.h"
 #include "src/scene/material_table.h"

@@ -20,7 +20,7 @@
 #include "src/reference/reference_layers.h"
 #include "src/reference/reference_sample_sums.h"
 #include "src/reference/whitted.h"
-#include "src/render/accumulate.h"
+#include "src/render/sample_accumulation.h"
 #include "src/scene/environment/image_based_lighting.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/lighting/ice_caustics.h"

@@ -1,6 +1,6 @@
 /* renderer_adaptive.c: draws an image with adaptive sampling, rectangle by rectangle. */
 #include "src/base/log.h"
-#include "src/render/adaptive.h"
+#include "src/render/adaptive_sampling.h"
 #include "src/render/renderer_internal.h"
 #include "src/tech/techniques.h"
 

@@ -1,10 +1,10 @@
 /* renderer_denoise.c: accumulates the lighting of surroundings separately and denoises it. */
 #include "src/base/log.h"
-#include "src/render/accumulate.h"
-#include "src/render/adaptive.h"
+#include "src/render/adaptive_sampling.h"
 #include "src/render/denoise.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/renderer_requests.h"
+#include "src/render/sample_accumulation.h"
 #include "src/tech/frame.h"
 
 bool renderer_denoise_begin(struct renderer *r)

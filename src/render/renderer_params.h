@@ -25,7 +25,7 @@ struct renderer_params {
     bool may_exceed_image;
     bool interleaved; /* tiles are interleaved: see renderer_shot */
     uint32_t samples; /* per pixel; 0 means 1 */
-    bool is_adaptive; /* adaptive sampling, up to ADAPTIVE_SAMPLES: adaptive.h */
+    bool is_adaptive; /* adaptive sampling, up to ADAPTIVE_SAMPLES: adaptive_sampling.h */
     enum pixel_filter filter;
     uint32_t layers; /* bit i: return techniques_layer(i), if enabled */
     bool linear;     /* return the beauty in render_result.image */

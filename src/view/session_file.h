@@ -3,13 +3,14 @@
  *
  * It has one line NAME=VALUE per entry, like a preset: settings by name, those of side B with the
  * prefix "b.", and the entries of session_file.c's table. Non-ASCII bytes and '%' in names are
- * percent-encoded. A reader process splits the file into lines (preset.h); values are checked here.
+ * percent-encoded. A reader process splits the file into lines (preset_reader.h); values are
+ * checked here.
  */
 #ifndef FIRN_VIEW_SESSION_FILE_H
 #define FIRN_VIEW_SESSION_FILE_H
 
 #include <stdio.h>
-#include "src/reader/preset.h"
+#include "src/reader/preset_reader.h"
 #include "src/scene/camera.h"
 #include "src/view/undo_stack.h"
 

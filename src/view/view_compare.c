@@ -8,7 +8,7 @@
 #include "src/reader/image_reader.h"
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker.h"
+#include "src/view/worker_thread.h"
 
 static const struct tonemap_params *tone_of(const struct view *v)
 {

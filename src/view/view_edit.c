@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/options/option_preset.h"
+#include "src/app/options/preset_option.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/frame/pass_list.h"
@@ -11,7 +11,7 @@
 #include "src/view/recent_files.h"
 #include "src/view/user_files.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker.h"
+#include "src/view/worker_thread.h"
 
 enum {
     TEXT_SIZE = 200,

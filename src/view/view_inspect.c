@@ -1,6 +1,6 @@
 /* view_inspect.c: runs the pixel inspector, and centres the camera on a double-clicked surface. */
 #include "src/view/view_internal.h"
-#include "src/view/worker.h"
+#include "src/view/worker_thread.h"
 
 static bool is_same_choice(const struct pixel_inspector_choice *a,
                            const struct pixel_inspector_choice *b)

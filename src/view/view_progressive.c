@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker.h"
+#include "src/view/worker_thread.h"
 
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */

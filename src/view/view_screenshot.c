@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-#include "src/app/output.h"
+#include "src/app/image_output.h"
 #include "src/base/clock.h"
 #include "src/base/path.h"
 #include "src/view/clipboard.h"

@@ -11,7 +11,7 @@
 #include "src/view/session_file.h"
 #include "src/view/user_files.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker.h"
+#include "src/view/worker_thread.h"
 
 _Static_assert((int)SESSION_FILE_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT,
                "sessions keep all bookmarks");

@@ -10,7 +10,7 @@
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
 #include "src/view/window_x11_shm.h"
-#include "src/view/worker.h"
+#include "src/view/worker_thread.h"
 
 /* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/output/present.h"
+#include "src/app/image_output.h"
 #include "src/app/layer_image.h"
-#include "src/app/output.h"
 #include "src/app/signals.h"
 #include "src/base/log.h"
 #include "src/base/path.h"

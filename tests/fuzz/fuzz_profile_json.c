@@ -3,7 +3,7 @@
  * written of it is read and written again byte by byte.
  */
 #include <string.h>
-#include "src/profile/compare.h"
+#include "src/profile/baseline_comparison.h"
 #include "src/profile/json.h"
 #include "src/profile/table.h"
 #include "tests/fuzz/fuzz.h"

@@ -10,7 +10,7 @@
 #include "shaders/globals.h"
 #include "shaders/specialization_constants.h"
 #include "src/frame/pass_list.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/render/uploaded_scene.h"
 #include "src/tech/frame.h"
 #include "tests/support/lavapipe.h"

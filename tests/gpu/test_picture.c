@@ -5,7 +5,7 @@
 #include "tests/support/assertions.h"
 
 #include "shaders/output/tonemap.h"
-#include "src/render/accumulate.h"
+#include "src/render/sample_accumulation.h"
 #include "src/tech/output/tonemap.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -1,5 +1,5 @@
 /*
- * test_wave.c: wave.h, run on a device, against vectors worked out elsewhere in double
+ * test_wave.c: wave_function.h, run on a device, against vectors worked out elsewhere in double
  * precision (tests/data/oracles.json) and against closed forms.
  */
 #include <math.h>

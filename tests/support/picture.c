@@ -10,7 +10,7 @@
 
 #include "src/frame/frame_uniforms.h"
 #include "src/frame/pass_list.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/scene/generate/generate.h"
 #include "src/tech/inclusions/frost.h"
 #include "src/tech/lighting/bump.h"

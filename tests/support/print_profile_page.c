@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "src/profile/html.h"
+#include "src/profile/html_page.h"
 #include "src/profile/json.h"
 #include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"

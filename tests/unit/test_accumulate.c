@@ -1,11 +1,11 @@
 /* Samples become planes. */
-#include "src/render/accumulate.h"
+#include "src/render/sample_accumulation.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "tests/support/assertions.h"
 
 enum {

@@ -1,10 +1,10 @@
 /* Samples go where means are not known well. */
-#include "src/render/adaptive.h"
+#include "src/render/adaptive_sampling.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "tests/support/assertions.h"
 
 enum {

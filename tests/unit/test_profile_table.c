@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/profile/compare.h"
+#include "src/profile/baseline_comparison.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
 #include "src/profile/text_format.h"

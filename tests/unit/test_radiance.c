@@ -3,7 +3,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/reference/radiance.h"
 
 /* Two layers of 2 x 2; the first is black. Red: 0 1 / 0 0, alpha: 1 1 / 1 0; green: sRGB 188. */

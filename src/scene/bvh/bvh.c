@@ -8,7 +8,7 @@
 #include "shaders/inclusions/cracks.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/scene/bvh/bvh_horizon.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"

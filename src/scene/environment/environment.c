@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/image/exr.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 #include "src/image/hdr.h"
 #include "src/scene/environment/panorama.h"
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include "shaders/brdf.h"
 #include "shaders/surroundings/surroundings.h"
-#include "src/image/half.h"
+#include "src/image/half_float.h"
 
 enum {
     LEVEL_MAX = 10,

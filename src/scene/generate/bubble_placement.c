@@ -1,9 +1,9 @@
 /* bubble_placement.c: places non-overlapping bubbles inside a closed mesh by rejection sampling. */
+#include "src/scene/generate/bubble_placement.h"
 #include <assert.h>
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "src/scene/generate/bubbles.h"
 #include "src/scene/generate/random.h"
 
 enum {

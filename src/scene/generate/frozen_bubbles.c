@@ -10,7 +10,7 @@
  */
 #include <cglm/struct.h>
 #include <math.h>
-#include "src/scene/generate/bubbles.h"
+#include "src/scene/generate/bubble_placement.h"
 #include "src/scene/generate/random.h"
 
 enum {

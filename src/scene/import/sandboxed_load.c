@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/reader/image_reader.h"
-#include "src/reader/preset.h"
+#include "src/reader/preset_reader.h"
 #include "src/scene/import/model_pipe.h"
 
 /* Encodes a pose as an argument for the child process: '-' (rest pose), '*' (first animation) or

@@ -1,9 +1,9 @@
 /*
  * water.c: passes that draw a pool of water: waves, reflections and the refracted ground.
  *
- * The waves of shaders/water/wave.h have analytic normals. The surface is drawn as a grid; the
- * primary ray is refracted once per pixel, intersected with the floor and walls of the pool, and
- * attenuated along its path in the water by the Beer-Lambert law. Reflectances follow Fresnel's
+ * The waves of shaders/water/wave_function.h have analytic normals. The surface is drawn as a grid;
+ * the primary ray is refracted once per pixel, intersected with the floor and walls of the pool,
+ * and attenuated along its path in the water by the Beer-Lambert law. Reflectances follow Fresnel's
  * equations. Sunlight is that below level water, multiplied by the light map of
  * src/tech/water/caustics.c.
  *
@@ -24,7 +24,7 @@
 #include "shaders/water/water.h"
 #include <math.h>
 #include "shaders/embedded.h"
-#include "shaders/water/wave.h"
+#include "shaders/water/wave_function.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/output/gbuffer.h"

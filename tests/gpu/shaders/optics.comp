@@ -1,10 +1,11 @@
-/* optics.comp: asks all that lib/optics, bubble and box_projection.glsl and wave.h know. */
+/* optics.comp: asks all that lib/optics, bubble and box_projection.glsl and wave_function.h know.
+ */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/box_projection.glsl"
 #include "shaders/lib/bubble_deflection.glsl"
 #include "shaders/lib/optics.glsl"
-#include "shaders/water/wave.h"
+#include "shaders/water/wave_function.h"
 #include "tests/gpu/shaders/optics.h"
 
 layout(binding = OPTICS_QUESTIONS, scalar) readonly buffer Questions

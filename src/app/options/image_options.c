@@ -1,0 +1,378 @@
+/* image_options.c: setters of the options that select scene, image, camera and output files. */
+#include "src/app/options/image_options.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "src/app/layer_image.h"
+#include "src/app/options/node_material_option.h"
+#include "src/app/options/option_values.h"
+#include "src/base/log.h"
+#include "src/base/path.h"
+#include "src/reference/reference.h"
+#include "src/render/adaptive_sampling.h"
+#include "src/scene/material.h"
+#include "src/tech/output/tonemap.h"
+#include "src/tech/refract/refract_reference.h"
+
+/* ---- files ---- */
+
+enum status option_output(const struct option *option, void *at, const char *value)
+{
+    if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))
+        return option_refuse(option, value, "a file name that ends in .exr or .png, or -");
+    return option_add_output(option, at, value);
+}
+
+static enum status set_only_output(const struct option *option, struct app_outputs *outputs,
+                                   const char *value)
+{
+    if (outputs->count)
+        return option_refuse_more(option, value, 1);
+    return option_add_output(option, outputs, value);
+}
+
+enum status option_bake_output(const struct option *option, void *at, const char *value)
+{
+    if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr"))
+        return option_refuse(option, value, "a file name that ends in .exr, or -");
+    return set_only_output(option, at, value);
+}
+
+enum status option_sheet_output(const struct option *option, void *at, const char *value)
+{
+    if (!path_ends_in(value, ".png"))
+        return option_refuse(option, value, "a file name that ends in .png");
+    return set_only_output(option, at, value);
+}
+
+enum status option_chunk(const struct option *option, void *at, const char *value)
+{
+    enum {
+        CHUNKS_MAX = 1000000
+    };
+
+    struct app_render *render = at;
+    const char *rest;
+    const bool ok = option_parse_count(value, 1, CHUNKS_MAX, &render->chunk, &rest) &&
+                    *rest == '/' &&
+                    option_parse_count(rest + 1, 1, CHUNKS_MAX, &render->chunk_count, &rest) &&
+                    !*rest && render->chunk <= render->chunk_count;
+    return ok ? STATUS_OK : option_refuse(option, value, "K/N with K from 1 to N, such as 1/4");
+}
+
+/* Sets the output format. Only one is allowed; repeating it is harmless. */
+enum status option_format(const struct option *option, void *at, const char *value)
+{
+    static const char *const names[APP_FORMAT_COUNT] = {
+        [APP_FORMAT_TEXT] = "",     [APP_FORMAT_DOT] = "dot",       [APP_FORMAT_JSON] = "json",
+        [APP_FORMAT_HTML] = "html", [APP_FORMAT_PRESET] = "preset",
+    };
+    enum app_format *format = at;
+    const enum app_format requested =
+        (enum app_format)option_find_word(names, APP_FORMAT_COUNT, option->name);
+    (void)value;
+    if (*format != APP_FORMAT_TEXT && *format != requested) {
+        log_error("--%s: conflicts with --%s: choose one format", names[requested], names[*format]);
+        return STATUS_USAGE;
+    }
+    *format = requested;
+    return STATUS_OK;
+}
+
+/* ---- size, tiles, layers ---- */
+
+static bool parse_pair(const char *value, uint32_t max, uint32_t *across, uint32_t *down)
+{
+    const char *rest;
+    return option_parse_count(value, 1, max, across, &rest) && *rest == 'x' &&
+           option_parse_count(rest + 1, 1, max, down, &rest) && !*rest;
+}
+
+enum status option_size(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    return parse_pair(value, 16384, &image->width, &image->height)
+               ? STATUS_OK
+               : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
+}
+
+/* Sets the width of a cube face, which is square. */
+enum status option_bake_size(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const char *rest;
+    if (!option_parse_count(value, 1, 4096, &image->width, &rest) || *rest)
+        return option_refuse(option, value, "the side of a cube face in texels, 1 to 4096");
+    image->height = image->width;
+    return STATUS_OK;
+}
+
+enum {
+    TILES_MAX = 16 /* in a row or column */
+};
+
+enum status option_tiles(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    return parse_pair(value, TILES_MAX, &image->columns, &image->rows)
+               ? STATUS_OK
+               : option_refuse(option, value, "COLUMNSxROWS, 1x1 to 16x16");
+}
+
+enum status option_tile(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const char *rest;
+    if (!option_parse_count(value, 1, TILES_MAX * TILES_MAX, &image->tile, &rest) || *rest)
+        return option_refuse(option, value, "the number of a tile, from 1 to 256");
+    return STATUS_OK;
+}
+
+static bool add_layer(struct app_image *image, const char *name, size_t length)
+{
+    if (length == 3 && !strncmp(name, "all", 3)) {
+        image->all_layers = true;
+        return true;
+    }
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        if (strlen(techniques_layer(i)->name) == length &&
+            !strncmp(techniques_layer(i)->name, name, length)) {
+            image->layers |= 1u << i;
+            return true;
+        }
+    }
+    return false;
+}
+
+enum status option_aov(const struct option *option, void *at, const char *value)
+{
+    for (const char *name = value;;) {
+        const size_t length = strcspn(name, ",");
+        if (!add_layer(at, name, length))
+            return option_refuse_name(option, OPTION_LAYERS, name, length);
+        if (!name[length])
+            return STATUS_OK;
+        name += length + 1;
+    }
+}
+
+enum status option_show(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    image->show = layer_image_find(value);
+    return image->show ? STATUS_OK
+                       : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
+}
+
+enum status option_png_bits(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const bool is_16 = strcmp(value, "16") == 0;
+    if (!is_16 && strcmp(value, "8") != 0)
+        return option_refuse(option, value, "8 or 16");
+    image->png_bits = is_16 ? 16 : 8;
+    return STATUS_OK;
+}
+
+enum status option_samples(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const char *rest;
+    image->is_adaptive = strcmp(value, "auto") == 0;
+    if (image->is_adaptive)
+        image->samples = ADAPTIVE_SAMPLES;
+    else if (!option_parse_count(value, option->min, option->max, &image->samples, &rest) || *rest)
+        return option_refuse(option, value, "a whole number from 1 to 65536, or auto");
+    return STATUS_OK;
+}
+
+enum status option_pixel_filter(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const int i = option_find_word(pixel_filter_names, PIXEL_FILTER_COUNT, value);
+    if (i < 0)
+        return option_refuse(option, value, "box, point or blackman-harris");
+    image->filter = (enum pixel_filter)i;
+    image->is_filter_named = true;
+    return STATUS_OK;
+}
+
+enum status option_sharing(const struct option *option, void *at, const char *value)
+{
+    static const char *const names[] = {
+        [RG_SHARE_FEWEST_BATCHES] = "batches",
+        [RG_SHARE_LEAST_MEMORY] = "memory",
+        [RG_SHARE_NOTHING] = "nothing",
+    };
+    enum rg_sharing *sharing = at;
+    const int i = option_find_word(names, sizeof(names) / sizeof(names[0]), value);
+    if (i < 0)
+        return option_refuse(option, value, "batches, memory or nothing");
+    *sharing = (enum rg_sharing)i;
+    return STATUS_OK;
+}
+
+/* ---- scene, material, settings ---- */
+
+enum status option_refraction(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const bool is_traced = !strcmp(value, refract_reference.refraction.name);
+    image->refraction = is_traced ? &refract_reference : techniques_find_refraction(value);
+    image->is_refraction_named = true;
+    return image->refraction ? STATUS_OK
+                             : option_refuse_name(option, OPTION_REFRACTION_MODELS_AND_REFERENCE,
+                                                  value, strlen(value));
+}
+
+enum status option_material(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    if (strchr(value, '='))
+        return option_node_material(option, scene, value);
+    scene->material = value;
+    return material_preset_find(value)
+               ? STATUS_OK
+               : option_refuse_name(option, OPTION_MATERIALS, value, strlen(value));
+}
+
+enum status option_sandbox(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    if (strcmp(value, "on") != 0 && strcmp(value, "off") != 0)
+        return option_refuse(option, value, "on or off");
+    scene->reader.no_sandbox = value[1] == 'f';
+    if (scene->reader.no_sandbox)
+        log_warning("--sandbox off: a malicious file can do anything that you can do");
+    return STATUS_OK;
+}
+
+enum status option_set(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    const struct setting *row;
+    (void)option;
+    const enum status status = settings_assign(&scene->settings, value, NULL, &row);
+    if (status == STATUS_OK)
+        scene->is_set[settings_index(row)] = true;
+    return status;
+}
+
+/* Sets the tone curve: short for --set tonemap.curve. */
+enum status option_tone_curve(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    const struct setting *row =
+        settings_row(&tonemap_settings, offsetof(struct tonemap_params, curve));
+    const int i = option_find_word(row->choices, (int)row->max + 1, value);
+    if (i < 0)
+        return option_refuse(option, value, "neutral, agx, aces, hable or clip");
+    settings_set_value(&scene->settings, row, i);
+    scene->is_set[settings_index(row)] = true;
+    return STATUS_OK;
+}
+
+static bool parse_within(const char *value, float limit, float *number)
+{
+    return option_parse_numbers(value, ',', number, 1) && fabsf(*number) <= limit;
+}
+
+enum status option_env_rotate(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    return parse_within(value, 360.0f, &scene->env_rotate)
+               ? STATUS_OK
+               : option_refuse(option, value, "-360 to 360 degrees");
+}
+
+enum status option_env_exposure(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    return parse_within(value, 16.0f, &scene->env_exposure)
+               ? STATUS_OK
+               : option_refuse(option, value, "-16 to 16 stops");
+}
+
+enum status option_up(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    scene->has_transform = true;
+    scene->model_transform.is_z_up = strcmp(value, "z") == 0;
+    return scene->model_transform.is_z_up || strcmp(value, "y") == 0
+               ? STATUS_OK
+               : option_refuse(option, value, "y or z");
+}
+
+enum status option_scale(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    float *scale = &scene->model_transform.scale;
+    scene->has_transform = true;
+    return option_parse_numbers(value, ',', scale, 1) && *scale >= 1e-6f && *scale <= 1e6f
+               ? STATUS_OK
+               : option_refuse(option, value, "a number from 1e-6 to 1e6");
+}
+
+enum status option_rotate(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    const vec3s *v = &scene->model_transform.rotate_deg;
+    scene->has_transform = true;
+    const bool ok = option_parse_numbers(value, ',', scene->model_transform.rotate_deg.raw, 3) &&
+                    fabsf(v->x) <= 360.0f && fabsf(v->y) <= 360.0f && fabsf(v->z) <= 360.0f;
+    return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
+}
+
+/* Sets the background. A colour that was given before "none" still lights the scene. */
+enum status option_background(const struct option *option, void *at, const char *value)
+{
+    struct app_scene *scene = at;
+    struct app_vector color = { 0 };
+    const vec3s *v = &color.value;
+    scene->no_background = strcmp(value, "none") == 0;
+    if (scene->no_background)
+        return STATUS_OK;
+    color.is_given = option_parse_numbers(value, ',', color.value.raw, 3) && v->x >= 0.0f &&
+                     v->y >= 0.0f && v->z >= 0.0f;
+    if (!color.is_given)
+        return option_refuse(option, value, "R,G,B, linear and each at least 0, or none");
+    scene->background = color;
+    return STATUS_OK;
+}
+
+/* ---- the camera ---- */
+
+/* Maximum coordinate, metres: squares of such distances are still finite in float. */
+static const float position_max = 1e9f;
+
+enum status option_orbit(const struct option *option, void *at, const char *value)
+{
+    struct app_vector *orbit = at;
+    orbit->is_given = option_parse_numbers(value, ',', orbit->value.raw, 3) &&
+                      orbit->value.z > 0.0f && orbit->value.z <= position_max;
+    return orbit->is_given
+               ? STATUS_OK
+               : option_refuse(
+                     option, value,
+                     "AZIMUTH,ELEVATION,DISTANCE: degrees, degrees, and metres above 0 up to 1e9");
+}
+
+enum status option_position(const struct option *option, void *at, const char *value)
+{
+    struct app_vector *vector = at;
+    const vec3s *v = &vector->value;
+    vector->is_given = option_parse_numbers(value, ',', vector->value.raw, 3) &&
+                       fabsf(v->x) <= position_max && fabsf(v->y) <= position_max &&
+                       fabsf(v->z) <= position_max;
+    return vector->is_given
+               ? STATUS_OK
+               : option_refuse(option, value, "X,Y,Z in metres, each from -1e9 to 1e9");
+}
+
+enum status option_fov(const struct option *option, void *at, const char *value)
+{
+    struct app_image *image = at;
+    const bool ok = option_parse_numbers(value, ',', &image->fov_deg, 1) &&
+                    image->fov_deg >= 1.0f && image->fov_deg <= 170.0f;
+    return ok ? STATUS_OK : option_refuse(option, value, "1 to 170 degrees");
+}

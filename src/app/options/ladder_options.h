@@ -1,0 +1,19 @@
+/* ladder_options.h: setters and default settings of firn ladder. */
+#ifndef FIRN_APP_OPTIONS_LADDER_OPTIONS_H
+#define FIRN_APP_OPTIONS_LADDER_OPTIONS_H
+
+#include "src/app/app.h"
+#include "src/app/options/option.h"
+
+option_fn option_ladder_output;     /* of struct app_outputs */
+option_fn option_refraction_models; /* of struct app_ladder */
+
+/* Sets the defaults of firn ladder: switches off what the reference does not draw, and selects
+ * exact refraction. Must be called before the options are parsed. */
+void option_ladder_settings(struct settings *settings);
+
+/* Switches inclusions and surface effects of ice back on, as in other commands, unless --set or
+ * --preset sets them. Cracks become gaps, as in the reference. */
+void option_ladder_whole(struct app_scene *scene);
+
+#endif

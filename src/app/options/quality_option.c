@@ -1,0 +1,34 @@
+/* quality_option.c: applies the quality level of --quality. */
+#include "src/app/options/quality_option.h"
+#include "src/app/options/option_values.h"
+#include "src/settings/quality.h"
+
+static void apply_level(struct app_image *image, uint32_t level)
+{
+    struct app_scene *scene = &image->scene;
+    image->level_samples = qualities[level].samples;
+    image->level_has_smooth_filter = qualities[level].is_smooth;
+    for (const struct quality_row *row = quality_rows; row->setting; row++) {
+        const size_t index = settings_index(settings_find(row->setting));
+        if (!scene->is_set[index] && !scene->is_preset[index])
+            quality_apply_row(&scene->settings, row, level);
+    }
+}
+
+enum status option_quality(const struct option *option, void *at, const char *value)
+{
+    const char *const names[] = { qualities[0].name, qualities[1].name, qualities[2].name };
+    const int level = option_find_word(names, QUALITY_COUNT, value);
+    if (level < 0)
+        return option_refuse(option, value, "draft, normal or high");
+    apply_level(at, (uint32_t)level);
+    return STATUS_OK;
+}
+
+void option_default_quality(struct app_options *o)
+{
+    const struct app_image *image = &o->image;
+    const bool has_limit = o->render.noise > 0.0 || o->render.seconds > 0.0;
+    if (!image->level_samples && !image->samples && !image->scene.preset && !has_limit)
+        apply_level(&o->image, QUALITY_RENDER_DEFAULT);
+}

@@ -1,0 +1,20 @@
+/* reference_options.h: setters and checks of the options of --refraction reference. */
+#ifndef FIRN_APP_OPTIONS_REFERENCE_OPTIONS_H
+#define FIRN_APP_OPTIONS_REFERENCE_OPTIONS_H
+
+#include "src/app/options/option.h"
+
+option_fn option_noise, option_seconds; /* of a double */
+
+/* Returns the first EXR output, beside which --keep-sums stores the sums, or NULL. */
+const char *option_sums_image(const struct app_options *options);
+
+/* Returns the name of the file with an image's sample sums, "a.sums.exr" for "a.exr", to be freed
+ * by the caller; NULL when out of memory. */
+char *option_sums_file(const char *image);
+
+/* Checks that options for the reference are used only with it, and sets the default sample count
+ * and pixel filter. On failure logs and returns STATUS_USAGE. */
+MUST_USE enum status option_check_reference(struct app_options *options);
+
+#endif

@@ -1,0 +1,81 @@
+/* sample_accumulation.c: sums samples of a layer, half or float texels, into float planes. */
+#include "src/render/sample_accumulation.h"
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+#include "src/image/half_float.h"
+
+static uint32_t plane_count(const struct frame_layer *layer)
+{
+    uint32_t count = 0;
+    while (count < 4 && layer->planes[count])
+        count++;
+    return count;
+}
+
+static uint32_t channel_count(VkFormat format)
+{
+    return format == VK_FORMAT_R32_SFLOAT ? 1 : 4;
+}
+
+static bool is_half(VkFormat format)
+{
+    return format == VK_FORMAT_R16G16B16A16_SFLOAT;
+}
+
+bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
+{
+    for (uint32_t p = 0; p < plane_count(layer); p++) {
+        if (!image_add_plane(image, layer->planes[p], layer->half))
+            return false;
+    }
+    return true;
+}
+
+static void add_half(float *plane, size_t count, const void *texels, uint32_t channel,
+                     uint32_t channels)
+{
+    const uint16_t *source = texels;
+    for (size_t i = 0; i < count; i++)
+        plane[i] += half_to_float(source[i * channels + channel]);
+}
+
+static void add_float(float *plane, size_t count, const void *texels, uint32_t channel,
+                      uint32_t channels)
+{
+    const float *source = texels;
+    for (size_t i = 0; i < count; i++)
+        plane[i] += source[i * channels + channel];
+}
+
+void accumulate_sample(struct image *image, const struct tile *tile,
+                       const struct frame_layer *layer, const void *texels, uint32_t sample)
+{
+    const VkFormat format = layer->image->format;
+    const size_t size = rg_format_info(format)->size;
+    assert(is_half(format) || size == channel_count(format) * sizeof(float));
+    if (sample && !layer->mean)
+        return;
+    for (uint32_t p = 0; p < plane_count(layer); p++) {
+        float *plane = image_find(image, layer->planes[p]);
+        for (uint32_t y = 0; y < tile->height; y++) {
+            float *row = &plane[(size_t)(tile->y + y) * image->width + tile->x];
+            const char *source = (const char *)texels + size * tile->width * y;
+            if (is_half(format))
+                add_half(row, tile->width, source, layer->first_channel + p, channel_count(format));
+            else
+                add_float(row, tile->width, source, layer->first_channel + p,
+                          channel_count(format));
+        }
+    }
+}
+
+void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples)
+{
+    size_t count = (size_t)image->width * image->height;
+    for (uint32_t p = 0; p < plane_count(layer) && layer->mean && samples > 1; p++) {
+        float *plane = image_find(image, layer->planes[p]);
+        for (size_t i = 0; i < count; i++)
+            plane[i] /= (float)samples;
+    }
+}

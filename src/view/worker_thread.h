@@ -1,0 +1,14 @@
+/* worker_thread.h: runs long jobs on a worker thread, so that the window stays responsive. */
+#ifndef FIRN_VIEW_WORKER_THREAD_H
+#define FIRN_VIEW_WORKER_THREAD_H
+
+#include "src/view/window.h"
+
+typedef enum status worker_fn(void *user);
+
+/* Runs `work` on a thread and handles window events until it is done; returns its status. A window
+ * that is closed meanwhile is hidden at once. The job must not access the window, and no other
+ * thread may access the job's data. */
+MUST_USE enum status worker_run(struct window *window, worker_fn *work, void *user);
+
+#endif
