@@ -120,7 +120,7 @@ class Sequence(Frames):
 class Words(Frames):
     def test_bad_ranges(self):
         for frames, names in (
-                ('1:5', ['step', 'count']), ('', ['A-B']), ('1-', ['A-B']), ('1,,2', ['A-B']),
+                ('1:5', ['A-BxN', "':'"]), ('', ['A-B']), ('1-', ['A-B']), ('1,,2', ['A-B']),
                 ('1-5x0', ['step']), ('1-5x-2', ['step']), ('1-9999999', ['100000']),
                 ('99999999999999999999', ['9999999']), ('9999999', ['motion.time']),
                 ('-2500001', ['-2500001', 'motion.fps'])):

@@ -176,9 +176,9 @@ class With(Case):
                  '-o', 'a.exr')
         kept = (self.folder / 'a.sums.exr').read_bytes()
         for words, names in (
-                (('-n', '3', '--set', 'absorb.red=2'), ['another image', 'absorb.red=2']),
-                (('-n', '3', '--eye', '1,2,3'), ['another image', 'eye=1,2,3']),
-                (('-n', '3', '--size', '65x48'), ['another image', 'size=65x48']),
+                (('-n', '3', '--set', 'absorb.red=2'), ['an image with', 'absorb.red=2']),
+                (('-n', '3', '--eye', '1,2,3'), ['an image with', 'eye=1,2,3']),
+                (('-n', '3', '--size', '65x48'), ['an image with', 'size=65x48']),
                 (('-n', '3', '--aov', 'refraction'), ['refraction.R', '--aov']),
                 (('-n', '1'), ['2 samples', '--samples'])):
             self.refuse(DATA, *again, *words, names=['a.sums.exr', '--resume', *names],
