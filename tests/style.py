@@ -275,7 +275,7 @@ def language_rule(file):
     if not file.ends(C + GLSL) or not file.path.startswith(SPOKEN):
         return
     for line, is_comment, words in texts(file.text):
-        for pattern, term in PRIVATE_WORDS + (PRIVATE_SYNTAX if is_comment else ()):
+        for pattern, term in PRIVATE_WORDS + PRIVATE_SYNTAX[0 if is_comment else 1:]:
             found = pattern.search(words)
             if found:
                 yield line, f'"{found[0].strip()}": write {term}'

@@ -125,7 +125,7 @@ static const struct setting rows[] = {
         .initial = 19,
         .max = 64,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "number of air planes in the ice (0: none)",
+        .help = "number of air planes in the ice (0 for none)",
     },
     {
         .name = "air.seed",
@@ -206,7 +206,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, scattering_media),
         .initial = 1,
         .max = 100,
-        .help = "factor on the density of scattering media in scene files, extras.cloud (0: none)",
+        .help = "factor on the density of scattering media in scene files, extras.cloud (0 for none)",
     },
     {
         .name = "air.anisotropy",

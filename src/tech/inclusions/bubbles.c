@@ -158,7 +158,7 @@ static const struct setting rows[] = {
         .initial = 40,
         .max = BUBBLES_COUNT_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "maximum number of bubbles that are placed in the ice (0: none)",
+        .help = "maximum number of bubbles that are placed in the ice (0 for none)",
     },
     {
         .name = "bubbles.seed",

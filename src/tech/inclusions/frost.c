@@ -100,7 +100,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct frost_params, amount),
         .max = 1,
         .switches = SETTING_AFFECTS_SCENE,
-        .help = "thickness of the frost where the ice is not smooth (0: none)",
+        .help = "thickness of the frost where the ice is not smooth (0 for none)",
     },
     {
         .name = "frost.roughness",

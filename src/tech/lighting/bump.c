@@ -26,7 +26,7 @@ static const struct setting rows[] = {
         .initial = 0.25,
         .max = 4,
         .switches = SETTING_AFFECTS_SCENE,
-        .help = "steepness of the bumps of the ice's surface (0: none)",
+        .help = "steepness of the bumps of the ice's surface (0 for none)",
     },
     {
         .name = "bump.scale",

@@ -30,7 +30,7 @@ static const struct setting rows[] = {
         .initial = 6,
         .max = 100,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "brightness of the lights' highlights on the ice (0: none)",
+        .help = "brightness of the lights' highlights on the ice (0 for none)",
     },
     {
         .name = "highlight.shininess",

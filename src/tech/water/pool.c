@@ -99,7 +99,7 @@ static const struct setting pool_rows[] = {
     POOL(tile, .label = "Tile size", .initial = 0.25, .min = 0.01, .max = 100,
          .help = "side length of the pool's tiles"),
     POOL(ice, .label = "Floating ice", .max = 50, .affects = SETTING_AFFECTS_SCENE,
-         .help = "width of the ice that floats in the pool (0: none)"),
+         .help = "width of the ice that floats in the pool (0 for none)"),
 };
 
 const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
