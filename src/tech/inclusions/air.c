@@ -206,7 +206,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, scattering_media),
         .initial = 1,
         .max = 100,
-        .help = "factor on the density of scattering media in scene files, extras.cloud (0 for none)",
+        .help = "factor on the density of files' scattering media, extras.cloud (0 for none)",
     },
     {
         .name = "air.anisotropy",
