@@ -58,7 +58,7 @@ struct app_scene {
     const char *bump, *bump_mask, *air; /* image files; NULL: generated */
     struct material_override material_overrides[APP_NODE_COUNT];
     uint32_t material_override_count;
-    const char *animation; /* name or "none"; NULL for the model's first animation */
+    const char *animation; /* animation name, or "none"; NULL for the first animation */
     struct model_transform model_transform;
     bool has_transform;           /* set by an option */
     bool has_default_environment; /* `environment` is the asset's default */
@@ -117,13 +117,13 @@ struct app_run {
     char *const *args;   /* from the command on; NULL-terminated */
 };
 
-/* Options of firn render. firn farm passes all of them on, except `json`. */
+/* Options of firn render. firn farm passes them to its tasks, except `json`. */
 struct app_render {
     const char *frames;          /* unparsed; NULL: a single image */
     uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
     bool resume;
     bool keep_sums;        /* see sample_sums_file.h */
-    double noise, seconds; /* limits of the reference; 0 if unlimited */
+    double noise, seconds; /* noise and time limits of the reference; 0: unlimited */
     const char *json;      /* report file, or NULL */
 };
 
@@ -229,8 +229,8 @@ enum app_command {
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/* Prints those of a command's arguments that firn render accepts, too, each quoted and after a
- * space. Leaves out the first `skip` positional arguments. */
+/* Prints the arguments that firn render also accepts, each quoted and preceded by a space. Leaves
+ * out the first `skip` positional arguments. */
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
 
@@ -255,7 +255,7 @@ enum status app_merge(const struct app_options *options);
  * the command line would. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status app_set_option(struct app_image *image, const char *name, const char *value);
 
-/* Sets the default output file of a command if none is named. */
+/* Adds the command's default output file if the options name no output. */
 void app_default_output(struct app_options *o, enum app_command command);
 
 /* Checks that SCENE is given. If not, logs and returns STATUS_USAGE. */
@@ -263,34 +263,34 @@ MUST_USE enum status app_require_scene(const struct app_scene *options);
 
 struct bump_maps_params;
 
-/* Returns the scene parameters for the options. They point to `maps` and into the options. */
+/* Returns scene parameters that contain pointers to `maps` and into `options`. */
 struct scene_params app_scene_params(const struct app_scene *options,
                                      struct bump_maps_params *maps);
 
-/* Loads the scene that the options name, posed at motion.time if it is animated, and sets the
- * settings that depend on it, such as refract.ior. */
+/* Loads the scene that the options name; an animated one gets its pose at motion.time. Also sets
+ * the settings that depend on the scene, such as refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *options);
 
-/* Returns the default environment for a scene name, or NULL for the built-in sky. */
 struct asset;
+/* Returns the default environment for a scene name, or NULL for the built-in sky. */
 const struct asset *app_default_environment(const char *name);
 
 /* Applies the settings of a loaded scene, except where options set other values. */
 void app_apply_scene_settings(struct app_scene *options, const struct scene *scene);
 
-/* Returns the settings of a loaded scene before any option or change by the user. */
+/* Returns the settings that a loaded scene has without options or changes by the user. */
 struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene);
 
-/* Load a scene in two steps. app_begin_scene() finds all errors; app_fill_scene() only takes time,
- * and may run while other threads read the scene. It logs nothing and returns NULL, or the name of
- * what did not fit into memory, for app_log_fill_failure(), which returns STATUS_TRY_AGAIN. */
+/* Load a scene in two steps. app_begin_scene() finds all errors. app_fill_scene() does the slow
+ * work, possibly while other threads read the scene; it returns the name of what did not fit into
+ * memory, else NULL. app_log_fill_failure() logs this name and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *options);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *options);
 enum status app_log_fill_failure(const char *lacking);
 
-/* Reloads an animated model in its pose at `time`, in seconds, and fills the scene. (The pose of
- * app_begin_scene() is that at time 0.) Does nothing if the scene is not animated or has this pose
- * already. The scene must not be in use. On failure it is unchanged. */
+/* Reloads an animated model in its pose at `time`, in seconds, and fills the scene.
+ * (app_begin_scene() loads its pose at time 0.) Does nothing if the scene is not animated or
+ * already has this pose. The scene must not be in use. On failure the scene is unchanged. */
 MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *options,
                                     float time, bool *is_changed);
 
@@ -304,14 +304,14 @@ void app_choose_refraction(struct app_image *image, const struct scene *scene,
 /* Logs a warning if trace.traversal asks for ray queries and the device has none. */
 void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
-/* Finds the camera: of the options, else the model's first, else one that frames the object. */
+/* Sets *camera from the options, else to the model's first, else to one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_image *image);
 
 struct renderer_params;
 
-/* Returns renderer parameters for the image, with pointers into it. The caller sets the sample
- * count and the outputs. */
+/* Returns renderer parameters that point into `image`. The caller must add the sample count and the
+ * outputs. */
 struct renderer_params app_renderer_params(const struct app_image *image, struct gpu *gpu,
                                            const struct scene *scene);
 

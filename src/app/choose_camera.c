@@ -58,8 +58,8 @@ static void reach(const struct mesh *mesh, vec3s center, float *radius)
         *radius = fmaxf(*radius, glms_vec3_distance(mesh->vertices[i].position, center));
 }
 
-/* Returns a camera of the model file. The depth range of an orthographic camera covers everything
- * that rotates around the object, even from twice the distance. */
+/* Returns a camera of the model file. The depth range of an orthographic camera has room for
+ * objects that rotate, and for moving the camera to twice its distance. */
 static struct camera camera_of(const struct model_camera *m, const struct scene *scene)
 {
     struct camera camera = m->camera;
@@ -125,7 +125,7 @@ enum status app_camera(struct camera *camera, const struct scene *scene, const s
     *camera = choose(scene, p, is_named || model->has_camera ? &model_camera : NULL);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;
-    /* far from the origin, different options may be rounded to the same position */
+    /* far from the origin, rounding may make different positions equal */
     log_error(
         "the camera and its target have the same position: change --eye, --orbit or --target");
     return STATUS_USAGE;

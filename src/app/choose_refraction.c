@@ -33,7 +33,7 @@ static bool is_thin(const struct material *material)
     return !(material->thickness > 0.0f);
 }
 
-/* Returns true if a texture of rasterised refraction models uses the second UV set. */
+/* Returns true if the base colour, transmission or normal texture uses the second UV set. */
 static bool has_second_set(const struct material *material)
 {
     static const enum material_texture_use uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION,
@@ -47,8 +47,8 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Returns the number of nested objects that `bounce` draws as if not enclosed: siblings within one
- * object, or objects nested more deeply than `bounce` follows light. */
+/* Returns the number of nested objects that `bounce` draws as if they were not enclosed. These have
+ * siblings in the enclosing object, or are nested too deeply. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -65,7 +65,7 @@ static uint32_t count_hidden(const struct model *model)
     return count;
 }
 
-/* Returns the number of objects in another object's box; rasterised models do not draw them. */
+/* Counts the objects that rasterisation leaves out because they are in another object's box. */
 static uint32_t count_inside(const struct model *model)
 {
     uint32_t count = 0;
@@ -86,7 +86,7 @@ static void add_count(char *text, size_t size, uint32_t count, const char *name)
         snprintf(&text[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Writes the materials that only `trace` and the reference draw correctly, such as "1 rough". */
+/* Counts the objects that only `trace` and the reference draw correctly, as text like "1 rough". */
 static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
 {
     static const struct {
@@ -158,7 +158,7 @@ static bool is_camera_inside(const struct scene *scene, const struct settings *s
     return false;
 }
 
-/* Writes why the scene needs more than one object's front and back faces; "" if it does not. */
+/* Writes why `bounce` cannot draw the scene exactly; "" if it can. */
 static void name_reason(const struct scene *scene, bool is_inside, char *text, size_t size)
 {
     const struct model *model = &scene->model;
@@ -188,16 +188,16 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
 }
 
-/* Returns true if a refraction model draws bumps. Ray tracing on the device does not; the reference
- * does, although it has no shaders. */
+/* Returns true if a refraction model draws bumps. Ray tracing on the device does not. The reference
+ * does; it is the only model without shaders. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
     return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||
                                                                 refraction->shaders->bump_frag));
 }
 
-/* Warns of settings from --set without effect: bumps that the refraction model does not draw, and
- * crack settings that ray tracing ignores. */
+/* Warns of settings from --set that have no effect: the strength of bumps that the refraction model
+ * does not draw, and crack settings that ray tracing ignores. */
 static void warn_of_settings(const struct app_image *image)
 {
     static const struct {
@@ -259,7 +259,7 @@ static void warn_of_outside(const struct app_scene *options, const struct scene 
             "refract.ior_outside: no effect in a pool, where water and air surround the ice");
 }
 
-/* Notes that ground.light=traced is not drawn, or not denoised because of tiles. */
+/* Logs a note if ground.light=traced is not supported, or if tiles prevent its denoising. */
 static void warn_of_ground(const struct app_image *image, const struct scene *scene)
 {
     const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
@@ -276,7 +276,7 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
         log_note("ground.denoise: no effect with tiles, since the filter needs the whole image");
 }
 
-/* Warns of scattering media that the refraction model draws differently. */
+/* Warns of scattering media that the refraction model draws clear or as planes. */
 static void warn_of_media(const struct app_image *image, const struct scene *scene)
 {
     const struct settings *settings = &image->scene.settings;

@@ -144,7 +144,7 @@ static enum status encode_png(const struct job *job, void **data, size_t *size)
     return (o->only_heat ? diff_sheet_heat : diff_sheet_all)(&sheet, data, size);
 }
 
-/* Encodes the errors as EXR. The planes are borrowed from the comparison. */
+/* Encodes the comparison's planes of errors as EXR. */
 static enum status encode_exr(const struct job *job, void **data, size_t *size)
 {
     const struct comparison *c = &job->comparison;

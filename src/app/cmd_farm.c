@@ -79,7 +79,7 @@ static void name_job(char name[static NAME_SIZE], const char *path)
         name[length] = '\0';
 }
 
-/* Returns the program's path: as called if found through PATH, else the absolute path. */
+/* Returns this program's path: `called` if it was found through PATH, else the absolute path. */
 static const char *find_program(char path[static PATH_SIZE], const char *called)
 {
     const ssize_t length =

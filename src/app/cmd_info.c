@@ -240,7 +240,7 @@ static void print_tree(const struct bvh *bvh)
     printf("\ndevices with ray queries use their own acceleration structures: firn list devices\n");
 }
 
-/* Returns true if the scene has so many triangles that its BVH is built only if it is needed. */
+/* Returns true if there are too many triangles to build a BVH that rendering does not need. */
 static bool has_many_triangles(const struct model *model)
 {
     return ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3 >
@@ -410,7 +410,7 @@ static json_t *extensions_of(const struct model *model)
     return all;
 }
 
-/* Returns the features that a model file uses and firn does not draw. */
+/* Returns the features that a model file uses but firn does not draw. */
 static json_t *undrawn_of(const struct model *model)
 {
     json_t *all = json_array();
@@ -510,7 +510,7 @@ enum status app_info(const struct app_options *o)
     struct app_image image = o->image;
     struct app_scene *options = &image.scene;
     struct scene scene;
-    options->plain = true; /* leave out what firn adds to the file */
+    options->plain = true; /* without the ice effects that firn would add */
     options->background.is_given = true;
     options->quiet = true;
     enum status status = app_load_scene(&scene, options);
@@ -523,7 +523,7 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* a scene too large for a BVH was logged, and is no error */
+    status = STATUS_OK; /* a scene too large for a BVH is no error here, but was logged */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

@@ -275,7 +275,7 @@ static enum status run(struct job *job)
 
 /* ---- several scenes ---- */
 
-/* FLIP of all scenes, kept until the final table is printed. */
+/* FLIP errors of all scenes, collected for the final table. */
 struct summary {
     const char *scenes[APP_LADDER_SCENE_COUNT];
     double flip[APP_LADDER_SCENE_COUNT][LADDER_MODEL_COUNT];
@@ -363,7 +363,7 @@ static enum status run_scene(const struct app_options *options, const char *name
     return status;
 }
 
-/* Runs all scenes until one fails. A failed furnace test only sets the exit code. */
+/* Runs all scenes, up to the first error. A failed furnace test only affects the exit code. */
 static enum status run_scenes(const struct app_options *o)
 {
     const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;

@@ -132,7 +132,7 @@ static enum status list_settings(void)
     return STATUS_OK;
 }
 
-/* Describes how a usable device traverses the rays of refraction model `trace`. */
+/* Describes how the refraction model `trace` follows rays on a usable device. */
 static const char *ray_traversal(const struct gpu_device *device)
 {
     if (!device->has_rays)

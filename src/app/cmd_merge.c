@@ -41,7 +41,7 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
     return *interleaved || !text[length];
 }
 
-/* Finds the size of the whole image. Returns false if a file is not at the position of its tile. */
+/* Finds the whole image's size. Returns false if the file's window is not that of its tile. */
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {
@@ -97,7 +97,7 @@ static bool is_same_text(const struct input *a, const struct input *b, const cha
     return x && y && !strcmp(x, y);
 }
 
-/* Checks that a tile belongs to the same image as the first: same settings, version and planes. */
+/* Checks that a tile has the same settings, version and planes as the first tile. */
 static enum status check_same(const struct input *tile, const struct input *first)
 {
     const struct image *a = &tile->head.image, *b = &first->head.image;
@@ -181,7 +181,7 @@ static uint32_t find_row(const struct job *job, uint32_t y)
     return row;
 }
 
-/* Copies a tile's part of one image row, for one plane. */
+/* Copies the part of an image row that a tile covers, in one plane. */
 static enum status copy_from_tile(const struct job *job, uint32_t index, uint32_t plane, uint32_t y,
                                   float *row)
 {

@@ -13,7 +13,7 @@
 #include "src/profile/json.h"
 #include "src/profile/table.h"
 
-/* ---- before the device is opened ---- */
+/* ---- checks of the options ---- */
 
 static enum status check_reports(const struct app_profile *options)
 {

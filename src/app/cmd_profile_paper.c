@@ -20,7 +20,7 @@ enum {
     CASE_SETTINGS = 10
 };
 
-/* Scene and settings of one measurement, which is a sweep point called `name`. */
+/* Name, scene and settings of one measurement. */
 struct paper_case {
     const char *name, *scene;
     const char *set[CASE_SETTINGS + 1]; /* "name=value"; ends at NULL */
@@ -50,7 +50,7 @@ enum {
     CASE_COUNT,
 };
 
-/* Camera distances let the object cover a fifth of the screen, or all of it in WHOLE_SCREEN. */
+/* The camera distances make the object cover a fifth of the screen; in WHOLE_SCREEN, all of it. */
 static const struct paper_case cases[CASE_COUNT] = {
     [SPHERE_PLAIN] = { "sphere", "sphere", { "orbit=28,9,4.27", INSIDE("0", "0"), STATIC_CUBE } },
     [SPHERE_FULL] = { "sphere with cracks and air",
@@ -281,7 +281,7 @@ enum status profile_paper(struct profile_job *job)
     job->sweep.figures = figures;
     job->sweep.figure_count = FIGURE_COUNT;
     if (job->o.profile.time_step <= 0)
-        job->o.profile.time_step = 0.04; /* objects and lights must move between runs */
+        job->o.profile.time_step = 0.04; /* seconds; not 0, so that objects and lights move */
     struct app_image *images = calloc(CASE_COUNT, sizeof(*images));
     status = measure_cases(job, images);
     free(images);

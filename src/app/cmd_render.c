@@ -37,7 +37,7 @@ struct job {
     bool is_opened;       /* open_renderer() has logged its warnings */
     bool is_filled;       /* textures and meshes are filled */
     const char *missing;  /* result of app_fill_scene() */
-    struct camera camera; /* camera at time 0; a camera of an animated model may move */
+    struct camera camera; /* camera at time 0; in an animated model, it may move */
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
     struct reference *reference;    /* NULL until a frame needs it */
@@ -79,7 +79,7 @@ static bool has_samples(const struct output *output, const char *path,
     return same;
 }
 
-/* Returns true if --resume may keep a file. If it is unreadable, logs why and returns false. */
+/* Returns true if --resume may keep a file. If the file is invalid, logs why and returns false. */
 static bool is_current(const struct job *job, const struct output *output, const char *path)
 {
     struct image_header head;
@@ -136,7 +136,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
-/* Allocates the whole image, with the planes of a tile. */
+/* Allocates the whole image, with planes like those of a tile. */
 static bool assemble_image(const struct job *job, const struct render_result *tile,
                            struct render_result *image)
 {
@@ -195,7 +195,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
     return status;
 }
 
-/* Returns the frame's EXR output beside which its sample sums are stored, or NULL. */
+/* Returns the EXR file beside which the frame's sample sums are stored; NULL if none are stored. */
 static const char *sums_image(const struct job *job, const struct frame *frame)
 {
     for (uint32_t i = 0; i < job->o.run.outputs.count && job->o.render.keep_sums; i++) {
@@ -256,7 +256,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* Makes the PNG pixels that the renderer cannot make: layers, 16 bits, alpha, dithering. */
+/* Makes PNG pixels if they need what the renderer lacks: layers, 16 bits, alpha or dithering. */
 static bool make_png(const struct app_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -396,7 +396,7 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
-    /* do not delay signals for a pipe, which may block forever */
+    /* writing to a pipe may block forever, so signals are not delayed then */
     const bool is_direct = file_io_is_direct(path);
     void *data = NULL;
     size_t size = 0;
@@ -485,9 +485,9 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/* Renders all frames. Stops at the first failure, since its cause (a full disk, a lost device)
- * fails the next frame, too, unless only its file cannot be created. If frames were written and
- * others failed, returns STATUS_FAILED. */
+/* Renders all frames. Stops at the first failure, because later frames would fail for the same
+ * reason (such as a full disk), but continues if a file cannot be created. If some frames failed
+ * and others are complete, returns STATUS_FAILED. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
@@ -536,7 +536,7 @@ static enum status begin_report(struct job *job)
     return status;
 }
 
-/* Writes the report at the end, unless no frame was started because of invalid arguments. */
+/* Writes the report at the end. After invalid arguments there is none. */
 static enum status end_report(struct job *job, enum status status)
 {
     if (!job->o.render.json || !job->report.frames)

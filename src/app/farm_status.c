@@ -12,7 +12,7 @@
 /* State of a file or frame, best first; a frame has the state of its worst file. */
 enum state {
     DONE,
-    STALE, /* complete, but with other settings or by another version of firn */
+    STALE, /* complete, but with different settings or firn version */
     DAMAGED,
     MISSING,
     STATE_COUNT,

@@ -11,8 +11,8 @@ struct sequence {
     struct frame_name names[APP_OUTPUT_COUNT];
 };
 
-/* Parses --frames, --chunk and the frame-number fields of output names; without --output adds the
- * default file. The options must outlive *sequence. Logs errors: STATUS_USAGE, STATUS_TRY_AGAIN. */
+/* Parses --frames, --chunk and the frame-number fields of output names. Adds the default output if
+ * there is none. The options must outlive *sequence. Logs errors. */
 MUST_USE enum status sequence_parse(struct sequence *sequence, struct app_options *options);
 
 /* Returns the time of a frame in seconds. */

@@ -69,7 +69,7 @@ static void print_transform(FILE *out, const struct app_scene *scene)
         fprintf(out, " scale=%.9g", (double)model_transform->scale);
     if (glms_vec3_norm2(model_transform->rotate_deg) > 0.0f)
         print_vector(out, "rotate", model_transform->rotate_deg);
-    /* the material decides which parts are objects */
+    /* --material makes a model without transmissive materials one refractive object */
     if (scene->material && !scene_find_builtin(scene->name))
         fprintf(out, " material=%s", scene->material);
     for (uint32_t i = 0; i < scene->material_override_count; i++)
@@ -193,7 +193,7 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     add_text(texts, "firn/noise", texts->noise);
 }
 
-/* Returns the rectangle of image pixels in an output file; at (0, 0) for an interleaved tile. */
+/* Returns the image rectangle in an output file; for an interleaved tile, its size at (0, 0). */
 static struct tile pixels_of(const struct app_image *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
@@ -207,7 +207,7 @@ static struct tile pixels_of(const struct app_image *p)
     };
 }
 
-/* Returns the position of a rectangular tile in the whole image; empty for other files. */
+/* Returns a rectangular tile's position and the whole image's size; all 0 for other files. */
 static struct image_window window_of(const struct app_image *p)
 {
     const struct tile tile = pixels_of(p);
@@ -348,12 +348,12 @@ static enum status encode_exr(const struct output *output, const struct render_r
     const mat4s view = camera_view_from_world(camera);
     const mat4s ndc = camera_clip_from_world(
         camera, p->width, p->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
-    /* in memory, a column-major matrix for column vectors equals a row-major one for row vectors */
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     const struct exr_header header = {
         .texts = texts->all,
         .text_count = texts->count,
         .frames_per_second = output->is_frame ? (double)motion->fps : 0.0,
+        /* same memory layout as EXR's row-major matrices, which multiply row vectors */
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
         .window = window_of(p),

@@ -19,25 +19,25 @@ struct output {
     char *png_settings; /* for PNG files; differs with --show */
 };
 
-/* Sets output->settings and png_settings (freed first) to a description of options, camera and
- * every setting. A frame of a sequence is described like a single image at its time (motion.time),
+/* Describes options, camera and every setting in output->settings and png_settings, which are freed
+ * first. A frame of a sequence is described like a single image with its time as motion.time,
  * because their pixels are the same. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status output_describe(struct output *output);
 
 /* Frees what output_describe() allocated. */
 void output_finish(struct output *output);
 
-/* Returns true if an undamaged file with this header is what output_encode() would write to `path`,
- * judged by size, layers, firn/settings and firn/version. Does not notice changes of input files,
- * or another device. */
+/* Returns true if a file is up to date: if its header has the size, layers, firn/settings and
+ * firn/version that output_encode() would write to `path`. Does not notice damage, changed input
+ * files or another device. */
 bool output_is_current(const struct output *output, const char *path,
                        const struct image_header *head);
 
-/* Returns the sample count in the header of a reference image that needs no more: one with
- * `samples` samples or, if fewer, with at most `noise` (0 for no limit). Otherwise returns 0. */
+/* Returns the sample count in a reference image's header if it is sufficient, else 0. Sufficient
+ * are `samples` or, if `noise` is above 0, fewer with at most this noise. */
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
-/* Checks --tiles and --tile against size, refraction model and files. Logs errors: STATUS_USAGE. */
+/* Checks --tiles and --tile against the other options. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status output_check_tiles(const struct app_image *image,
                                         const struct app_outputs *outputs);
 

@@ -8,10 +8,10 @@
 #include "src/image/srgb.h"
 #include "src/tech/output/tonemap.h"
 
-/* Planes of a layer, and the value ranges that are mapped to black and white. */
+/* Planes of a layer, and the values that are shown as black and white. */
 struct source {
     const float *planes[3];
-    uint32_t count; /* number of planes: 1 is shown as grey, 2 without blue */
+    uint32_t count; /* number of planes; one is shown as grey, two as red and green */
     float minimum[3], maximum[3];
 };
 
@@ -79,7 +79,7 @@ static float stretch(const struct source *source, uint32_t p, float x)
 
 static float shade(const struct source *source, enum frame_shown shown, uint32_t p, size_t i)
 {
-    const float darkest = 0.125f; /* keeps small values distinct from black, which means no value */
+    const float darkest = 0.125f; /* darkest shade of a value; black means no value */
     const float x = source->planes[p][i];
     switch (shown) {
     case FRAME_SHOWN_AMOUNT:
@@ -153,7 +153,7 @@ uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_laye
     return rgba;
 }
 
-/* Tone-maps a pixel of the beauty. The result has straight (unpremultiplied) alpha. */
+/* Tone-maps a pixel of the layer `beauty`. The result has straight (unpremultiplied) alpha. */
 static void show_beauty(const float *const planes[static 4], size_t i,
                         const struct tonemap_params *params, float rgba[static 4])
 {

@@ -9,7 +9,7 @@
 #include "src/frame/output_layers.h"
 #include "src/image/image.h"
 
-/* Returns the layer of that name, or NULL; logs nothing. */
+/* Returns the layer called `name`, or NULL. Logs nothing. */
 const struct frame_layer *layer_image_find(const char *name);
 
 /* Returns the layer's bit in renderer_params.layers; 0 for NULL. */
@@ -20,8 +20,8 @@ uint32_t layer_image_bit(const struct frame_layer *layer);
 uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* Tone-maps the beauty and keeps its alpha. Allocates 8-bit pixels, dithered if tonemap.dither is
- * on, or 16-bit pixels; one pointer is NULL. Logs and returns false when out of memory. */
+/* Tone-maps the layer `beauty`, keeping its alpha, to *rgba (8 bits, dithered if tonemap.dither is
+ * on) or *rgba_16; one of the two pointers is NULL. Logs and returns false when out of memory. */
 bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
                         uint16_t **rgba_16);
 

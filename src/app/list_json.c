@@ -14,7 +14,7 @@
 #include "src/settings/quality.h"
 #include "src/tech/refract/refract_reference.h"
 
-/* In this file, a NULL value means out of memory. Functions of jansson pass it on. */
+/* In this file, a NULL json_t means out of memory. jansson's functions accept and return it. */
 
 /* Appends the assets of a kind. */
 static json_t *append_assets(json_t *all, enum asset_kind kind)

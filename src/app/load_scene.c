@@ -66,21 +66,21 @@ static void switch_off(struct app_scene *options, const struct technique *techni
         settings_set_value(&options->settings, row, 0);
 }
 
-/* Returns true if the scene's objects are ice unless --material overrides that. */
+/* Returns true if the scene's objects are ice when no --material is given. */
 static bool has_ice(const struct scene *scene)
 {
     return scene->has_pool ||
            (scene->model.object_count > 0 && frame_media_are_from_settings(scene));
 }
 
-/* Returns true if a bundled asset, with its own material, sets this kind of inclusion. */
+/* Returns true if a bundled asset, drawn without --material, sets the technique's main setting. */
 static bool has_default(const struct app_scene *options, const struct technique *technique)
 {
     return !options->material &&
            options->is_asset_setting[settings_index(&technique->settings[0]->rows[0])];
 }
 
-/* Switches off inclusions and bumps, which only ice has, for other materials or with --plain. */
+/* Switches off inclusions and bumps with --plain, or if the material is not ice. */
 static void switch_off_ice_effects(struct app_scene *options, const struct scene *scene)
 {
     const bool is_ice =
@@ -135,7 +135,7 @@ static void note_brightness(const struct app_scene *options, const struct scene 
                  options->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
-/* Warns if the environment box is empty. This is no error, since a user may be editing it. */
+/* Warns if the environment box is empty: no error, since a user may be editing the box. */
 static void check_box(const struct app_scene *options, const struct scene *scene)
 {
     const struct refract_params *refract = settings_of(&options->settings, &refract_settings);
@@ -207,7 +207,7 @@ static void choose_environment(struct app_scene *options)
                  environment->file);
 }
 
-/* Applies the default settings of an asset. */
+/* Applies an asset's default settings, except those that --set or --preset set. */
 static enum status apply_asset_settings(struct app_scene *options)
 {
     const struct asset *scene = asset_find(options->name, ASSET_SCENE);
@@ -367,7 +367,7 @@ static enum status check_transform(const struct app_scene *options)
     return STATUS_USAGE;
 }
 
-/* Refuses --env-rotate and --env-exposure without an environment file, or with a cube. */
+/* Refuses --env-rotate and --env-exposure without an environment file, and rotation of a cube. */
 static enum status check_environment(const struct app_scene *options, const struct scene *scene)
 {
     const bool is_rotated = fabsf(options->env_rotate) > 0.0f;

@@ -4,8 +4,8 @@
 
 #include "src/scene/scene.h"
 
-/* Returns lines "ID NAME", to be freed by the caller: refractive objects, then surroundings that
- * are not objects, then opaque objects. NULL when out of memory. */
+/* Returns lines "ID NAME", to be freed by the caller: one for each refractive object, one for the
+ * unnamed surroundings, and one for each opaque object. NULL when out of memory. */
 char *object_names(const struct scene *scene);
 
 #endif

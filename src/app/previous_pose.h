@@ -10,7 +10,7 @@ struct previous_pose {
     uint32_t rows, object_count, surroundings_count;
 };
 
-/* Returns true if an image has the layer motion. */
+/* Returns true if an image has the layer `motion`. */
 bool previous_pose_is_needed(const struct app_image *image);
 
 /* Poses an animated model at the time of the frame before `time`, copies its vertex positions and
@@ -20,7 +20,7 @@ MUST_USE enum status previous_pose_find(struct previous_pose *previous, struct c
                                         struct scene *scene, const struct app_image *image,
                                         float time);
 
-/* Moves the positions to the scene, if it still has the same vertices. */
+/* Moves the positions to the scene if the vertex counts are equal, else frees them. */
 void previous_pose_move_to(struct previous_pose *previous, struct scene *scene);
 
 #endif

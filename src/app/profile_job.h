@@ -17,18 +17,18 @@ struct profile_job {
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures images in turn: one run of each before the next run of any. The profiles must be empty
- * before; after a failure, profile_finish() must still be called for them. */
+/* Measures every image once, then every image again, and so on. The profiles must be empty before,
+ * and must be freed with profile_finish(), even after a failure. */
 MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
                                          struct profile *profiles, uint32_t count);
 
 /* Writes the reports of job->sweep that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
-/* Returns true if tables are printed on stdout, that is, unless a report is written there. */
+/* Returns true if no report is written to stdout, so that tables are printed there. */
 bool profile_job_has_table(const struct app_profile *options);
 
-/* Writes a text to a file, unless `made` is an error, which is then returned. Frees the text. */
+/* Writes a text to a file unless `made` is an error, which is then returned. Always frees it. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,
                                             size_t size);
 

@@ -13,14 +13,14 @@
 #include "src/version.h"
 
 enum {
-    COST_DIVISOR = 10, /* writing may take at most 1/COST_DIVISOR of the time */
+    COST_DIVISOR = 10, /* writing may take 1/COST_DIVISOR of the run time */
     SAMPLES_MAX = 65536,
 };
 
 /* ---- reading ---- */
 
-/* Logs the first setting of firn/settings in which the file differs. Does not print the file's
- * text, which is not trusted. */
+/* Logs the expected value of the first setting that differs in the file. Does not log the file's
+ * value, which is not trusted. */
 static enum status refuse_settings(const struct sample_sums_file *file, const char *expected,
                                    const char *found)
 {
@@ -69,7 +69,7 @@ static enum status check_texts(const struct sample_sums_file *file, const struct
     return status;
 }
 
-/* Maps each plane of the sums to the index of the file's plane of that name. */
+/* Finds, for each plane of the sums, the index of the file's plane with the same name. */
 static enum status find_planes(const struct sample_sums_file *file, const struct image_header *head,
                                const struct reference_sums *sums, uint32_t *planes)
 {

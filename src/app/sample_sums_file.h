@@ -1,6 +1,6 @@
 /* sample_sums_file.h: stores a reference's sample sums in a file, from which --resume continues.
- * The file of a.exr is a.sums.exr: planes as described in reference_sample_sums.h, and the metadata
- * of a.exr. It is parsed by a sandboxed reader process, like all input files. */
+ * For a.exr, this is a.sums.exr, with planes as described in reference_sample_sums.h and the
+ * metadata of a.exr. It is parsed by a sandboxed reader process, like all input files. */
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
@@ -17,12 +17,12 @@ struct sample_sums_file {
     double cost;          /* its duration, seconds */
 };
 
-/* Loads the sums; a reference_load_fn whose `user` is a struct sample_sums_file. Refuses sums of
- * another image or version, or of too many samples: STATUS_DATA (logged). No file: no samples. */
+/* Implements reference_load_fn; `user` is a struct sample_sums_file. Refuses sums of another image
+ * or version, or of too many samples. A missing file is no error and has 0 samples. */
 MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
 
-/* Writes the sums; a reference_save_fn. Skips the write if it would take more than a tenth of the
- * time, unless it is the last. Logs errors. */
+/* Implements reference_save_fn. Writes the sums so rarely that this takes at most a tenth of the
+ * time, but always the last ones. Logs errors. */
 MUST_USE enum status sample_sums_file_store(void *user, const struct reference_sums *sums,
                                             bool is_last);
 

@@ -11,7 +11,7 @@
 void standard_streams_begin(void)
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++) {
-        /* open() returns the lowest free descriptor, which is this one */
+        /* open() returns the lowest free descriptor, which is `file` */
         if (fcntl(file, F_GETFD) < 0)
             (void)open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }

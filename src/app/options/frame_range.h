@@ -28,7 +28,7 @@ struct frame_range {
 MUST_USE enum status frame_range_parse(struct frame_range *range, const char *text);
 
 /* Splits the list into n (up to 1000000) consecutive chunks, whose sizes differ by at most one, and
- * keeps chunk k (1 to n), which may be empty. The split depends on the list alone. */
+ * keeps chunk k (1 to n), which may be empty. The split depends on the list and n alone. */
 void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n);
 
 void frame_range_finish(struct frame_range *range); /* {0} is fine */

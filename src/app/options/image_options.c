@@ -60,7 +60,7 @@ enum status option_chunk(const struct option *option, void *at, const char *valu
     return ok ? STATUS_OK : option_refuse(option, value, "K/N with K from 1 to N, such as 1/4");
 }
 
-/* Sets the output format. Only one is allowed; repeating it is harmless. */
+/* Sets the output format. The same one may be given again, but not another. */
 enum status option_format(const struct option *option, void *at, const char *value)
 {
     static const char *const names[APP_FORMAT_COUNT] = {
@@ -323,7 +323,7 @@ enum status option_rotate(const struct option *option, void *at, const char *val
     return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
 }
 
-/* Sets the background. A colour that was given before "none" still lights the scene. */
+/* Sets the background. After "none", a colour that was given earlier still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
@@ -342,7 +342,7 @@ enum status option_background(const struct option *option, void *at, const char 
 
 /* ---- the camera ---- */
 
-/* Maximum coordinate, metres: squares of such distances are still finite in float. */
+/* Maximum coordinate in metres. Distances up to this have squares that are finite in float. */
 static const float position_max = 1e9f;
 
 enum status option_orbit(const struct option *option, void *at, const char *value)

@@ -40,7 +40,7 @@ enum {
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
-/* Initialise an option's `offset` and `set`. A field of another type does not compile. A type
+/* Initialise an option's `offset` and `set`. Does not compile if the field has another type. A type
  * cannot be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
@@ -524,7 +524,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     o->image.scene.quiet = o->run.quiet;
     if (o->ladder.whole)
         option_ladder_whole(&o->image.scene);
-    if (command != APP_FARM) /* firn farm sets it later, because an argument may name the output */
+    if (command != APP_FARM) /* firn farm adds it later, because an argument may name an output */
         app_default_output(o, command);
     enum status status = check_layers(&o->image);
     if (command & (APP_RENDER | APP_FARM))
@@ -561,7 +561,7 @@ void app_print_render_arguments(char *const *args, enum app_command command, uin
     }
 }
 
-/* Only options with offsets within struct app_image can be set here. */
+/* Sets only options whose fields are in struct app_image. */
 enum status app_set_option(struct app_image *image, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);

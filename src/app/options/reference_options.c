@@ -9,7 +9,7 @@
 #include "src/tech/refract/refract_reference.h"
 
 enum {
-    SAMPLES_MAX = 65536 /* default if a noise or time limit is given */
+    SAMPLES_MAX = 65536 /* default sample count with a noise or time limit */
 };
 
 static enum status set_number(const struct option *option, double *at, const char *value, float min,

@@ -5,7 +5,7 @@
 #include "src/app/app.h"
 #include "src/profile/sweep.h"
 
-/* Parses all --sweep options and checks every point. Logs errors; *sweep may then be half-built. */
+/* Parses --sweep options and checks every point. Logs errors, and may leave *sweep incomplete. */
 MUST_USE enum status sweep_values_parse(struct profile_sweep *sweep,
                                         const struct app_sweeps *sweeps,
                                         const struct app_image *image);
