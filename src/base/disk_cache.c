@@ -33,7 +33,7 @@ bool disk_cache_is_intact(const void *data, size_t size)
     return stored == hash(data, size);
 }
 
-/* Writes the cache folder's path. Returns false if XDG_CACHE_HOME and HOME are not absolute. */
+/* Writes the cache folder's path. Returns false if neither XDG_CACHE_HOME nor HOME is absolute. */
 static bool find_folder(char folder[static FOLDER_SIZE])
 {
     const char *cache = getenv("XDG_CACHE_HOME");
@@ -74,13 +74,13 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns true if only this user can write a file or folder, because drivers trust the data. */
+/* Returns true if only this user can write to a cache file or folder, whose data drivers trust. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
 }
 
-/* Reads an open file. Returns NULL if it is not regular, is too large or fails is_sound(). */
+/* Reads an open file. Returns NULL if it is not regular, too large or rejected by is_sound(). */
 static char *read_valid(int file, const struct stat *info, const struct disk_cache_file *request)
 {
     if (!S_ISREG(info->st_mode) || info->st_size <= 0 ||
@@ -150,7 +150,7 @@ void disk_cache_write(const char *name, void *data, size_t size)
         (void)unlink(temporary);
 }
 
-/* Total size of the cache files with a given prefix, and the least recently used file. */
+/* Total size of the cache files with a given prefix, and which of them was used least recently. */
 struct cache_usage {
     uint64_t bytes;
     struct timespec used;

@@ -19,7 +19,7 @@ struct disk_cache_file {
     const char *name; /* without folder; at most 100 characters */
     size_t size_max;  /* maximum bytes including the hash */
     bool is_quiet;    /* do not warn about damaged files */
-    /* Callback that returns true if the data is usable; calls disk_cache_is_intact(). */
+    /* Callback that returns true if the data is usable. Must call disk_cache_is_intact(). */
     bool (*is_sound)(const void *user, const void *data, size_t size);
     const void *user; /* argument of is_sound() */
 };

@@ -58,17 +58,17 @@ MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, 
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a file into *image, which must be zeroed and stays so on failure. Errors: exr_open(). */
+/* Reads a file into *image, which must be zeroed and stays so on failure. Fails like exr_open(). */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
-/* Reads image and header like exr_read(). The caller frees *head, which is zeroed on failure. */
+/* Reads an image like exr_read(), and its header, which the caller frees (zeroed on failure). */
 MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
 
 /* Decodes a whole file to check it, and reads its header into *head like exr_open(). */
 MUST_USE enum status exr_check(const char *path, struct image_header *head);
 
 /* Returns true if `head` has the size, windows, planes and texts that exr_encode() would write for
- * the image and header. It may have more texts; texels and matrices are not compared. */
+ * the image and header. `head` may have more texts; texels and matrices are not compared. */
 bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header);
 

@@ -1,4 +1,4 @@
-/* exr_write.c: encodes OpenEXR files in memory; the library does not report write errors. */
+/* exr_write.c: encodes OpenEXR files in memory, since the library reports no write errors. */
 #include <OpenEXR/openexr.h>
 #include <assert.h>
 #include <math.h>
@@ -19,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* OpenEXR write callback that writes to memory, at any offset: the chunk table comes last. */
+/* OpenEXR write callback that writes to memory, at any offset, as the chunk table comes last. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {

@@ -175,8 +175,8 @@ static bool open_temporary(const struct target *target, int old_mode, struct tem
 }
 
 /*
- * Returns true if an open temporary file is abandoned: it is not locked, since a process's locks
- * end with it; or, on file systems without locks, it has not been modified for an hour.
+ * Returns true if an open temporary file is abandoned. Its writer holds a lock until it ends, so an
+ * unlocked file is abandoned; on file systems without locks, one not modified for an hour is.
  */
 static bool is_stale(int file, time_t now)
 {
@@ -199,7 +199,7 @@ static void remove_if_stale(int folder, const char *entry, time_t now)
     close(file);
 }
 
-/* Removes abandoned temporary files except `writer_temporary`, whose mtime gives the time. */
+/* Removes abandoned temporary files except `writer_temporary`, whose mtime is the current time. */
 static void remove_stale(const struct target *target, const struct temporary *writer_temporary)
 {
     const int folder_copy = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -232,13 +232,13 @@ static bool write_all(int file, const unsigned char *data, size_t size)
     return true;
 }
 
-/* Closes a descriptor. EINTR counts as success: Linux closes it in any case. */
+/* Closes a descriptor. Ignores EINTR, because Linux closes the descriptor nevertheless. */
 static bool close_file(int file)
 {
     return close(file) == 0 || errno == EINTR;
 }
 
-/* Syncs a folder, so that a rename is durable. EINVAL is ignored: some file systems return it. */
+/* Syncs a folder, so that a rename is durable. Ignores EINVAL, which some file systems return. */
 static bool sync_folder(int folder)
 {
     return fsync(folder) == 0 || errno == EINVAL;
@@ -264,8 +264,8 @@ static enum status write_direct(const char *path, const void *data, size_t size)
     return status;
 }
 
-/* Writes a temporary file and renames it over the target. It is unlocked last, by closing it, since
- * other processes may remove unlocked temporary files. */
+/* Writes a temporary file and renames it over the target. Closes, and so unlocks, the file last,
+ * because other processes may remove unlocked temporary files. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {

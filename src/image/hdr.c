@@ -58,7 +58,7 @@ static void source_rewind(struct source *source)
     source->overrun = false;
 }
 
-/* Returns the smallest possible size of the texel data in bytes, with run-length encoding. */
+/* Returns the smallest possible size in bytes of the run-length encoded texels. */
 static int64_t min_size(int width, int height)
 {
     const int64_t row =

@@ -57,7 +57,7 @@ MUST_USE bool image_header_add_text(struct image_header *head, const char *name,
 /* Returns a text by its name, or NULL if there is none. */
 const char *image_header_text(const struct image_header *head, const char *name);
 
-/* Returns true if a header has the size, planes (in any order) and texts that are given. */
+/* Returns true if a header has the image's size and planes (in any order) and the given texts. */
 bool image_header_matches(const struct image_header *head, const struct image *image,
                           const struct image_text *texts, uint32_t text_count);
 

@@ -21,8 +21,8 @@ struct png_image_source {
 /*
  * Encodes an image as RGB, or RGBA if it has alpha, into memory: *data (malloc'd, freed by the
  * caller) of *size bytes. Writes an sRGB chunk and the texts (ASCII as tEXt, else iTXt in UTF-8;
- * names of at most 79 characters), but no timestamp. Logs and returns STATUS_TRY_AGAIN or
- * STATUS_FAILED; *data is then NULL.
+ * names of at most 79 characters), but no timestamp. On failure logs, sets *data to NULL and
+ * returns STATUS_TRY_AGAIN or STATUS_FAILED.
  */
 MUST_USE enum status png_encode(const struct png_image_source *picture, void **data, size_t *size);
 

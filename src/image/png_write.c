@@ -128,7 +128,7 @@ static void declare_srgb(uint8_t *bytes, size_t *size)
     *size -= (size_t)(chunk + old_size - rest);
 }
 
-/* Returns a 16-bit channel, premultiplied by alpha, by which libpng divides it again. */
+/* Returns a 16-bit channel multiplied by alpha, because libpng divides it by alpha. */
 static uint16_t texel_16(const struct png_image_source *picture, size_t i, size_t c)
 {
     const uint32_t value = picture->rgba_16[4 * i + c], alpha = picture->rgba_16[4 * i + 3];

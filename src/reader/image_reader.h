@@ -1,6 +1,4 @@
-/*
- * image_reader.h: reads .exr, .hdr and .png images in a reader process (errors: reader.h).
- */
+/* image_reader.h: reads .exr, .hdr and .png images in a reader process. Errors: see reader.h. */
 #ifndef FIRN_READER_IMAGE_READER_H
 #define FIRN_READER_IMAGE_READER_H
 
@@ -20,12 +18,11 @@ MUST_USE enum status image_reader_open(struct image_reader **image_reader, const
                                        struct image_header *head);
 
 /* Sets *row to row y of a plane, owned by the reader and valid until the next call. Rows must be
- * read in ascending order, but may be skipped. After a failure only image_reader_close() is valid.
- */
+ * read in ascending order; gaps are allowed. After a failure only image_reader_close() is valid. */
 MUST_USE enum status image_reader_row(struct image_reader *image_reader, uint32_t plane, uint32_t y,
                                       const float **row);
 
-/* Closes a reader, which may be NULL, even before the last row. */
+/* Closes a reader, even before all rows are read. `image_reader` may be NULL. */
 void image_reader_close(struct image_reader *image_reader);
 
 /* Reads a whole image into *image, which must be zeroed. Texels may take up to a quarter of the
@@ -33,15 +30,16 @@ void image_reader_close(struct image_reader *image_reader);
 MUST_USE enum status image_reader_read(struct image *image, const char *path,
                                        const struct reader_params *params);
 
-/* Decodes a whole image to check it. The caller frees *head, which is zeroed on failure. */
+/* Reads and checks a whole image. The caller frees *head, which is zeroed on failure. */
 MUST_USE enum status image_reader_check(struct image_header *head, const char *path,
                                         const struct reader_params *params);
 
-/* Decode an image in the child process and send its header; image_send() also sends its rows. */
+/* Decodes an image in the child process and sends its header and rows. */
 MUST_USE enum status image_send(const char *path, const struct pipe_sink *sink);
+/* Checks a whole image in the child process, but sends only its header. */
 MUST_USE enum status image_send_header(const char *path, const struct pipe_sink *sink);
 
-/* Serialise and parse the header of an image, in either process. */
+/* Sends an image's header to the other process; image_pipe_read_header() receives it. */
 MUST_USE bool image_pipe_write_header(const struct pipe_sink *sink,
                                       const struct image_header *head);
 MUST_USE enum pipe_fault image_pipe_read_header(const struct pipe_source *source,

@@ -68,7 +68,7 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
-/* Sends an image, header first, so that the parent can reject it before it is decompressed. */
+/* Sends an image's header before decoding its rows, so that the parent can reject it early. */
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {

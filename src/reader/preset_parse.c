@@ -1,4 +1,4 @@
-/* preset_parse.c: parses a preset, a text file or an image's metadata, in the reader process. */
+/* preset_parse.c: parses a preset in the reader process: a text file or an image's metadata. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,7 @@ struct text {
     size_t size;
 };
 
-/* Appends the first `length` characters of a text as an assignment. */
+/* Appends an assignment, given as the first `length` characters of a text. */
 static enum status append(struct preset *preset, uint32_t number, const char *assignment,
                           size_t length)
 {
@@ -151,7 +151,7 @@ static const char *find_settings(const char *text)
     return found;
 }
 
-/* Adds every NAME=VALUE whose name contains a dot. Others, such as cube_time, are not settings. */
+/* Adds every NAME=VALUE whose name contains a dot, as the names of all settings do. */
 static enum status append_settings(struct preset *preset, const char *settings)
 {
     enum status status = STATUS_OK;

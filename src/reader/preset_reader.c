@@ -1,4 +1,4 @@
-/* preset_reader.c: reads a preset from a reader process; the stream holds a count, then lines. */
+/* preset_reader.c: reads a preset from a reader process, which sends a count and then lines. */
 #include "src/reader/preset_reader.h"
 #include <stdlib.h>
 #include <string.h>

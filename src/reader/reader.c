@@ -284,7 +284,7 @@ static bool read_data(void *user, void *bytes, size_t size)
     return size == 0;
 }
 
-/* Reads the rest of the child's stderr without waiting, as it was sent before the last data. */
+/* Reads what is left of the child's stderr, without waiting for more. */
 static void drain_stderr(struct reader *reader)
 {
     struct pollfd messages = { .fd = reader->messages, .events = POLLIN };
@@ -310,7 +310,7 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs up to `max` lines of the child's stderr with the parent's prefix. Returns their number. */
+/* Logs at most `max` lines of the child's stderr as the parent's. Returns how many were logged. */
 static int repeat_log(const struct reader *reader, int max)
 {
     static const char prefix[] = "firn: ", warning[] = "warning: ";

@@ -46,7 +46,7 @@ enum reader_kind {
     READER_BY_MATERIALS,
     READER_ENVIRONMENT,
     READER_IMAGE,       /* sends the rows of an image */
-    READER_IMAGE_CHECK, /* decodes an image, sends its header */
+    READER_IMAGE_CHECK, /* checks an image, sends its header */
     READER_PRESET,
     READER_KIND_COUNT,
 };
@@ -55,7 +55,7 @@ struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
     /* Seconds without CPU use or output after which the child is stopped, for example because it
-     * waits for a FIFO or a file server; 0 for READER_IDLE_SECONDS. */
+     * waits for a FIFO or a file server. 0 selects READER_IDLE_SECONDS. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
@@ -69,7 +69,7 @@ struct reader;
 MUST_USE enum status reader_start(struct reader **reader, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 
-/* Returns the stream of data from a reader, limited to the size of its memory limit. */
+/* Returns the data stream of a reader. Arrays in it may not exceed the reader's memory limit. */
 struct pipe_source reader_source(struct reader *reader);
 
 /*
@@ -78,7 +78,7 @@ struct pipe_source reader_source(struct reader *reader);
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 
-/* Stops a reader, whose data is not used, and frees it; it may be NULL. */
+/* Stops and frees a reader whose data is not used. `reader` may be NULL. */
 void reader_drop(struct reader *reader);
 
 /* Task of a child process, as given on its command line. */

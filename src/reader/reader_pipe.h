@@ -1,6 +1,5 @@
 /*
- * reader_pipe.h: byte stream between a reader process and its parent: sources, sinks and validation
- * faults.
+ * reader_pipe.h: validated byte stream between a reader process and its parent.
  *
  * The writer has parsed an untrusted file, so the receiver validates everything: counts and sizes
  * are checked before memory is allocated, and extra or missing bytes are a fault. Numbers are in
@@ -49,7 +48,7 @@ enum pipe_fault {
 /* Returns the description of a fault, such as "an index beyond the vertices". */
 const char *pipe_fault_text(enum pipe_fault fault);
 
-/* Transfer `size` bytes; `bytes` may be NULL if `size` is 0. */
+/* Transfer `size` bytes through the pipe; `bytes` may be NULL if `size` is 0. */
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
 MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
 

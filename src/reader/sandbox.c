@@ -23,8 +23,8 @@ static int landlock_version(void)
     return version > 0 ? (int)version : 0;
 }
 
-/* Returns the mask of all file system rights that a version of the Landlock ABI can deny. What only
- * later versions can deny is blocked by the seccomp filter. */
+/* Returns the mask of all file system rights that a version of the Landlock ABI can deny. The
+ * seccomp filter blocks the operations that only later versions can deny. */
 static uint64_t known_rights(int version)
 {
     static const int bits[] = { 0, 13, 14, 15, 15, 16 };
@@ -74,8 +74,8 @@ static bool restrict_files(const char *path, bool with_folder)
     return done;
 }
 
-/* Drops all capabilities except those with which root may read other users' files, as in the
- * parent. Others would allow, for example, tracing other processes. */
+/* Drops all capabilities except those that let root read other users' files, as the parent can.
+ * Other capabilities would allow, for example, tracing other processes. */
 static void drop_capabilities(void)
 {
     struct __user_cap_header_struct header = { .version = _LINUX_CAPABILITY_VERSION_3 };
@@ -138,7 +138,7 @@ static bool add_rules(scmp_filter_ctx filter)
     return done;
 }
 
-/* Returns true if the kernel supports seccomp filters, in which case NULL fails with EFAULT. */
+/* Returns true if the kernel supports seccomp: it then rejects a NULL filter with EFAULT. */
 static bool has_seccomp(void)
 {
     return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT;

@@ -14,8 +14,8 @@
 #include "src/base/status.h"
 
 /*
- * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable and so,
- * if `with_folder` is true, does everything in its folder, except targets of links that lead out of
+ * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable. If
+ * `with_folder` is true, so do the other files in its folder, except through links that lead out of
  * it. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
  */
 MUST_USE bool sandbox_enter(const char *path, bool with_folder);

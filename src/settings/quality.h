@@ -1,4 +1,4 @@
-/* quality.h: quality levels draft, normal and high, which set values of settings. */
+/* quality.h: quality levels draft, normal and high, each with values of several settings. */
 #ifndef FIRN_SETTINGS_QUALITY_H
 #define FIRN_SETTINGS_QUALITY_H
 

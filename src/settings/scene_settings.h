@@ -92,7 +92,7 @@ struct ground_params {
     uint32_t denoise; /* denoise, 0 or 1 */
 };
 
-/* Render targets for inclusions in the ice, which are composited over the final image. */
+/* Render targets, composited over the final image, for inclusions in the ice. */
 struct inclusion_target_params {
     float scale; /* resolution relative to the view */
 };

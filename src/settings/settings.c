@@ -195,7 +195,7 @@ static const char *format_source(const struct settings_source *source, const cha
     return text;
 }
 
-/* Finds a setting by its former name, and logs its current one. Returns NULL if there is none. */
+/* Finds a setting by its former name, and logs its new name. Returns NULL if there is none. */
 static const struct setting *find_renamed(const struct settings_source *source, const char *name)
 {
     char where[SOURCE_SIZE];

@@ -53,8 +53,8 @@ struct settings_source {
 
 /*
  * Applies an assignment from a file, or from the command line if `source` is NULL. If it is
- * invalid, logs the source and returns STATUS_DATA or STATUS_USAGE, respectively. *row is set to
- * the setting, or to NULL on failure.
+ * invalid, logs its source and returns STATUS_DATA (file) or STATUS_USAGE (command line). *row is
+ * set to the setting, or to NULL on failure.
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
                                      const struct settings_source *source,
@@ -77,7 +77,7 @@ enum setting_effect settings_changed(const struct settings *before, const struct
 /* Prints a setting's value in the syntax of --set, such as "0.33", "on" or "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 
-/* Prints "NAME=VALUE" on a line, after `before`, for each setting that is not at its default. */
+/* Prints a line, `before` and "NAME=VALUE", for each setting that is not at its default. */
 void settings_print_changes(const struct settings *settings, const char *before, FILE *out);
 
 /* Prints a number with the fewest digits that parse to the same float. */

@@ -62,7 +62,7 @@ static float texel_at(const struct greyscale_image *p, int64_t x, int64_t y)
     return p->texels[row * width + (x % width + width) % width];
 }
 
-/* Samples the image at (u, v), 0 to 1, with bilinear interpolation. */
+/* Samples the image bilinearly at (u, v), both from 0 to 1. */
 static float sample_bilinear(const struct greyscale_image *p, float u, float v)
 {
     const float x = u * (float)p->width - 0.5f, y = v * (float)p->height - 0.5f;

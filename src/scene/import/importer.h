@@ -42,9 +42,10 @@ struct model_format {
  * first bytes of the file do not match the format. */
 MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
 
-/* Load a glTF file, or a file of another format, "obj" or "ply" according to `suffix`. */
+/* Loads a glTF file, posed by `pose`. */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
                                      enum model_role default_role, const struct model_pose *pose);
+/* Loads an OBJ or PLY file; `suffix` is "obj" or "ply". */
 MUST_USE enum status model_load_obj_ply(struct model_import *import, const char *suffix,
                                         struct model *model, enum model_role default_role);
 
@@ -54,9 +55,8 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
  * folder, records its name in *user, a struct model_import, and returns NULL. */
 FILE *model_file_open(void *user, const char *path);
 
-/* Converts a file reference to a relative path, in place. It is a URI in glTF, with %20 for a
- * space, and may be a Windows path in other formats. Returns false if the path leaves the folder:
- * "../a", "/a", "https://a" or, as a URI, "file:a". */
+/* Converts a reference to a file (URI, Windows path or other path) to a relative path, in place.
+ * Returns false if it leaves the folder: "../a", "/a", "https://a" or, as a URI, "file:a". */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
 /* Returns the path of a file in the model's folder, which the caller frees, or NULL. */
@@ -104,7 +104,7 @@ MUST_USE bool model_texture_convert(uint8_t *texels, int width, int height,
 /* Returns the GGX roughness that matches a Phong exponent Ns. */
 float mtl_roughness_from_exponent(float exponent);
 
-/* Merges two texture arrays into *both, at the larger size; the caller frees both->texels. */
+/* Merges two texture arrays, resampled to the larger size; the caller frees both->texels. */
 MUST_USE enum status model_texture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,
                                          const struct texture_layers *second, bool are_numbers);
@@ -144,20 +144,21 @@ MUST_USE enum status model_shape_check(const struct model_import *import,
 
 void model_build_init(struct model_build *build, struct model_import *import, struct model *model);
 
-/* Build the meshes: count every shape, allocate the meshes, add the shapes in the same order, and
- * end, which computes missing normals and welds identical vertices. */
+/* Counts a shape's vertices and indices. Count all shapes before allocating the meshes. */
 MUST_USE enum status model_build_count(struct model_build *build, enum model_role role,
                                        uint64_t vertex_count, uint64_t index_count);
 MUST_USE enum status model_build_allocate(struct model_build *build);
+/* Adds a shape to an allocated mesh. Add the shapes in the order in which they were counted. */
 MUST_USE enum status model_build_add(struct model_build *build, enum model_role role,
                                      const struct model_shape *shape, mat4s model_from_shape);
+/* Computes missing normals and welds identical vertices. */
 MUST_USE enum status model_build_end(struct model_build *build);
 
 /* Adds one object for the whole file, with the material MATERIAL_FROM_SETTINGS. */
 MUST_USE enum status model_build_default_object(struct model_build *build);
 
-/* Computes missing (zero) normals and welds identical vertices of the same surroundings object.
- * `starts` holds these objects' first vertices and is updated. Returns false when out of memory. */
+/* Computes missing (zero) normals, and welds identical vertices within each surroundings object.
+ * Updates `starts`, the first vertex of each object. Returns false when out of memory. */
 MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
 /* Clamps a finite colour to 0 to 1, or an unlit one to 0 to MODEL_RADIANCE_MAX. Returns true if it

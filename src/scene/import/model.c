@@ -119,8 +119,8 @@ static enum status add_lights(struct model *model, const struct model *other)
 }
 
 /* Appends all objects of `other`, including refractive ones, to the surroundings objects. Must be
- * called before the meshes are appended. Each first vertex is found from the indices, because
- * vertices are in order of first use. */
+ * called before the meshes are appended. Vertices are in order of first use, so an object's first
+ * vertex is the first that earlier indices do not use. */
 static bool add_surroundings_objects(struct model *model, const struct model *other)
 {
     uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;

@@ -123,14 +123,14 @@ enum model_role {
     MODEL_BY_MATERIALS, /* surroundings if the file has materials */
 };
 
-/* Animation and time that pose a glTF model, and names of its refractive objects. */
+/* Animation pose of a glTF model, and the choice of its refractive objects. */
 struct model_pose {
     /* animation name or number (from 0); NULL for the rest pose or if is_first is set */
     const char *animation;
     bool is_first; /* use the first animation, if any */
     float time;    /* animation time, seconds */
-    /* Names of refractive objects, one per line: of nodes with meshes, or else of materials. Other
-     * meshes without transmission are surroundings. May be NULL. */
+    /* Names of the refractive objects, one per line. A name is that of a node with a mesh or else
+     * of a material. Other meshes without transmission are surroundings. May be NULL. */
     const char *objects;
 };
 
@@ -143,10 +143,10 @@ MUST_USE enum status model_load(struct model *model, const char *path,
 MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
-/* Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples
- * them to the larger size. The box of `other`, if any, replaces that of *model. `other` is always
- * zeroed. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory, STATUS_DATA for more
- * than 4096 textures or 8191 materials. */
+/* Appends both meshes of `other` to the surroundings of *model, renumbers their textures and
+ * resamples the smaller ones. The box of `other`, if any, replaces that of *model. `other` is
+ * always zeroed. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory, STATUS_DATA
+ * for more than 4096 textures or 8191 materials. */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
 /* Adds a surroundings object whose first vertex is `start`, which must not be before that of the

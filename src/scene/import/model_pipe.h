@@ -12,12 +12,12 @@
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
-/* Serialise a model or an environment. Return false if writing to the sink fails. */
+/* Send a model or an environment. Return false if writing to the sink fails. */
 MUST_USE bool model_pipe_write_model(const struct pipe_sink *sink, const struct model *model);
 MUST_USE bool model_pipe_write_environment(const struct pipe_sink *sink,
                                            const struct environment *environment);
 
-/* Read and validate a model or an environment. After a fault, which is not logged, it is zeroed. */
+/* Receive and validate a model or an environment, which a fault zeroes. Faults are not logged. */
 MUST_USE enum pipe_fault model_pipe_read_model(const struct pipe_source *source,
                                                struct model *model);
 MUST_USE enum pipe_fault model_pipe_read_environment(const struct pipe_source *source,

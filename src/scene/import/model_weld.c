@@ -111,7 +111,7 @@ static uint32_t renumber(const struct mesh *mesh, const uint32_t *identical, uin
     return count;
 }
 
-/* Sets each start to the smallest new index among the vertices from that start to the end. */
+/* Sets each start to the smallest new index of all vertices at or after the old start. */
 static void update_starts(const struct mesh *mesh, const uint32_t *new_index, uint32_t count,
                           uint32_t *starts, uint32_t start_count)
 {

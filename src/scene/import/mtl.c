@@ -14,7 +14,7 @@ enum {
 
 struct mtl;
 
-/* MTL statement and its reader, which logs a line if it does not return STATUS_OK. */
+/* MTL statement and the function that reads it. On failure the function logs a line. */
 struct statement {
     const char *word;
     enum status (*read)(struct mtl *mtl, struct text_scan *line, const struct statement *statement);
@@ -119,7 +119,7 @@ static bool read_option(struct mtl *mtl, struct text_scan *line, struct mtl_map 
     if (text_take_word(&word, "-mm") || text_take_word(&word, "-t") ||
         text_take_word(&word, "-boost") || text_take_word(&word, "-texres"))
         return text_floats(line, numbers, 3) > 0;
-    /* Other options (-blendu, -blendv, -cc, -imfchan, -type) have one value. */
+    /* Other options (-blendu, -blendv, -cc, -imfchan, -type) have one value each. */
     const struct text_scan value = text_word(line);
     return value.end > value.at;
 }
@@ -155,7 +155,7 @@ static bool is_refracting(const struct mtl *mtl)
     return illum == 4 || illum == 6 || illum == 7 || illum == 9;
 }
 
-/* Returns true if only "Tr 1" indicates transparency, as in opaque materials of MeshLab. */
+/* Returns true if "Tr 1" alone indicates transparency: MeshLab writes it for opaque materials. */
 static bool is_meshlab(const struct mtl *mtl)
 {
     return mtl->transparency >= 1 && !is_refracting(mtl) && !(mtl->ior > 1);
@@ -185,7 +185,7 @@ static void set_transmission(struct mtl *mtl, struct material *m)
 }
 
 /* Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, as in
- * Blender, so that the default Ks of 0.5 gives that of glass. illum 0 and 1 have no highlights. */
+ * Blender: the default Ks of 0.5 gives the 0.04 of glass. illum 0 and 1 have no highlights. */
 static void set_surface(const struct mtl *mtl, struct material *m)
 {
     m->base_color = mtl->diffuse;

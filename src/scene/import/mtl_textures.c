@@ -76,8 +76,8 @@ static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *imag
     return 0;
 }
 
-/* Computes the transform from the vertices' texture coordinates to those of a map. The former are
- * those of the base colour map, with v = 0 at the top. */
+/* Computes the transform from the vertices' texture coordinates (those of the base colour map, with
+ * v = 0 at the top) to those of another map. */
 static void compute_transform(const struct mtl_map *base, const struct mtl_map *map,
                               struct material_texture *texture)
 {
@@ -150,7 +150,7 @@ static enum status add_map(const struct obj_ply *obj_ply, struct image_list *ima
 }
 
 /* Returns true if a map becomes a separate texture of the requested kind (sRGB colour or linear
- * numbers), as map_d does only if there is no map_Kd. */
+ * numbers). map_d becomes one only if there is no map_Kd. */
 static bool is_separate_texture(const struct mtl_material *material, enum mtl_map_use use,
                                 bool are_numbers)
 {

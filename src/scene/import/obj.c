@@ -111,7 +111,7 @@ static enum status read_vector(struct obj *obj, struct text_scan *line, struct o
 
 /* ---- faces ---- */
 
-/* Reads a list index, which counts from 1, or is negative and counts from the current end of the
+/* Reads a list index. A positive index counts from 1, a negative one from the current end of the
  * list. Indices beyond that end are checked after the whole file is read. */
 static bool read_index(const struct obj *obj, struct text_scan *word, size_t count, uint32_t *index)
 {

@@ -66,14 +66,14 @@ struct obj_ply {
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Read a file into *obj_ply, zeroed except .import. Call obj_ply_finish() in any case. */
+/* Read a file into *obj_ply, zeroed except for .import. Call obj_ply_finish() even on failure. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 
 /* Appends the materials of the MTL file `name` in the model's folder. */
 MUST_USE enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name);
 
-/* Appends a line to a list unless it is already there. A list that is full ends in "...". */
+/* Appends a line to a list unless it is already there. If the list is full, appends "...". */
 void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words);
 
 /* Builds a model's meshes, objects, materials and textures. */
@@ -84,13 +84,13 @@ MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
  * and transforms the coordinates to those of the base colour map. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
-/* Returns map_Kd, else map_d, else an identity map, whose -s and -o apply to the vertices. */
+/* Returns the map whose -s and -o apply to the vertices: map_Kd, else map_d, else identity. */
 const struct mtl_map *mtl_base_map(const struct mtl_material *material);
 
 void obj_ply_finish(struct obj_ply *obj_ply);
 
-/* Reads a whole file into memory that the caller frees. Returns NULL on failure, which is logged,
- * unless the file cannot be opened, in which case *is_found is false. */
+/* Reads a whole file into memory that the caller frees. On failure logs and returns NULL; a file
+ * that cannot be opened is not logged, but *is_found is set to false. */
 char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size,
                         bool *is_found);
 

@@ -20,7 +20,7 @@ enum {
     PROPERTY_MAX = 256, /* maximum properties of all elements together */
 };
 
-/* Meaning of a property. Vertex properties are in the order of the components in the arrays. */
+/* Meaning of a property, with consecutive values for the components of a vector. */
 enum slot {
     SLOT_X,
     SLOT_NX = SLOT_X + 3,
@@ -486,8 +486,8 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
     return STATUS_OK;
 }
 
-/* Reads all elements. Rejects a count above the number of remaining bytes, because every row has at
- * least one byte. Skips elements without properties, whose rows have none. */
+/* Reads all elements. Rejects a count above the number of remaining bytes, because each element has
+ * at least one byte. Skips elements without properties, which have none. */
 static enum status read_elements(struct ply *ply, struct text_scan *body)
 {
     enum status status = STATUS_OK;

@@ -114,7 +114,7 @@ static void cut_ears(struct outline *o, uint32_t *indices)
         uint32_t ear = start;
         for (uint32_t tried = 0; tried < o->count && !is_ear(o, ear); tried++)
             ear = ear + 1 < o->count ? ear + 1 : 0;
-        /* Cuts any corner if there is no ear: the polygon is not planar or intersects itself. */
+        /* A non-planar or self-intersecting polygon may have no ear; then any corner is cut. */
         cut_ear(o, ear, indices);
         indices += 3;
         start = ear < o->count ? ear : 0;

@@ -11,8 +11,8 @@
 #include "src/scene/import/model_pipe.h"
 
 /* Encodes a pose as an argument for the child process: '-' (rest pose), '*' (first animation) or
- * '=' (named animation), the time as a hexadecimal float, which is exact, a space and the name.
- * Object names follow on further lines. The caller frees the text. */
+ * '=' (named animation), then the time as a hexadecimal float (exact), a space and the name. Object
+ * names follow on further lines. The caller frees the text. */
 static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";

@@ -39,21 +39,22 @@ struct text_scan text_line(struct text_scan *scan);
 /* Skips the next word and returns true if it is `word`, ignoring case; else returns false. */
 bool text_take_word(struct text_scan *scan, const char *word);
 
-/* Return the rest of a line without surrounding blanks, or the next word; empty at the end. */
+/* Returns the rest of a line without surrounding blanks, without advancing. */
 struct text_scan text_rest(const struct text_scan *line);
+/* Returns the next word on a line, or an empty text at the end, and advances past it. */
 struct text_scan text_word(struct text_scan *scan);
 
-/* Read a number. A float must be followed by a blank or the end of the text, an integer by
- * anything. Return false, without advancing, if there is no number. */
+/* Reads a float up to a blank or the end. Returns false, without advancing, if there is none. */
 bool text_float(struct text_scan *scan, float *value);
+/* Reads an integer, whatever follows. Returns false, without advancing, if there is none. */
 bool text_integer(struct text_scan *scan, int64_t *value);
 
 /* Reads all numbers that follow, stores at most `max` of them, and returns their count. */
 uint32_t text_floats(struct text_scan *scan, float *values, uint32_t max);
 
-/* Copies a text to a string, truncated to `size` bytes including '\0'. text_show() is for messages:
- * it replaces non-printable and non-ASCII characters by '?'. */
+/* Copies a text to a string, truncated to `size` bytes including '\0'. */
 void text_copy(char *to, size_t size, const struct text_scan *text);
+/* Copies a text like text_copy(), but with '?' for non-printable and non-ASCII characters. */
 void text_show(char *to, size_t size, const struct text_scan *text);
 
 #endif

@@ -19,7 +19,7 @@ enum {
 /* Index value for "none". */
 static const uint32_t gltf_none = UINT32_MAX;
 
-/* Byte range; `bytes` is borrowed unless `owned` is set. */
+/* Byte range, which is borrowed unless `owned` is set. */
 struct gltf_bytes {
     const uint8_t *bytes;
     uint8_t *owned;
@@ -85,7 +85,7 @@ struct gltf_material {
     uint32_t uv_set;       /* n of mesh_vertex.uv's TEXCOORD_n, or gltf_none */
     vec3s uv_rows[2];      /* transform of set `uv_set` to mesh_vertex.uv */
     uint32_t other_uv_set; /* n of mesh_extra.uv's TEXCOORD_n, or gltf_none */
-    float ior;             /* KHR_materials_ior; 0 if absent or for its legacy value 0 */
+    float ior;             /* index of refraction; 0 if the file has none, or has 0 */
 };
 
 /* Features of a file that the importer recognises but the renderer does not draw. */
@@ -135,7 +135,7 @@ struct gltf {
 
 /* ---- JSON ---- */
 
-/* JSON object in the file. If it is absent, its members are treated as absent, too. */
+/* JSON object in the file. An absent object is treated as one without members. */
 struct gltf_object {
     struct gltf *gltf;
     const json_t *json; /* NULL if the object is absent */
@@ -185,7 +185,7 @@ void gltf_close(struct gltf *gltf);
 enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
                           struct gltf_bytes *bytes);
 
-/* Returns a buffer view's bytes, empty after a fault. *stride is 0 if it has no byteStride. */
+/* Returns a buffer view's bytes; none after a fault. *stride is 0 if the view has no stride. */
 struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
 
 /* Returns the bytes given by an object's members buffer, byteOffset and byteLength. */
@@ -229,10 +229,10 @@ MUST_USE enum status gltf_animations_read(struct gltf *gltf, struct model *model
 /* Sets the transforms and morph weights of nodes to those of an animation at `time` (seconds). */
 void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 
-/* gltf_is_deformed() returns true if morph targets or a skin deform a primitive of a node's mesh.
- * gltf_skin_morph() computes positions and normals in *posed, in model space if the mesh is
- * skinned, and zeroes the rest. The caller frees *posed, also after a fault. */
+/* Returns true if morph targets or a skin deform a primitive of a node's mesh. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
+/* Computes the positions and normals of a deformed primitive in *posed, in model space if the mesh
+ * is skinned, and zeroes the rest. The caller frees *posed, also after a fault. */
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,
                                      struct gltf_primitive *posed);

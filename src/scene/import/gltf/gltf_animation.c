@@ -93,7 +93,7 @@ static void read_interpolation(const struct gltf_object *sampler, struct keys *k
         (void)gltf_fault(sampler, "interpolation: expected LINEAR, STEP or CUBICSPLINE");
 }
 
-/* Reads a sampler's keyframes, each of `width` components, or of any number if `width` is 0. */
+/* Reads a sampler's keyframes, which must have `width` components unless `width` is 0. */
 static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct keys *keys)
 {
     struct gltf *gltf = sampler->gltf;
@@ -183,7 +183,7 @@ uint32_t gltf_animation_find(struct gltf *gltf, const char *name)
     return gltf_none;
 }
 
-/* Returns the time of the last keyframe in seconds, from the required `max` of the accessors. */
+/* Returns the time of an animation's last keyframe in seconds, from the accessors' `max`. */
 static float seconds_of(const struct gltf_object *animation)
 {
     float seconds = 0;

@@ -1,4 +1,4 @@
-/* gltf_camera.c: reads the cameras of a glTF file and its environment lookup box. */
+/* gltf_camera.c: reads cameras and the environment lookup box from a glTF file. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

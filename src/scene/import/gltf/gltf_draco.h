@@ -8,7 +8,7 @@
 
 struct gltf_draco;
 
-/* Decodes a mesh, to be freed by gltf_draco_delete(). Returns NULL if damaged or out of memory. */
+/* Decodes a mesh, which gltf_draco_delete() frees. Returns NULL for bad data or lack of memory. */
 struct gltf_draco *gltf_draco_new(const void *bytes, size_t size);
 void gltf_draco_delete(struct gltf_draco *draco); /* NULL is fine */
 
@@ -18,7 +18,7 @@ uint32_t gltf_draco_index_count(const struct gltf_draco *draco);
 /* Copies the vertex indices of all triangles. */
 void gltf_draco_copy_indices(const struct gltf_draco *draco, uint32_t *indices);
 
-/* Returns the number of components of the attribute with unique id `attribute`; 0 if none. */
+/* Returns the number of components of the attribute with a unique id; 0 if there is none. */
 uint32_t gltf_draco_width(const struct gltf_draco *draco, uint32_t attribute);
 
 /* Copies an attribute as floats; normalised integers become -1 to 1. Returns false on failure. */

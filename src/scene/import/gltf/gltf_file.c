@@ -11,7 +11,7 @@ enum {
     CHUNK_BINARY = 0x004e4942,
 };
 
-/* Reads a whole file. It is a fault if the model may not refer to it. */
+/* Reads a whole file. Logs a fault if the model may not refer to the file. */
 static enum status read_all(const struct gltf_object *object, const char *path,
                             struct gltf_bytes *bytes)
 {

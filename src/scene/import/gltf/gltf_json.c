@@ -39,7 +39,7 @@ static const json_t *get(const struct gltf_object *object, const char *key)
     return json_object_get(object->json, key);
 }
 
-/* Wraps the JSON value at outer.key, or at outer.key[index] unless `index` is gltf_none. */
+/* Wraps the JSON value at outer.key[index], or at outer.key if `index` is gltf_none. */
 static struct gltf_object wrap_object(const struct gltf_object *outer, const json_t *json,
                                       const char *key, uint32_t index)
 {

@@ -80,7 +80,7 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     }
 }
 
-/* Reads "extras": { "priority": 3 }. Where media overlap, that of the highest priority is used. */
+/* Reads "extras": { "priority": 3 }. The highest priority wins where media overlap. */
 static void read_priority(const struct gltf_object *object, struct material *m)
 {
     const json_t *extras = json_object_get(object->json, "extras");
@@ -125,9 +125,9 @@ static bool has_image(const struct gltf_texture *texture)
     return texture->image != gltf_none;
 }
 
-/* Records properties that are not drawn if a material is transmissive. Thickness textures are among
- * them, because path lengths are traced. A metallic factor is recorded only if the file sets it,
- * since its default of 1 is rarely intended, and if no texture could make it 0. */
+/* Records the properties of a transmissive material that are not drawn. A thickness texture is not
+ * drawn, because path lengths are traced. A metallic factor is recorded only if no texture scales
+ * it and if the file sets it, because its default of 1 is rarely intended. */
 static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;

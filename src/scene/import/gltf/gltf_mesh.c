@@ -1,4 +1,4 @@
-/* gltf_mesh.c: reads the primitives of a glTF file's meshes (glTF 2.0, 3.7), also from Draco. */
+/* gltf_mesh.c: reads the primitives of glTF meshes (glTF 2.0, 3.7), with or without Draco. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +40,7 @@ struct source {
     uint32_t vertex_count;
 };
 
-/* Reads an attribute from a Draco-compressed primitive. Returns false if it is not compressed. */
+/* Reads an attribute from Draco data. Returns false if the attribute is stored uncompressed. */
 static bool read_draco(const struct source *source, const char *name, struct gltf_array *array)
 {
     struct gltf *gltf = source->object.gltf;
@@ -58,8 +58,8 @@ static bool read_draco(const struct source *source, const char *name, struct glt
     return true;
 }
 
-/* Returns an attribute with `width` components per vertex; if `width` is 4, 3 components are padded
- * with 0. Returns NULL if the attribute is absent, or after a fault. */
+/* Returns an attribute with `width` components per vertex, or NULL if it is absent or after a
+ * fault. If `width` is 4, an attribute of 3 components is padded with 0. */
 static float *read_attribute(const struct source *source, const char *name, uint32_t width)
 {
     struct gltf *gltf = source->object.gltf;

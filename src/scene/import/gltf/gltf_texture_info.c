@@ -85,7 +85,7 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     read_transform(info, texture);
 }
 
-/* Selects the vertices' second UV set. Returns false if it already holds other coordinates. */
+/* Makes a texture use the second UV set. Returns false if that already has other coordinates. */
 static bool use_second_uv_set(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {
