@@ -1,4 +1,4 @@
-/* bubbles.h: bindings of bubbles*.{vert,frag}, in addition to ice_depth.h and refract.h. */
+/* bubbles.h: bindings of bubbles*.{vert,frag}, which also use ice_depth.h and refract.h. */
 #ifndef SHADERS_INCLUSIONS_BUBBLES_H
 #define SHADERS_INCLUSIONS_BUBBLES_H
 #include "abi.h"
@@ -14,7 +14,7 @@ struct bubbles_drawn {
     vec3s center;  /* metres */
     float radius;  /* perpendicular to the axis */
     vec3s axis;    /* unit; unused for spheres */
-    float stretch; /* half length along the axis minus `radius`; 0 for a sphere */
+    float stretch; /* half the length along the axis, minus `radius`; 0 for a sphere */
     uint32_t is_capsule;
 };
 

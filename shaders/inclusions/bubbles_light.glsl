@@ -12,7 +12,7 @@ layout(set = 0, binding = BUBBLES_CRACKS) uniform sampler2D cracks_hits;
 
 layout(location = 1) out float out_depth; /* depth for the search in inclusion_march.glsl */
 
-/* Returns true if a totally reflecting crack hides a point; also writes the point's depth. */
+/* Returns true if a totally reflecting crack hides a point. Sets out_depth to the point's depth. */
 bool bubble_is_hidden(vec3 e, vec3 eye_to_point)
 {
     vec4 crack = texelFetch(cracks_hits, ivec2(gl_FragCoord.xy), 0);
@@ -50,7 +50,7 @@ bool march_is_in_ground(vec3 point)
     return refract_is_below_ground(point);
 }
 
-/* Low limits for rays from bubbles, in whose small, distorted images errors hardly show. */
+/* Low limits, because errors hardly show in the small, distorted images inside bubbles. */
 const uint bubble_bounces = 2u;
 const uint bubble_halvings = 4u;
 
@@ -63,7 +63,7 @@ march_space bubble_space()
 }
 
 /* Returns the radiance that arrives at a bubble from a direction. If the ray ends in the ground,
- * the environment cube is looked up in the direction of the end point. */
+ * looks up the environment cube in the direction from its centre to the end point. */
 vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
 {
     refract_path ray = refract_path(dir, frame.eye + eye_to_bubble, 0.0, 0.0, 0.0);
@@ -82,7 +82,7 @@ vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
     return light;
 }
 
-/* Traces the stronger of the two rays; the weaker one only looks up the environment cube. */
+/* Traces the stronger of reflected and transmitted ray; looks up env_cube for the other. */
 vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
     bool is_reflected = fresnel >= cover;

@@ -5,13 +5,13 @@
 
 #define FROST_ENV_CUBE 1 /* frost_env_cube.frag: environment cube map */
 #define FROST_CUBE     1 /* frost.frag: blurred environment cube map */
-#define FROST_EXIT     2 /* frost.frag: exit direction of the refracted ray */
+#define FROST_EXIT     2 /* frost.frag: image of the refracted rays' exit directions */
 
 #define FROST_CUBE_SIZE 64 /* side of a cube face, texels */
 
 /* Push constants of one face of the blurred cube map. */
 struct frost_cube_push {
-    vec3s right;  /* half the face's width at distance 1, as a vector to the right */
+    vec3s right;  /* vector from the face's centre to its right edge, at distance 1 */
     float spread; /* GGX alpha of the crystals' slopes */
     vec3s up;
     vec3s forward;

@@ -14,7 +14,7 @@ layout(location = 0) out vec4 color;
 
 const uint count = 128u;
 const float golden = 2.39996323; /* golden angle, radians */
-const float brightest = 16.0; /* radiance limit, as the sun would appear as one spot per sample */
+const float brightest = 16.0;    /* radiance limit, so that the sun leaves no spot per sample */
 
 /* Computes the mean radiance that the frost crystals scatter into a direction. Slopes are
  * GGX-distributed; a slope of angle d deflects refracted light by (n - 1) d. */

@@ -12,8 +12,8 @@
 
 #define MEDIUM_SIZE 64
 
-/* Binding of the density grids, MEDIUM_SIZE array layers each. A texel holds the density of its own
- * layer and of the next one, so that one bilinear lookup gives both for interpolation along z. */
+/* Binding of the density grids, of MEDIUM_SIZE array layers each. A texel holds the densities of
+ * two successive layers, so that one bilinear lookup suffices to interpolate along z. */
 #define MEDIUM_TEXELS 16
 #define MEDIUM_AROUND 17 /* binding of LIT_ENVIRONMENT_BINDING in refract_medium.glsl */
 

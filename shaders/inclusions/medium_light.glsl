@@ -55,7 +55,7 @@ float medium_phase(float cosine, float g)
 }
 
 /* Returns a quadratic fit (x, y, z) of the optical depth towards the sun along a segment: x + y u +
- * z u^2 for u from 0 to 1. It varies smoothly, so three shadow rays suffice for all steps. */
+ * z u^2, u from 0 to 1. The depth varies smoothly, so three shadow rays suffice for all steps. */
 vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_sun)
 {
     float near = medium_sun_depth(field, from + segment / 6.0, to_sun);
@@ -67,7 +67,7 @@ vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_s
 }
 
 /* Returns the in-scattered sunlight relative to the sunlight on a white diffuse surface. `depth`,
- * the optical depth towards the sun, attenuates it and widens the phase function. */
+ * the optical depth towards the sun, attenuates the light and widens the phase function. */
 float medium_sun_scattering(float cosine, float depth)
 {
     float g = frame.medium_g;
@@ -107,7 +107,7 @@ vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
 }
 
 /* Ray-marches a segment of length `t` from an object-space point. Returns its optical depth and
- * in-scattered sunlight. `remaining` equals `steps`, or 0 to skip the segment. */
+ * in-scattered sunlight. Callers pass `steps` as `remaining`, or 0 to skip the segment. */
 medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)
 {

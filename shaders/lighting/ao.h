@@ -15,7 +15,7 @@
 #define AO_HEIGHTS_RANGE 3.0f  /* range of the height fields, in units of ao_occluders.height */
 #define AO_HEIGHTS_GAP   0.01f /* minimum height, relative to AO_HEIGHTS_RANGE */
 
-/* Box occluder, which brings fractions `sky` and `ground` of sky and ground light to its base. */
+/* Box occluder. Fractions `sky` and `ground` of sky and ground light reach the box's base. */
 struct ao_occluder {
     vec3s min, max; /* box corners, object space, metres */
     vec3s sky, ground;

@@ -72,8 +72,8 @@ vec3 blocked_by(uint i, vec3 point, vec3 n)
     return outside > 0.0 ? outline(low, high) : max(1.0 - inner_depth, 0.0) * n;
 }
 
-/* Returns the environment light behind an occluder, prefiltered over its solid angle; `sine` is
- * that of the half-angle it subtends. */
+/* Returns the environment light behind an occluder, prefiltered over its solid angle. `sine` is the
+ * sine of half the angle that the occluder subtends. */
 vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
 {
     if (constant_background != GLOBALS_ENVIRONMENT)
@@ -85,8 +85,8 @@ vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
                textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
 }
 
-/* Returns the surroundings' height above the plane in metres, or 0 where they have more free space
- * below them than they are thick, like a table top. */
+/* Returns the surroundings' height above the plane in metres, or 0 where the free space below them
+ * exceeds their thickness, as below a table top. */
 float height_at(vec2 uv)
 {
     float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;

@@ -8,7 +8,7 @@
 #include "lighting/bump_normal.h"
 #include "refract/refract.h"
 
-/* Uniforms as varyings, because lavapipe's fragment shaders fetch each uniform float separately. */
+/* Uniforms arrive as varyings, because lavapipe's fragment shaders fetch each float separately. */
 layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* texture coordinates: object space, or uv */
 layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat in mat3 bump_world_from_object;
 

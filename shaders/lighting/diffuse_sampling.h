@@ -41,8 +41,8 @@ ABI_FUNCTION vec3s diffuse_sampling_cosine_dir(vec3s n, vec2s at)
         glms_vec3_add(glms_vec3_scale(n, 1.0001f), diffuse_sampling_sphere(at)));
 }
 
-/* Returns the direction of a diffuse ray. Guided rays sample a cone from which most light comes:
- * `guide` is its unit axis and the cosine of its half-angle; (0, 0, 0, 1) if there is none. */
+/* Returns the direction of a diffuse ray. Guided rays sample a cone from which most light comes.
+ * `guide` is the cone's unit axis and cosine of the half-angle, or (0, 0, 0, 1) without a cone. */
 ABI_FUNCTION vec3s diffuse_sampling_dir(vec3s n, vec4s guide, uint32_t ray_index, vec2s at)
 {
     vec3s axis = ABI_VEC3(guide.x, guide.y, guide.z);
@@ -63,7 +63,7 @@ ABI_FUNCTION float diffuse_sampling_weight(vec3s n, vec4s guide, vec3s dir)
     return diffuse_pdf / fmaxf(0.5f * diffuse_pdf + 0.5f * guide_pdf, 1e-9f);
 }
 
-/* Returns a uniformly distributed direction to a disc; `radius` is angular, in radians. */
+/* Returns a uniformly distributed direction to a disc of the angular radius `radius`, radians. */
 ABI_FUNCTION vec3s diffuse_sampling_disc_dir(vec3s to_disc, float radius, vec2s at)
 {
     return diffuse_sampling_around(to_disc, 1.0f - at.x * (1.0f - cosf(radius)), at.y);

@@ -31,7 +31,7 @@
 /* Binding in shaders that look up the caustic map (lib/sun_light_space.glsl). */
 #define ICE_CAUSTICS_MAP 9 /* rgb: caustics; a: ice shadow coverage */
 
-/* Light space of the caustic map: the light-space view of the ice, `reach` times as wide. */
+/* View of the caustic map: the sun's view of the ice, made wider by the factor `reach`. */
 struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;

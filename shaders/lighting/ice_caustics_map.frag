@@ -7,7 +7,7 @@ layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
 
 layout(location = 0) out vec4 map; /* rgb: caustics; a: ice coverage */
 
-/* Returns the accumulated photon weights in rgb and the coverage in a. */
+/* Returns a texel's accumulated photon weights in rgb and the ice's coverage of it in a. */
 vec4 counted(ivec2 texel)
 {
     ivec2 at = clamp(texel, ivec2(0), ivec2(ICE_CAUSTICS_SIZE - 1));
@@ -19,8 +19,8 @@ vec4 counted(ivec2 texel)
     return found;
 }
 
-/* Filters the counts with a 3 x 3 tent, which reduces photon noise and softens the shadow's edge,
- * and scales them by the area of a photon in texels. */
+/* Filters the counts with a 3 x 3 tent, which reduces photon noise and softens the shadow's edge.
+ * Scales them by the area, in texels, that one photon represents. */
 void main()
 {
     const float weights[3] = { 0.25, 0.5, 0.25 };

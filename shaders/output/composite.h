@@ -18,7 +18,7 @@
 
 #define COMPOSITE_LOW_RES 1 /* low-resolution image that composite_upsample.frag upsamples */
 
-/* Bits of CONSTANT_COMPOSITE: existing images; all but highlights may have low resolution. */
+/* Bits of CONSTANT_COMPOSITE: which images exist, and whether they have low resolution. */
 #define COMPOSITE_HAS_HIGHLIGHT (1u << COMPOSITE_HIGHLIGHT)
 #define COMPOSITE_HAS_AIR       (1u << COMPOSITE_AIR)
 #define COMPOSITE_HAS_BUBBLES   (1u << COMPOSITE_BUBBLES)

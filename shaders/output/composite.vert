@@ -1,5 +1,5 @@
-/* composite.vert: vertex shader of compositing: full-screen triangle with milky air's radiance;
- * BUBBLES_REFRACTED adds view parameters. */
+/* composite.vert: vertex shader of compositing: full-screen triangle, and milky air's radiance as a
+ * varying; BUBBLES_REFRACTED adds view parameters. */
 #version 460
 #include "lib/air_light.glsl"
 #include "output/composite.h"

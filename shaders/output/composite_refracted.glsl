@@ -1,5 +1,5 @@
 /* composite_refracted.glsl: finds the hits of refracted rays in the bubbles' depth image, for
- * composite.frag with BUBBLES_REFRACTED. Error: bubbles found are shaded for unrefracted rays. */
+ * composite.frag with BUBBLES_REFRACTED. Approximation: bubbles are shaded for unrefracted rays. */
 #ifndef COMPOSITE_REFRACTED_GLSL
 #define COMPOSITE_REFRACTED_GLSL
 #include "lib/optics.glsl"

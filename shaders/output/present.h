@@ -5,8 +5,8 @@
 
 #define PRESENT_IMAGE 0
 
-/* Specialisation constant that is 1 if the swapchain's format converts shader output to sRGB. If it
- * were a push constant, lavapipe would execute the decoding for every pixel even if it is off. */
+/* Specialisation constant: 1 if the swapchain encodes sRGB, so that the shader must decode the
+ * image. As a push constant, it would make lavapipe decode all pixels even when it is 0. */
 #define PRESENT_ENCODES 0
 
 /* Two images side by side are separated by a bright and a dark column, visible on any content. */

@@ -24,9 +24,9 @@ struct ssr_push {
     uint32_t steps;           /* ray march steps inside the box */
     vec3s box_max;            /* object space, metres */
     float thickness;          /* assumed thickness behind front faces, metres */
-    vec2s area_min, area_max; /* scissored area, pixels; infinite at image edges */
+    vec2s area_min, area_max; /* scissored area, pixels; unlimited where it touches image edges */
     vec2s area_edge;          /* fade width at the scissored area's edges, pixels */
-    float pixel; /* pixel size at distance 1 or, if orthographic, at any distance, metres */
+    float pixel; /* size of a pixel at distance 1 (orthographic: at any distance), metres */
 };
 
 #endif

@@ -22,10 +22,10 @@ struct surroundings_push {
     mat4s clip_from_world;
     vec3s eye;             /* camera position, world, metres */
     float environment_lod; /* mip level of the environment map that matches the size of a pixel */
-    vec3s right;           /* half the image's width at distance 1, as a vector to the right */
-    vec3s up;              /* half the image's height at distance 1, as a vector upwards */
+    vec3s right;           /* vector from the image's centre to its right edge, at distance 1 */
+    vec3s up;              /* vector from the image's centre to its top edge, at distance 1 */
     vec3s forward;         /* unit view direction */
-    uint32_t inverse;      /* 1: alpha is 1 / distance from the camera, 1 / metre; 0: alpha is 1 */
+    uint32_t inverse;      /* 1: output alpha is 1 / distance in metres; 0: output alpha is 1 */
 };
 
 /* Returns the equirectangular texture coordinates of a unit direction: -Z is in the middle, +Y at

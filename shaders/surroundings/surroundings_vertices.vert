@@ -39,7 +39,7 @@ layout(location = 8) flat out float out_direct;
 layout(location = 9) out vec4 out_shadow_clip_lifted;
 #endif
 
-/* Returns the reflected radiance of a surface without direct sunlight. */
+/* Returns the radiance that a surface reflects, without that from direct sunlight. */
 vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float occlusion)
 {
     lit_environment_factors env =
@@ -129,7 +129,7 @@ void main()
     bool is_lit = (material & MESH_UNLIT) == 0u;
     vec3 sun = is_lit ? write_lighting(row, point, n, to_eye) : vec3(0.0);
 #ifdef SURROUNDINGS_CAUSTICS
-    /* Caustics are added to unlit surfaces, too. */
+    /* Unlit surfaces need the sunlight, too, because caustics are added to it. */
     out_sun = is_lit ? sun : sky_sun() * color * max(dot(n, frame.sun_dir), 0.0);
     out_shadow_clip = ice_light_clip(point);
     out_shadow_clip_lifted = ice_light_clip(ice_light_biased(point, n));

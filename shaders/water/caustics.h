@@ -30,7 +30,7 @@ struct caustics_params {
     float sun;           /* angular diameter of the sun, degrees */
     uint32_t photons;    /* naive: number of photons */
     uint32_t directions; /* gather: directions per floor point */
-    float cone;     /* gather: maximum angle between a direction and the unperturbed ray, degrees */
+    float cone;     /* gather: maximum angle of directions to the ray in level water, degrees */
     uint32_t slope; /* backtrace: CAUSTICS_SNELL, ... */
     float glow; /* backtrace: angular radius at which the sun's glow has fallen to 1 / e, degrees */
 };

@@ -6,8 +6,8 @@ layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
 
 layout(location = 0) out float light;
 
-/* Returns the offset, in light map texels, from the image of the sun's centre to that of the point
- * `at` of its disc, both refracted by level water. `depth` is that of the ground. */
+/* Returns the offset, in light map texels, between the landing points of two rays through level
+ * water on ground at `depth`: from the sun's centre, and from the point `at` of the sun's disc. */
 vec2 image_of(vec2 at, float depth)
 {
     vec3 sun_center = sun_inside();

@@ -78,7 +78,7 @@ below_rays below_split(vec3 from, vec3 e, float t)
     vec3 out_dir = optics_refract(e, n, push.water.ior);
     vec3 in_dir = optics_reflect(e, n);
     float reflectance = optics_fresnel(e, n, push.water.ior);
-    /* Keep both directions on their side of the surface, so that neither ray hits a second wave. */
+    /* Keep both rays on their sides of the surface, so that neither hits a second wave. */
     out_dir = normalize(vec3(out_dir.xy, max(out_dir.z, 1e-3)));
     in_dir = normalize(vec3(in_dir.xy, min(in_dir.z, -1e-3)));
     vec3 throughput = transmittance(t);

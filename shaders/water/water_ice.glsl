@@ -13,8 +13,8 @@ float ice_ratio(float height)
     return (height < 0.0 ? 1.0 / push.water.ior : 1.0) / frame.eta;
 }
 
-/* Continues a ray that has left the ice, for water_radiance_along(): reflected by the surface if it
- * goes up in water, refracted into the water if it goes down in air; never back into the ice. */
+/* Continues a ray that has left the ice: reflects it at the surface if it goes up in water,
+ * refracts it into the water if it goes down in air. The ray does not enter the ice again. */
 water_ray ice_outside(water_ray ray)
 {
     bool in_water = ray.from.z < 0.0;

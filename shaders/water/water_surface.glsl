@@ -28,7 +28,7 @@ water_view water_shade()
     vec3 n = water_normal(e);
     vec3 r = optics_reflect(e, n);
     vec3 t = optics_refract(e, n, 1.0 / push.water.ior);
-    /* Keep both directions on their side of the surface, so that neither ray hits a second wave. */
+    /* Keep both rays on their sides of the surface, so that neither hits a second wave. */
     r = normalize(vec3(r.xy, max(r.z, 1e-3)));
     t = normalize(vec3(t.xy, min(t.z, -1e-3)));
     water_ray ray = water_ray(point, t, false, vec3(1.0));

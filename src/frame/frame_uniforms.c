@@ -128,7 +128,7 @@ static void span_orthographic(float aside, float radius, float half, float scale
     ends[1] = (int32_t)ceilf(half + fmaxf(fminf(high, bound), -bound)) + REACH_MARGIN;
 }
 
-/* Clips the pixel range `ends` to an image `side` pixels wide or high, to at least one pixel. */
+/* Clips the pixel range `ends` to an image `side` pixels wide or high; keeps at least one pixel. */
 static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
 {
     const int32_t last = (int32_t)side - 1;

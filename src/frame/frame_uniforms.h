@@ -12,7 +12,7 @@ struct surroundings_push frame_view_push(const struct frame_view *view);
 mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier);
 
-/* Returns the pixels that may show points within `radii` (0 means 1) bounding radii of the object's
+/* Returns the pixels that may show points within `radii` bounding radii (0 means 1) of the object's
  * centre, with a margin. Returns the whole image if the camera is within that distance or the
  * object is behind the camera. */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
@@ -22,8 +22,8 @@ VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *g
 bool frame_view_exceeds_image(const struct frame_view *view);
 
 /* Returns the pixels of an image of `size` that may show `box`, rotated with its object and
- * enlarged by `room` bounding radii and one pixel. Returns the whole image if a corner is in front
- * of the near plane. `globals` are those of the object, or frame_view_globals() for all objects. */
+ * enlarged by `room` bounding radii and one pixel, or all pixels if a corner is nearer than the
+ * near plane. `globals` are those of the object, or frame_view_globals() for all objects. */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
@@ -46,8 +46,8 @@ struct globals frame_view_globals(const struct frame_view *view,
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialisation constants. They depend on the scene, settings from frame_resolve_settings() and
- * the refraction model (NULL means one that does not trace the BVH), but not on camera or time. */
+/* Specialisation constants, which depend on the scene, settings from frame_resolve_settings() and
+ * the refraction model (NULL: one without rays), but not on camera or time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };

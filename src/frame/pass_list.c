@@ -140,7 +140,7 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds each object's passes for the image (`last` is PHASE_REFRACTION), otherwise for layers. */
+/* Adds each object's passes: for the image if `last` is PHASE_REFRACTION, otherwise for layers. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {

@@ -91,7 +91,7 @@ const struct rg_buffer frame_samples = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Images imported from the scene, declared with the size of the fallback for scenes without one. */
+/* Images imported from the scene, declared with the size of their fallbacks. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,

@@ -23,7 +23,7 @@ struct frame_view {
     vec2s jitter;           /* subpixel offset of the sample, pixels */
     vec2s light_jitter;     /* photon jitter, in [-0.5, 0.5) */
     uint32_t face_size;     /* environment cube face size, texels */
-    /* Offset of an interleaved tile's pixel from the centre of its block of pixels, in pixels. */
+    /* Offset, in pixels, from the centre of a block of pixels to the one that this tile renders. */
     vec2s tile;
     uint32_t sample; /* sample index, from 0 */
     float lod_bias;  /* mip bias of an interleaved tile (-log2 of its pixel spacing) */
@@ -47,8 +47,8 @@ struct frame_object {
     uint32_t layer;                    /* index of the layer of objects that are drawn together */
     /* next object of the layer, drawn by the same passes; NULL if last */
     const struct frame_object *next;
-    /* Area drawn by the object's passes: the union of `reach` over the objects of its layer. Empty
-     * if another object's passes draw this one. */
+    /* Area drawn by the object's passes: the union of `reach` of all objects in the layer. Empty if
+     * another object's passes draw this one. */
     VkRect2D drawn;
 };
 
@@ -89,7 +89,7 @@ extern const struct rg_buffer frame_globals;
         .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
     }
 
-/* Initialise a struct rg_use: FRAME_READ for texel fetches, FRAME_SAMPLE with more members. */
+/* Initialises a struct rg_use of an image that is sampled without filtering, at mip level 0. */
 #define FRAME_READ(read_image, at) \
     { \
         .image = &(read_image), .access = RG_SAMPLED, .binding = (at) \

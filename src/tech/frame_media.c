@@ -43,7 +43,7 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
 
 float frame_media_air(const struct scene *scene)
 {
-    /* glTF assumes a vacuum around objects, the paper air. */
+    /* glTF assumes a vacuum around objects; the paper assumes air. */
     return frame_media_are_from_settings(scene) ? REFRACT_IOR_AIR : 1.0f;
 }
 

@@ -54,7 +54,7 @@ struct technique_config {
     bool is_nested;         /* nested objects are rendered together (ice_nested.h) */
     bool hits_surroundings; /* rays hit triangles of the surroundings */
     bool has_diffuse_light; /* ray-traced lighting of all surroundings */
-    /* Traced lighting is denoised if the request allows it (renderer_requests.c). */
+    /* True if traced lighting is denoised when the request allows it (renderer_requests.c). */
     bool is_lighting_denoised;
     bool queries; /* rays use hardware acceleration structures */
 };
@@ -101,17 +101,17 @@ struct technique_pass_group {
 struct refraction_model {
     const char *name;                      /* NULL: not a refraction model */
     const struct refract_shaders *shaders; /* NULL for the CPU reference */
-    float reach;                           /* radius of face lookups, bounding radii; 0 means 1 */
+    float reach;                           /* face lookup distance in bounding radii; 0 means 1 */
     /* Shades a full-screen triangle instead of front faces
      * (shaders/refract/refract_fullscreen.glsl): for models with expensive fragment shaders. */
     bool shades_fullscreen;
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
     bool traces_bvh;        /* traces rays through scene->bvh */
-    /* Return true if refracted rays can hit cracks (air gaps), and bubbles; NULL means never. */
-    bool (*refracts_cracks)(const struct settings *settings);
+    /* Returns true if refracted rays can hit air-filled cracks; NULL means never. */
+    bool (*refracts_cracks)(const struct settings *settings); /* NULL: never */
     bool (*refracts_bubbles)(const struct settings *settings);
-    /* Sets the members of `config` that depend on the model, after all others; may be NULL. */
+    /* Optional. Sets the members of `config` that depend on the model, after all other members. */
     void (*choose)(struct technique_config *config, const struct scene *scene);
     /* If rays hit surroundings, turns a pass of ice_caustics.c into one that traces photons through
      * the scene's triangles. `own` lists additional uses and ends at an empty use; targets and
@@ -132,7 +132,7 @@ struct technique_texels {
     const void *texels;     /* NULL imports the fallback */
     uint32_t width, height; /* first mip level; never 0 */
     uint32_t layers;        /* array layers; 0 means 1 */
-    /* `texels` includes all mip levels, largest first; otherwise mips are generated */
+    /* true: `texels` includes all mip levels, largest first; false: mips are generated */
     bool all_mips;
     bool no_mips; /* only one mip level */
 };
@@ -169,11 +169,11 @@ struct technique {
     const char *name;
     const char *help; /* one line, no full stop */
     const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
-    /* Returns true if the technique is on; it is off if its first setting is 0. NULL: always on. */
+    /* Returns true if the technique is on; must be false if the first setting is 0. NULL: true. */
     bool (*is_on)(const struct settings *settings);
     bool is_traced;   /* the CPU reference models the feature */
     bool is_ice_only; /* by default, only ice has it */
-    bool is_hit;      /* is_hit: ray tracing models hit the feature directly, without its passes */
+    bool is_hit;      /* is_hit: ray tracing models hit the feature itself and need no passes */
     /* Returns true if the technique makes objects transmit or block light; NULL means never. */
     bool (*affects_light)(const struct scene *scene);
     const char *title; /* display name; NULL: `name` */
@@ -182,15 +182,15 @@ struct technique {
     const struct frame_layer *layers;       /* ends at {0}; may be NULL */
     const struct technique_upload *uploads; /* may be NULL */
     const struct technique_import *imports; /* may be NULL */
-    /* Returns the mesh that frame_draw_mesh() draws; may be NULL. */
+    /* Optional. Returns the mesh that frame_draw_mesh() draws. */
     const struct mesh *(*mesh)(const struct scene *scene);
-    /* Replaces the technique's settings that depend on the scene; may be NULL. */
+    /* Optional. Replaces the technique's settings that depend on the scene. */
     void (*follow_scene)(struct settings *settings, const struct scene *scene);
-    /* Resolves `auto` settings for a refraction model or NULL. The hook itself may be NULL. */
+    /* Optional. Resolves `auto` settings; `refraction` is NULL if no refraction model is used. */
     void (*resolve_auto)(struct settings *settings, const struct technique *refraction);
-    /* Writes the technique's members of struct globals; may be NULL. */
+    /* Optional. Writes the technique's members of struct globals. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
-    /* Writes the technique's specialisation constants to values[CONSTANT_...]; may be NULL. */
+    /* Optional. Writes the technique's specialisation constants to values[CONSTANT_...]. */
     void (*write_constants)(const struct technique_inputs *subject, uint32_t *values);
 };
 

@@ -18,7 +18,7 @@ const struct technique *techniques_refraction(size_t i);
 /* Returns the refraction model of that name, or NULL. */
 const struct technique *techniques_find_refraction(const char *name);
 
-/* Switches a technique off by setting its first setting to 0. It must have a function is_on(). */
+/* Switches a technique off by setting its first setting to 0. The technique must have is_on(). */
 void techniques_switch_off(struct settings *settings, const struct technique *technique);
 
 /* Returns layer i in list order, or NULL at the end. */

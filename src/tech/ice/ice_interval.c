@@ -54,7 +54,7 @@ static const struct rg_pass count = {
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
-/* Returns the uses of a pass that reads the globals and a range of layers. */
+/* Returns the uses of a pass that reads the globals and a range of an image's layers. */
 static const struct rg_use *use_before(struct pass_builder *builder, const struct rg_image *layers,
                                        struct rg_range range)
 {

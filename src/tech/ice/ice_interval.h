@@ -18,7 +18,7 @@ extern const struct rg_image ice_interval_count; /* number of intervals in each 
 
 extern const struct setting_group ice_interval_settings;
 
-/* Returns the index in use in ice_interval_near and ice_interval_far. */
+/* Returns the index of the images in use in the arrays ice_interval_near and ice_interval_far. */
 uint32_t ice_interval_index(const struct settings *settings);
 
 #endif

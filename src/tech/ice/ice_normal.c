@@ -221,7 +221,7 @@ static bool keeps_depth(const struct technique_config *config)
            (are_many && !config->refraction->refraction.shades_fullscreen);
 }
 
-/* Makes a pass clear its normals itself, which is cheaper than an extra pass in a limited area. */
+/* Makes a pass clear its normals, which is cheaper in a limited area than a separate pass. */
 static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
 {
     struct rg_target *color = pass_builder_copy_targets(builder, pass->color, pass->color_count);

@@ -131,8 +131,8 @@ static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
-/* Fragment shaders for bubbles along refracted rays. First index: light is not refracted, traced
- * through the ice, or traced through a scattering medium. Second index: spheres, all shapes. */
+/* Fragment shaders for bubbles along refracted rays. First index: 0 for unrefracted light, 1 for
+ * light traced through the ice, 2 through a scattering medium. Second index: 1 for all shapes. */
 static const struct rg_shader *const refracted_frags[3][2] = {
     { &bubbles_refracted_frag, &bubbles_shapes_refracted_frag },
     { &bubbles_traced_frag, &bubbles_shapes_traced_frag },

@@ -321,7 +321,7 @@ bool cracks_are_traced(const struct settings *settings, const struct technique *
            params->refract == CRACKS_REFRACT_GAP && !params->shading.surface;
 }
 
-/* Makes the colour pass. Without cracks it only clears the layer, and is culled if not needed. */
+/* Makes the colour pass. Without cracks the pass only clears the layer, and is culled if unused. */
 static struct rg_technique make_color(const struct technique_config *config,
                                       struct pass_builder *builder)
 {

@@ -110,7 +110,7 @@ static struct rg_technique draw_depths_again(struct low_res_images *small,
     return (struct rg_technique){ group->name, passes, count };
 }
 
-/* Makes passes that blend inclusions draw at low resolution, and adds passes that upsample them. */
+/* Lets passes that blend inclusions draw at low resolution, and adds passes for upsampling. */
 static void change_inclusions(struct low_res_images *small, struct rg_technique *group, float scale)
 {
     struct rg_pass *passes =

@@ -132,7 +132,7 @@ void refract_choose(struct technique_config *config, const struct scene *scene)
     config->renders_media = refract_has_medium(config->refraction, scene, config->settings);
 }
 
-/* Makes a pass draw front faces, with Fresnel reflectance at the vertices by eq. 4 of the paper. */
+/* Makes a pass draw front faces and compute Fresnel reflectance per vertex (eq. 4 of the paper). */
 static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refraction, bool bumped)
 {
     pass->vert = refraction->vert ? refraction->vert : bumped ? &refract_bump_vert : &refract_vert;

@@ -21,7 +21,7 @@ extern const struct setting_group refract_settings;
 
 struct refract_params {
     float ior;        /* of the object, for green */
-    float outside;    /* refractive index outside; with file materials, REFRACT_IOR_AIR means 1 */
+    float outside;    /* index around objects; REFRACT_IOR_AIR means 1 with materials from files */
     float dispersion; /* 20 / Abbe number; 0 if there is none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */

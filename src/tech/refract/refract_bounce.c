@@ -222,7 +222,7 @@ static const struct setting rows[] = {
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
 
-/* Minimum mesh_depth_complexity() of objects of which all faces are rendered. With nearest faces
+/* Minimum mesh_depth_complexity() at which all faces of an object are rendered. With nearest faces
  * only, the error is 0.0075 for the ice cube (complexity 0) and 0.039 for the teapot (0.09). */
 static const float depth_complexity_min = 0.05f;
 
@@ -238,7 +238,7 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
            !scene_has_textured_objects(scene) && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
-/* Implements refraction_model.choose. Wide maps exclude material images and refractive cracks. */
+/* Implements refraction_model.choose. Wide maps need untextured objects, no refractive cracks. */
 static void choose(struct technique_config *config, const struct scene *scene)
 {
     const struct refract_bounce_params *params =
@@ -272,7 +272,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
-/* Returns the view's width or height divided by that of the wide maps, which is rounded up. */
+/* Returns `view`, a width or height in pixels, divided by the wide maps' width or height. */
 static float wide_ratio(uint32_t view)
 {
     return (float)view / ceilf((float)view * ICE_NORMAL_WIDE);

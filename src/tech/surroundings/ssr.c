@@ -42,7 +42,7 @@ const struct rg_image ssr_specular = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-/* Colour of the refractive objects, with mips; level 0 is undefined beyond a margin around them. */
+/* Colour of the refractive objects, with mip levels. Level 0 is undefined far from the objects. */
 static const struct rg_image object_color = {
     .name = "ssr.objects",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,

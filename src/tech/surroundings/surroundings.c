@@ -170,7 +170,7 @@ struct rg_technique surroundings_make(struct pass_builder *builder,
     return (struct rg_technique){ params->name, copies, 2 };
 }
 
-/* Makes the passes that draw the background: before the water of a pool, but after an object. */
+/* Makes the background's passes, which run before a pool's water or after other objects. */
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {

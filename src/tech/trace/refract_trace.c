@@ -151,7 +151,7 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
     return false;
 }
 
-/* Returns the cosine, sine, x and z of a rotation about a vertical axis (trace_bvh_pose()). */
+/* Returns the cosine, the sine and the translation in x and z of a pose, for trace_bvh_pose(). */
 static vec4s rotation_of(mat4s pose)
 {
     return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };

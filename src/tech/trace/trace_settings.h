@@ -20,7 +20,7 @@ struct trace_params {
     float branch;          /* minimum throughput; below 0: automatic */
     uint32_t surroundings; /* enum trace_surroundings */
     uint32_t rays;         /* enum trace_rays_by */
-    uint32_t footprint;    /* filter lookups by ray differentials: 0 or 1 */
+    uint32_t footprint;    /* 1: lookups are filtered by ray differentials; 0: they are not */
 };
 
 extern const struct setting_group trace_settings;
@@ -39,8 +39,8 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
 /* Returns true if objects or surroundings may rotate. */
 bool trace_has_motion(const struct settings *settings);
 
-/* Returns the minimum throughput of internal reflections, by trace.min_branch. With `auto` it is
- * lower if all objects are clear and rays hit the surroundings. */
+/* Returns the minimum throughput of internal reflections, set by trace.min_branch. With `auto` it
+ * is lower if all objects are clear and rays hit the surroundings. */
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings);
 
 #endif
