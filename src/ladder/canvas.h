@@ -17,9 +17,9 @@ struct canvas {
 /* Allocates a grey canvas, which the caller frees. Returns false when out of memory. */
 bool canvas_init(struct canvas *canvas, uint32_t width, uint32_t height, uint8_t grey);
 
-/* Fills a box (left, top, width, height in pixels); canvas_draw_image() copies an image to (x, y).
- * All drawing is clipped to the canvas. */
+/* Fills a box (left, top, width, height in pixels), clipped to the canvas. */
 void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint8_t rgb[static 3]);
+/* Copies an image to (x, y), clipped to the canvas. */
 void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *source);
 
 /* Draws light ASCII text with its top left corner at (x, y), magnified by the integer `scale`. */

@@ -17,7 +17,7 @@ static enum status time_frame(struct renderer *renderer, const struct renderer_s
 }
 
 /* Stores the frame time of renderer i and run r in samples[i * run_count + r]. Run 0 is rendered
- * twice; the second time overwrites the first, which is the warm-up. */
+ * twice: first as a warm-up, whose time is then overwritten. */
 static enum status time_all(struct renderer *const *renderers,
                             const struct ladder_cost_request *request, double *samples,
                             renderer_progress_fn *progress, void *user)

@@ -28,7 +28,7 @@ enum ladder_path_class {
 
 extern const char *const ladder_path_class_names[LADDER_PATH_CLASS_COUNT]; /* "refracted", ... */
 
-/* Classes of an object's pixels by inclusions on the refracted path; they may overlap. */
+/* Classes of an object's pixels by inclusions on the refracted path; classes may overlap. */
 enum ladder_inclusion {
     LADDER_CLEAR,
     LADDER_BUBBLES,

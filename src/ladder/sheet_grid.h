@@ -39,12 +39,13 @@ static inline uint32_t sheet_height(const struct sheet_grid *grid, uint32_t coun
     return rows * (grid->height + sheet_label_height(grid) + SHEET_MARGIN) + SHEET_MARGIN;
 }
 
-/* Returns the left edge of image i; sheet_top() returns the top edge of its label. */
+/* Returns the left edge of image i, in pixels. */
 static inline uint32_t sheet_left(const struct sheet_grid *grid, uint32_t i)
 {
     return SHEET_MARGIN + i % grid->columns * (grid->width + SHEET_MARGIN);
 }
 
+/* Returns the top edge of image i's label, in pixels. */
 static inline uint32_t sheet_top(const struct sheet_grid *grid, uint32_t i)
 {
     const uint32_t row = grid->height + sheet_label_height(grid) + SHEET_MARGIN;

@@ -16,7 +16,7 @@
 /* Pixels per degree in the FLIP paper: a 0.7 m wide, 3840-pixel screen at a distance of 0.7 m. */
 #define FLIP_PPD 67.0206432765823
 
-/* Linear R, G, B planes of two images. Pixels that are not finite in either image have error 1. */
+/* Linear R, G, B planes of two images. A pixel that is not finite in either has error 1. */
 struct flip_pair {
     uint32_t width, height;
     const float *reference[3], *test[3];

@@ -56,9 +56,9 @@ struct flip_plane {
     float *texels;
 };
 
-/* Returns the row stride in texels; flip_line_size() returns the length of flip_filter.line. */
+/* Returns the distance between consecutive rows, in texels. */
 size_t flip_stride(uint32_t width);
-size_t flip_line_size(uint32_t width);
+size_t flip_line_size(uint32_t width); /* of flip_filter.line */
 
 /* Separable filter with its input and output, which have the same size; `out` may be `in`. */
 struct flip_filter {

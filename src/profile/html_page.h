@@ -11,7 +11,7 @@
 
 /*
  * Writes the page to *text, which the caller frees; it ends with a newline and a '\0' that *size
- * does not count. `sweep` (may be NULL) is plotted, too; the profile may be one of its points. When
+ * does not count. Unless NULL, `sweep` is also plotted; `profile` may be one of its points. When
  * out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
  */
 MUST_USE enum status profile_write_html(const struct profile *profile,

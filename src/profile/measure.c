@@ -30,7 +30,7 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
            rg_format_info(image->image->format)->size;
 }
 
-/* Names a row. Passes of equal name (one per object or cube face) count as repetitions. */
+/* Names a pass's row. Passes of equal name, as for each object or cube face, are repetitions. */
 static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
     const struct rg_plan *plan = m->plan;

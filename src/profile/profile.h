@@ -33,7 +33,7 @@ struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
     char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for other rows */
     enum profile_kind kind;
-    /* Index and number of repetitions of a pass drawn per cube face or object; else 0 and 1. */
+    /* For passes drawn per cube face or object: index and number of repetitions; else 0 and 1. */
     uint32_t repetition, repetition_count;
     uint32_t width, height; /* of the render targets; else 0 */
     uint64_t target_bytes;  /* total size of the render targets */
@@ -80,7 +80,7 @@ struct profile {
     double bvh_ms;          /* BVH build, milliseconds */
     uint64_t rays_size;     /* acceleration structures, bytes; 0 without */
     double rays;            /* acceleration structure build, milliseconds */
-    /* One-time costs, ms: scene upload, graph, pipelines, first frame with shader compilation. */
+    /* One-time costs in ms: scene upload, graph, pipelines, first frame with shader compilation. */
     double upload, compile, realise, first_frame;
     uint64_t memory_used, memory_without_aliasing, memory_bound, memory_persistent;
     struct profile_resource *residents;

@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Converts a sortable integer key to the double it encodes. Keys have the sign bit flipped for
- * positive numbers, all bits for negative numbers. */
+/* Converts a key, an integer that sorts like a double, to the double that it encodes. */
 static double from_key(uint64_t key)
 {
     const uint64_t sign = UINT64_C(1) << 63;
@@ -108,7 +107,7 @@ struct ranks {
     double ties; /* tie term: sum of t^3 - t over groups of t equal samples */
 };
 
-/* Returns the number of sorted samples from index `first` on that equal `value`. */
+/* Returns how many of the sorted samples from index `first` on equal `value`. */
 static uint32_t count_equal(const double *samples, uint32_t first, uint32_t count, double value)
 {
     uint32_t end = first;

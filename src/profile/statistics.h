@@ -48,7 +48,7 @@ struct profile_pair {
  */
 double profile_mann_whitney(const struct profile_pair *pair);
 
-/* Returns the minimum p-value of profile_mann_whitney() with these sample counts. */
+/* Returns the minimum p-value possible in profile_mann_whitney() with these sample counts. */
 double profile_mann_whitney_min(uint32_t a_count, uint32_t b_count);
 
 enum {

@@ -1,7 +1,7 @@
 /*
  * sweep.h: parameter sweeps: profiles for all combinations of parameter values, with power-law fits
  * of the costs, as table or JSON. A sweep owns its data and profiles, but not contrasts and
- * figures. profile_sweep_finish() accepts {0} and half-built sweeps.
+ * figures. profile_sweep_finish() accepts half-built and empty ({0}) sweeps.
  */
 #ifndef FIRN_PROFILE_SWEEP_H
 #define FIRN_PROFILE_SWEEP_H

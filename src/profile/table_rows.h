@@ -1,6 +1,6 @@
 /*
- * table_rows.h: lines of a profile's table: rows with repetitions added up, and summaries. Lines
- * own their samples and borrow the profile, which must outlive them.
+ * table_rows.h: lines of a profile's table, each with the sum of a row's repetitions and a summary.
+ * Lines own their samples and borrow the profile, which must outlive them.
  */
 #ifndef FIRN_PROFILE_TABLE_ROWS_H
 #define FIRN_PROFILE_TABLE_ROWS_H

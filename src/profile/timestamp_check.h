@@ -31,8 +31,8 @@ struct timestamp_check_times {
     double alone[TIMESTAMP_CHECK_PASS_COUNT];   /* submitted alone, by the CPU's clock */
 };
 
-/* Returns the maximum relative difference between `stamped` and `alone` less the submit cost. The
- * denominator is at least a tenth of the total time, so that short passes do not dominate. */
+/* Compares `stamped` with `alone` minus the submit cost; returns the maximum relative error. Errors
+ * are divided by at least a tenth of the total, so that short passes do not dominate. */
 double timestamp_check_error(const struct timestamp_check_times *times);
 
 /* Maximum relative error at which timestamps are used. */

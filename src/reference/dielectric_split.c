@@ -161,8 +161,8 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
         is_refracted ? microfacet_masking(face->n, split->refracted, face->roughness) : 0.0f;
 }
 
-/* Keeps directions at a bumpy surface on the correct side of the triangle. Light on the wrong side
- * is absorbed if the surface is rough, else recomputed with the geometric normal. */
+/* Keeps reflected and refracted directions at a bumpy surface on the correct side of the triangle.
+ * If rough, wrong directions get weight 0, else they are recomputed with the geometric normal. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {
@@ -182,7 +182,7 @@ static void fix_sides(struct dielectric_split *split, vec3s dir, const struct fa
     split->reflected = smooth.reflected;
 }
 
-/* Computes reflection and refraction at an object. If rough, samples one microfacet. */
+/* Computes reflection and refraction at an object, at a sampled microfacet if it is rough. */
 static struct dielectric_split split_surface(const struct tracer *tracing, vec3s dir,
                                              const struct surface_hit *surface_hit)
 {

@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/tech/frame_media.h"
 
-/* Embree's ray query context, extended by the ray, for the intersection filters. */
+/* Embree's query context, followed by the traced ray, which the intersection filters need. */
 struct context {
     struct embree_context embree;
     const struct embree_scene_ray *ray;
@@ -18,7 +18,7 @@ enum {
     TRIANGLE_SIZE = 256
 };
 
-/* Returns the candidate hit of a filter call; single rays have exactly one. */
+/* Returns the candidate hit passed to a filter; there is only one, as rays are traced singly. */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
@@ -64,8 +64,8 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-/* Intersection filter that rejects hits closer than epsilon on cracks and planes of air: on the
- * sheet where the ray starts, or twice at an edge shared by two triangles. */
+/* Intersection filter that rejects hits within epsilon of the ray's origin on cracks and planes of
+ * air: repeated hits of one sheet, where the ray starts or at a triangle edge. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;
@@ -283,7 +283,7 @@ static vec3s rounded(const double v[static 3])
     return (vec3s){ { (float)v[0], (float)v[1], (float)v[2] } };
 }
 
-/* Interpolates vertex attributes: the position in world space, the normal still in object space. */
+/* Interpolates vertex attributes. The position is in world space, the normal in object space. */
 static struct mesh_vertex interpolated(const struct embree_scene_mesh *scene_mesh,
                                        uint32_t triangle, float u, float v)
 {

@@ -146,14 +146,14 @@ static struct bump_sample bump_triplanar(const struct inclusions *inclusions, ve
     };
 }
 
-/* Returns a * s + b * t, normalised; zero stays zero. */
+/* Returns a * s + b * t, normalised; a zero vector stays zero. */
 static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
 {
     const vec3s sum = glms_vec3_add(glms_vec3_scale(a, s), glms_vec3_scale(b, t));
     return glms_vec3_scale(sum, 1.0f / sqrtf(fmaxf(glms_vec3_norm2(sum), 1e-30f)));
 }
 
-/* Samples the bump map at the mesh's uv, along the triangle's tangents; slope 0 without uv. */
+/* Samples the bump map at the hit's uv coordinates. The slope is 0 if the mesh has none. */
 static struct bump_sample bump_by_uv(const struct inclusions *inclusions,
                                      const struct embree_scene *embree_scene,
                                      const struct embree_scene_hit *hit, vec3s normal)

@@ -85,7 +85,7 @@ vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
     const float radius = sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     const float a = radius * cosf(angle);
-    /* Basis of the disc, whose visible half is foreshortened along `up`. */
+    /* Basis vectors of the disc; `up` is the axis along which its visible half is foreshortened. */
     const float length = hypotf(view.x, view.y);
     const vec3s right = length > 1e-6f ? (vec3s){ { -view.y / length, view.x / length, 0.0f } }
                                        : (vec3s){ { 1.0f, 0.0f, 0.0f } };

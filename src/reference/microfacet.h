@@ -28,7 +28,7 @@ float microfacet_masking(vec3s n, vec3s out, float roughness);
  * 2020). Sequences with different seeds are independent. */
 vec2s microfacet_point(uint32_t index, uint32_t seed);
 
-/* Returns a hash of two numbers, for seeds. */
+/* Returns a hash of two numbers, to be used as a seed. */
 uint32_t microfacet_hash(uint32_t a, uint32_t b);
 
 #endif

@@ -38,12 +38,12 @@ void nested_media_finish(struct nested_media *media);
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 
-/* Returns true if media `a` and `b` are the same, or both air (outside, bubble) of equal index. */
+/* Returns true if `a` and `b` are the same medium, or both are air of equal refractive index. */
 bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32_t b);
 
 bool nested_media_set_has(const struct nested_media_set *set, uint32_t object);
 
-/* Adds an object to the set or removes it. */
+/* Adds an object to the set, or removes it if `is_inside` is false. */
 void nested_media_set_update(struct nested_media_set *set, uint32_t object, bool is_inside);
 
 /* Media in front of and behind an object's surface, along a ray that crosses it. */

@@ -22,7 +22,7 @@ enum {
 #define RADIUS         1.0f  /* of one photon, in objects' radii */
 #define PLANE_DISTANCE 0.25f /* max. tangent plane distance, search radii */
 
-/* Photons that one chunk (CHUNK emitted photons) has stored on surfaces. */
+/* Photons stored on surfaces by one chunk, which has emitted CHUNK photons. */
 struct stored_hits {
     struct photon *photons;
     uint32_t count, capacity;
@@ -38,7 +38,7 @@ struct job {
     atomic_uint next_chunk;
 };
 
-/* Samples a direction to the sun's disc; `tangent` is the tangent of its angular radius. */
+/* Samples a direction to the sun's disc; `tangent` is the tangent of the disc's angular radius. */
 static vec3s to_sun(vec3s sun_dir, float tangent, vec2s at)
 {
     const float offset = tangent * sqrtf(at.x);

@@ -143,7 +143,7 @@ static const struct material *material_of(const struct radiance *radiance, uint3
     return found && !(found->flags & MATERIAL_FROM_SETTINGS) ? found : NULL;
 }
 
-/* Applies a wrap mode to a texture coordinate; clamping keeps the filter inside the texture. */
+/* Applies a texture's wrap mode. Unless it repeats, clamps to the outermost texel centres. */
 static float wrap_coordinate(float x, uint32_t mode, float size)
 {
     if (mode == MATERIAL_REPEAT)

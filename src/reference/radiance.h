@@ -71,7 +71,7 @@ bool radiance_reflectance_at(const struct radiance *radiance, const struct radia
 vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir);
 
 /* Evaluates an object's material at a point, with textures; `untextured` is the material without
- * them. Stores the outward normal, perturbed by the normal map, in *normal. */
+ * textures. Stores the outward normal, perturbed by the normal map, in *normal. */
 struct object_material radiance_material_at(const struct radiance *radiance,
                                             const struct material *material,
                                             const struct radiance_point *point,

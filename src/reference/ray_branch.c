@@ -89,7 +89,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
     return nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE) == object;
 }
 
-/* Continues a ray through a plane of air, which is composited, or a crack outside the ice. */
+/* Moves a ray behind a plane of air, whose light it collects, or a crack outside the ice. */
 static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
                        const struct embree_scene_hit *hit)
 {

@@ -29,7 +29,7 @@ struct fork {
 /*
  * Advances a ray to the next branching surface or to the surroundings, and multiplies its
  * throughput by the transmittance. Boundaries between equal media are skipped; scattering media may
- * deflect the ray. Returns false if nothing is hit, or at the ray's limit of surfaces.
+ * deflect the ray. Returns false if it hits nothing or has reached its limit of surfaces.
  */
 bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
                         struct surface_hit *surface_hit);
@@ -38,8 +38,8 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
 void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                      const struct embree_scene_hit *hit, float passing);
 
-/* Returns true if a ray has reached its limit of surfaces or scattering events. With Russian
- * roulette, which terminates rays anyway, a higher limit replaces reference.bounces. */
+/* Returns true if a ray has reached its limit of scattering events or of surfaces. The latter is
+ * reference.bounces or, with Russian roulette, which also terminates rays, a higher number. */
 bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_branch *b);
 
 /* Returns true if a ray is in the medium of `object`, outside its bubbles. */
@@ -47,7 +47,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
 
 bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_branch *b);
 
-/* Returns the medium that defines a hit's surface: air for a crack, else the object's medium. */
+/* Returns the medium whose surface was hit: air for a crack, else the medium of the object. */
 const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
                                               const struct surface_hit *surface_hit);
 

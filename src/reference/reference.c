@@ -213,7 +213,7 @@ static uint32_t thread_count(const struct reference_request *request)
     return min_u32(wanted, THREAD_COUNT_MAX);
 }
 
-/* Returns the progress over all samples, as an equivalent number of tiles. */
+/* Returns the finished fraction of all samples, scaled to the number of tiles. */
 static uint32_t tiles_done(const struct job *job)
 {
     const uint64_t all = job->reference->request.samples;
@@ -393,7 +393,7 @@ static struct tracer tracing_of(const struct job *job)
     return tracing;
 }
 
-/* Progress callback while the photon map is built, before the first tile. */
+/* Data of the progress callback while the photon map is built, before the first tile. */
 struct photon_progress {
     renderer_progress_fn *progress; /* may be NULL */
     void *user;

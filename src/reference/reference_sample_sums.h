@@ -23,7 +23,7 @@ enum {
     REFERENCE_VALUE_COUNT,
 };
 
-/* Standard error of a single sample, where it is undefined: the maximum for values of 0..1. */
+/* Standard error assumed after a single sample: the maximum for values of 0..1. */
 #define REFERENCE_ERROR_UNKNOWN 0.5
 
 struct reference_sums {
@@ -45,7 +45,7 @@ void reference_sums_finish(struct reference_sums *sums); /* accepts {0} */
 /* Adds a value to the list of sums unless it is already listed. Returns the index of its sum. */
 uint32_t reference_sums_add_value(struct reference_sums *sums, uint32_t value);
 
-/* Registers a value that is taken from sample 0 instead of averaged, and its image plane. */
+/* Registers the image plane `texels` for a value that is taken from sample 0, not averaged. */
 void reference_sums_add_first(struct reference_sums *sums, uint32_t value, float *texels);
 
 /* Allocates the sums of all pixels, initialised to 0. Returns false when out of memory. */
@@ -61,17 +61,17 @@ double reference_sums_error(const double *pixel, uint32_t samples);
 /* Returns a pixel's mean throughput of terminated rays, in the largest colour channel. */
 double reference_sums_remaining(const double *pixel, uint32_t samples);
 
-/* Returns the number of planes in a file; reference_sums_plane_name() returns their names. */
+/* Returns the number of planes in a file of sums. */
 uint32_t reference_sums_plane_count(const struct reference_sums *sums);
 void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane,
                                char name[static IMAGE_NAME_SIZE]);
 
-/* Extracts row y of a file's plane into `row`. */
+/* Converts row y of the sums to row y of a plane of their file. */
 void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, uint32_t y,
                             float *row);
 
-/* Restores row y of a file's plane. The sums must initially be 0, and every row must be restored
- * exactly once. Returns false for values that reference_sums_get_row() cannot write. */
+/* Restores row y of the sums from a plane of their file. The sums must initially be 0, and every
+ * row must be restored exactly once. Returns false for values that get_row() never writes. */
 MUST_USE bool reference_sums_set_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
                                      const float *row);
 

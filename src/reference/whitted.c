@@ -180,9 +180,7 @@ static void fill_refracted_layers(const struct tracer *tracing, struct ray_branc
     values->path = length;
     values->bounces = (float)bounces;
     values->inclusion_bits = (float)b.inclusion_bits;
-    values->tir =
-        /* Without total reflection, the path exits at the first inner surface. */
-        bounces ? 1.0f : 0.0f;
+    values->tir = bounces ? 1.0f : 0.0f;
 }
 
 /* Returns the object number of the last surface on the refracted path after the primary hit, or
@@ -211,7 +209,7 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
-/* Traces the colour channels of the mask `channels`, one or all, from a hit on an object. */
+/* Traces the rays that leave a hit on an object, for one or all colour channels (`channels`). */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
                           const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
                           struct reference_ray_values *values)

@@ -26,13 +26,12 @@ enum {
 };
 
 struct adaptive {
-    uint32_t width, height; /* size of the image, pixels */
-    uint32_t columns, rows; /* number of cells across and down */
-    float *sums,
-        *alternate_sums; /* sums of brightness per pixel over all samples, and every other one */
-    uint32_t *counts;    /* samples drawn per cell */
-    bool *is_noisy;      /* per cell: needs more samples */
-    struct tile *rectangles; /* draw these until `end` samples */
+    uint32_t width, height;       /* size of the image, pixels */
+    uint32_t columns, rows;       /* number of cells across and down */
+    float *sums, *alternate_sums; /* brightness per pixel, summed over all or every second sample */
+    uint32_t *counts;             /* samples drawn per cell */
+    bool *is_noisy;               /* per cell: needs more samples */
+    struct tile *rectangles;      /* draw these until `end` samples */
     uint32_t rectangle_count, end;
 };
 

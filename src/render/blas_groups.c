@@ -68,7 +68,7 @@ static void compute_point(const struct affine_map *map, double u, double v, floa
     }
 }
 
-/* Computes the vertices, enlarged by `margin` on each side. Returns false if there is no area. */
+/* Computes a triangle's vertices, with `margin` added on each side. Returns false for area 0. */
 static bool compute_vertices(const struct affine_map *map, double margin, float to[static 3][3])
 {
     static const double none[3] = { 0 };
@@ -227,8 +227,8 @@ static struct similarity_transform_corners vertices_of(const struct gpu_blas_gro
                                                   3 * group->count };
 }
 
-/* Returns true if a group has only moved rigidly or scaled uniformly since `built`, within half of
- * the margin. The other half is reserved for rounding errors. */
+/* Returns true if a group has only moved rigidly or scaled uniformly since `built`. Allows errors
+ * of half the margin; the other half is reserved for rounding errors. */
 static bool has_moved(const struct gpu_blas_groups *groups, const struct gpu_blas_groups *built,
                       uint32_t index, struct similarity_transform *motion)
 {

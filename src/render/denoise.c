@@ -12,7 +12,7 @@ enum {
 /* Samples per pixel from which each filter iteration is skipped; the widest is skipped first. */
 static const float enough_samples[STEPS] = { DENOISE_SAMPLES_ENOUGH, 16.0f, 8.0f, 6.0f };
 
-/* Demodulated lighting of a pixel: irradiance, without albedo, minus that of an unoccluded sky. */
+/* Irradiance of a pixel (without albedo), minus the irradiance from an unoccluded sky. */
 struct light {
     vec3s mean;
     float count;                /* samples in `mean`; 0 for none */
@@ -21,7 +21,7 @@ struct light {
 
 struct surface {
     vec3s position, normal;
-    /* distance to the surface point of the nearer neighbour pixel, metres; 0 if there is none */
+    /* distances to the closest horizontal and vertical neighbour, metres; 0 if none */
     float spacing_x, spacing_y;
     float count; /* number of samples that gathered light */
     bool is_diffuse;
@@ -56,7 +56,7 @@ static float spacing(const struct surface *s, const struct surface *other)
     return other->is_diffuse ? glms_vec3_distance(s->position, other->position) : INFINITY;
 }
 
-/* Computes the distance to the nearer of a pixel's two neighbours, metres, in x and in y. */
+/* Computes the distances to a pixel's closest horizontal and vertical neighbour, in metres. */
 static void find_spacing(struct denoiser *s, int x, int y)
 {
     struct surface *own = &s->surfaces[y * s->width + x];

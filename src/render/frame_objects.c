@@ -81,7 +81,7 @@ static bool lookups_overlap(const struct frame_object *a, const struct frame_obj
     return overlap(a->reach, b->area) || overlap(b->reach, a->area);
 }
 
-/* Returns the smallest rectangle that contains both. */
+/* Returns the bounding rectangle of two rectangles. */
 static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
 {
     const int32_t x[2] = { a.offset.x + (int32_t)a.extent.width,
@@ -96,8 +96,8 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest layer that an object can be in: above all farther objects that it overlaps,
- * and without objects that may look up its faces, or whose faces it may look up. */
+/* Returns the lowest possible layer for an object: above all farther objects that it overlaps, and
+ * with no object whose faces it may look up, or that may look up its faces. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];

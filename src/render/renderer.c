@@ -242,8 +242,8 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the image area in which shaders may look up the object's faces, with a margin because
- * rays begin up to 0.02 radii inside it. Layers and a pool need the whole image. */
+/* Returns the image area in which shaders may look up the object's faces. It has a margin because
+ * rays begin up to 0.02 radii inside the object. Layers and a pool need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
@@ -421,7 +421,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = false; /* draw all cube faces: no image may depend on earlier ones */
+    r->cube.round_robin = false; /* no image may contain old faces */
     r->skips_readback = false;
     /* The device draws one sample while the host accumulates the previous one. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {

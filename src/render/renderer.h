@@ -62,8 +62,8 @@ struct renderer_shot {
     struct camera earlier; /* previous frame's; fov_deg 0: `camera` */
 };
 
-/* Draws all samples of a shot into *result, which must be empty or finished, and is empty after a
- * failure. With tiles, the result has the size of one tile. `progress` may be NULL. */
+/* Draws all samples of a shot into *result, which must own no memory, and is empty after a failure.
+ * With tiles, the result has the size of one tile. `progress` may be NULL. */
 MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);

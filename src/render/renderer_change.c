@@ -28,7 +28,7 @@ static enum status update(struct renderer *r, struct frame_executor *frame_execu
                                 : renderer_compile(r, frame_executor, request);
 }
 
-/* Updates all executors. `capture` comes first and is destroyed last: `image` imports its cube. */
+/* Updates all executors. `capture`, whose cube `image` imports, is first, but destroyed last. */
 static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);

@@ -38,15 +38,15 @@ struct renderer {
     struct image lighting; /* samples to denoise; {0} if none */
 };
 
-/* Return true if params need a static environment cube, a mean of many samples, or a BVH. */
+/* Returns true if params need a static environment cube. */
 bool renderer_wants_capture(const struct renderer_params *params);
-bool renderer_wants_resolve(const struct renderer_params *params);
+bool renderer_wants_resolve(const struct renderer_params *params); /* mean of samples */
 bool renderer_uses_bvh(const struct renderer_params *params);
 
-/* Copies the params and fills in defaults. For interleaved tiles, reduces the size to a tile's. */
+/* Copies the params and fills in defaults. For interleaved tiles, reduces the size to one tile. */
 void renderer_set_params(struct renderer *renderer, const struct renderer_params *params);
 
-/* Builds the scene's BVH. The renderer owns it if the scene has no storage for one. */
+/* Builds the scene's BVH, which the renderer owns if the scene has no storage for it. */
 MUST_USE enum status renderer_build_bvh(struct renderer *renderer);
 
 /* Uploads the BVH, and acceleration structures if ray queries are used, unless already done. */
@@ -57,8 +57,8 @@ MUST_USE enum status renderer_compile(struct renderer *renderer,
                                       struct frame_executor *frame_executor,
                                       struct frame_request request);
 
-/* Returns the Vulkan objects of a plan's imports, to be freed by the caller; NULL when out of
- * memory, which is not logged. */
+/* Returns an array, which the caller frees, of the Vulkan objects that a plan imports. Returns NULL
+ * when out of memory, without a log message. */
 struct rg_exec_import *renderer_imports(const struct renderer *renderer,
                                         const struct frame_plan *plan);
 
@@ -71,9 +71,9 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_execut
 MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);
 
-/* Denoise the lighting of surroundings (renderer_denoise.c). Call them in this order: begin adds
- * the planes if the params ask for denoising, accumulate adds a sample, rescale corrects the sums
- * of adaptive sampling, end filters the lighting and adds it to the image. */
+/* The next four functions denoise the lighting of surroundings, called in this order: begin adds
+ * planes if the params ask for denoising, accumulate adds a sample, rescale corrects the sums of
+ * adaptive sampling, end filters the lighting and adds it to the image. */
 bool renderer_denoise_begin(struct renderer *renderer); /* false when out of memory */
 void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
                                  uint32_t sample, uint32_t slot);

@@ -38,7 +38,7 @@ struct tiling renderer_tiling(const struct renderer_params *params)
 }
 
 /* Returns true if the image should be denoised: it is read back, drawn whole and has few samples.
- * Images of many samples are not, so that they equal the window's progressive rendering. */
+ * With many samples it is not, so that it equals the progressive rendering in a window. */
 static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);

@@ -6,8 +6,8 @@
 #include "src/frame/frame_plan.h"
 #include "src/render/renderer_params.h"
 
-/* Return the frame requests for, in this order, a sample of the image, the static environment cube,
- * the environment cube of firn bake, and tone-mapping the mean of many samples. */
+/* Returns the request for one sample of the image; the next functions return those for the static
+ * environment cube, the cube of firn bake, and tone-mapping the mean of many samples. */
 struct frame_request renderer_image_request(const struct renderer_params *params);
 struct frame_request renderer_capture_request(const struct renderer_params *params);
 struct frame_request renderer_bake_request(const struct renderer_params *params);
@@ -17,7 +17,7 @@ struct frame_request renderer_resolve_request(const struct renderer_params *para
  * shot. Scene and image size must already be set. */
 void renderer_set_camera(struct renderer_params *params, const struct camera *camera);
 
-/* Returns true if rays inside the object need faces outside the image, which are then drawn, too.
+/* Returns true if rays inside the object need faces outside the image, so that these are drawn.
  * Shots for which the result differs need different renderers. */
 bool renderer_draws_beyond_image(const struct renderer_params *params);
 

@@ -41,8 +41,8 @@ MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct g
 MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                              const struct scene *scene);
 
-/* Builds the acceleration structures of a scene's BVH, unless they exist. Objects that have only
- * moved reuse those of the previous pose, after uploaded_scene_finish() for that pose. */
+/* Builds the acceleration structures of a scene's BVH, unless they exist. Reuses those that
+ * uploaded_scene_finish() kept from the previous pose for objects that have only moved. */
 MUST_USE enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu,
                                                        struct gpu *gpu, const struct scene *scene);
 
