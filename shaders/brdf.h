@@ -26,7 +26,7 @@
 
 /* Columns of the RGBA32F light texture, one row per light (src/scene/punctual_light.c). */
 #define LIT_LIGHT_POSITION  0 /* position, metres; w: 0 if directional */
-#define LIT_LIGHT_DIRECTION 1 /* unit direction; w: range in metres, or 0 */
+#define LIT_LIGHT_DIRECTION 1 /* unit direction; w: range in metres, 0 if unlimited */
 #define LIT_LIGHT_COLOR     2 /* illuminance, lux, or intensity, candela */
 #define LIT_LIGHT_CONE      3 /* cosines of a spot light's inner and outer cone angles */
 #define LIT_LIGHT_WIDTH     4

@@ -6,9 +6,9 @@
 #define MATERIAL_ROW_FACTORS  0 /* metallic, roughness, specular, alpha */
 #define MATERIAL_ROW_F0       1 /* rgb: dielectric reflectance at normal incidence; a: alpha mode */
 #define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
-/* normal scale, occlusion strength; flags: textured ice, water layer */
+/* xy: normal scale, occlusion strength; zw: flags for textured ice, water layer */
 #define MATERIAL_ROW_SCALES 3
-/* Texels per texture: (u transform, layer + 1), (v transform, 9 * uv_set + 3 * wrap_v + wrap_u). */
+/* Two texels per texture: u transform, layer + 1; v transform, 9 * uv_set + 3 * wrap_v + wrap_u. */
 #define MATERIAL_ROW_TEXTURES 4
 #define MATERIAL_ROW_WIDTH    22
 

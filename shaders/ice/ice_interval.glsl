@@ -22,7 +22,7 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* Returns peeled layer `i` of this pixel; `near` has the first half of the layers. */
+/* Returns peeled layer `i` of this pixel; `near` stores the first layers, `far` the rest. */
 float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -31,7 +31,7 @@ float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
                           : texelFetch(far, ivec3(pixel, i - near_count), 0).r;
 }
 
-/* Returns true if a depth is inside the ice or on a face. */
+/* Returns true if a depth along this pixel's ray is inside the ice or on a face. */
 bool ice_interval_contains(sampler2DArray near, sampler2DArray far, float depth)
 {
     int count = 2 * textureSize(near, 0).z;

@@ -1,4 +1,4 @@
-/* ice_material.glsl: surface parameters of textured ice in the G-buffer pass, from uv set 0. */
+/* ice_material.glsl: surface parameters of textured ice for the G-buffer pass; uses uv set 0. */
 #ifndef ICE_MATERIAL_GLSL
 #define ICE_MATERIAL_GLSL
 #include "ice/ice_material.h"

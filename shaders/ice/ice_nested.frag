@@ -1,5 +1,5 @@
 /* ice_nested.frag: fragment shader that peels the depth layers of nested objects. ICE_NESTED_INNER
- * is for the levels below the outermost one. */
+ * is defined for all levels except the outermost one. */
 #version 460
 #include "ice/ice_nested.h"
 
@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 normal;
 
-/* xyz: unit outward normal of the nesting level; w: 1 + index of the medium inside the level */
+/* xyz: unit normal that points out of the nesting level; w: 1 + index of the medium inside it */
 layout(location = 0) out vec4 face;
 layout(location = 1) out float depth;
 

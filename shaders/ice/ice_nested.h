@@ -4,12 +4,12 @@
 #include "abi.h"
 #include "inclusions/medium.h"
 
-#define ICE_NESTED_LEVELS    3  /* nesting levels; level 0 is the outermost */
+#define ICE_NESTED_LEVELS    3  /* number of nesting levels; level 0 is the outermost */
 #define ICE_NESTED_MEDIA_MAX 16 /* maximum number of media; medium 0 is the outside */
 
 #define ICE_NESTED_BEFORE 1 /* surrounding level's near, far depths */
 
-/* Bindings of shaders that read the layers. */
+/* Bindings in shaders that read the depth layers of nested objects. */
 #define ICE_NESTED_DEPTHS  2
 #define ICE_NESTED_NORMALS 3
 #define ICE_NESTED_MEDIA   4

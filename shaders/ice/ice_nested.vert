@@ -1,4 +1,4 @@
-/* ice_nested.vert: vertex shader of nested objects; ICE_WIDE: for maps wider than the image. */
+/* ice_nested.vert: vertex shader of nested objects; ICE_WIDE draws to maps wider than the image. */
 #version 460
 #include "lib/object_pose.glsl"
 
@@ -9,7 +9,7 @@ layout(location = 0) out vec3 out_normal;
 
 void main()
 {
-    /* `precise`, because inner levels compare depths of several passes */
+    /* `precise`, because passes of inner levels compare depths with the outer level's */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

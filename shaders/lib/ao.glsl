@@ -1,4 +1,4 @@
-/* ao.glsl: ambient occlusion and light reflected by objects on surroundings (ao_map.frag). */
+/* ao.glsl: applies ambient occlusion and reflection by objects to surroundings (ao_map.frag). */
 #ifndef AO_GLSL
 #define AO_GLSL
 #include "lib/brdf_shading.glsl"
@@ -11,8 +11,8 @@ layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 
 layout(set = 0, binding = AO_MAP) uniform sampler2D ao_map;
 
-/* Applies the objects' occlusion and reflected light to diffuse and specular light. Specular light
- * of smooth surfaces is left to screen-space reflections (ssr.c). */
+/* Applies the objects' ambient occlusion and reflected light to a surface's diffuse and specular
+ * light. Specular light of smooth surfaces is left to screen-space reflections (ssr.c). */
 void ao_shade(lit_surface s, lit_environment_factors factors, vec3 point, vec3 n, vec3 irradiance,
               inout vec3 diffuse, inout vec3 specular)
 {

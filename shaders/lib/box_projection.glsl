@@ -1,14 +1,14 @@
 /*
- * box_projection.glsl: box-projected cube map lookup, for rays that start off the capture point.
+ * box_projection.glsl: box-projected cube map lookup, for rays from any point.
  *
  * ARM 2014, Guide to Unity (ARM 100140), 6.4: the lookup direction goes from the capture point to
- * the ray's intersection with the box. Exact for surroundings on the box's sides.
+ * the ray's intersection with the box. This is exact for surroundings on the box's sides.
  */
 #ifndef BOX_PROJECTION_GLSL
 #define BOX_PROJECTION_GLSL
 
-/* Returns the lookup direction of a ray; `dir` may have any length. If the point is outside, the
- * box is inverted or the length is 0, returns `dir`, as for an infinitely distant environment. */
+/* Returns a ray's direction for a cube map lookup; `dir` may have any length. If `point` is outside
+ * the box or `dir` is 0, returns `dir`, as for an infinitely distant environment. */
 vec3 box_projection_dir(vec3 point, vec3 dir, vec3 low, vec3 high, vec3 captured)
 {
     bool inside = all(greaterThanEqual(point, low)) && all(lessThanEqual(point, high));

@@ -5,7 +5,7 @@
 #include "lib/specialization_constants.glsl"
 #include "surroundings/surroundings.h"
 
-/* Returns the radiance of the sun's disc to add to an environment map; 0 beside the disc. */
+/* Returns the radiance of the sun's disc to add to an environment map; 0 outside the disc. */
 vec3 environment_sun(sampler2D environment, vec3 dir, float lod)
 {
     if (frame.sun_radius == 0.0)

@@ -3,7 +3,7 @@
 #define GRID_STRIP_GLSL
 
 /* Returns the grid corner of a strip vertex; the grid has `cells` squares per side. Degenerate
- * triangles join its rows, so that there are cells * (2 * cells + 4) vertices. */
+ * triangles join the grid's rows; the strip has cells * (2 * cells + 4) vertices. */
 uvec2 grid_strip_corner(uint index, uint cells)
 {
     uint row_length = 2u * cells + 4u;

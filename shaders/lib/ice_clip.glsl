@@ -1,5 +1,5 @@
 /* ice_clip.glsl: clips fragments to the ice, between the nearest front face and the farthest back
- * face of their pixel (Seipel and Nivfors 2006, section 3.3). Targets have the depth maps' size. */
+ * face of their pixel (Seipel and Nivfors 2006, 3.3). Targets must have the depth maps' size. */
 #ifndef LIB_ICE_CLIP_GLSL
 #define LIB_ICE_CLIP_GLSL
 #include "ice/ice_depth.h"

@@ -25,7 +25,7 @@ uint microfacet_scrambled(uint x, uint seed)
     return bitfieldReverse(x);
 }
 
-/* Returns the second dimension of a Sobol point, whose matrix is Pascal's triangle modulo 2. */
+/* Returns a Sobol point's second coordinate; its generator matrix is Pascal's triangle modulo 2. */
 uint microfacet_sobol_second(uint index)
 {
     uint x = bitfieldReverse(index);

@@ -65,7 +65,7 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
 }
 
 /* Returns the reflectance of a thin gap with parallel sides, including multiple reflections in the
- * gap: it transmits (1 - R) / (1 + R). `eta` is the index before the gap over the gap's. Light
+ * gap: it transmits (1 - R) / (1 + R). `eta` is the index outside the gap over that inside. Light
  * keeps its direction. There is no interference, because the gap is wider than a wavelength. */
 float optics_gap(vec3 e, vec3 n, float eta)
 {

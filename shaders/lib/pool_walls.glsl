@@ -28,7 +28,7 @@ vec3 pool_sun_inside(float ior)
     return refract(-pool_sun_dir(), vec3(0.0, 0.0, 1.0), 1.0 / ior);
 }
 
-/* Returns the distance along a ray from inside a box to its side; `dir` may be 0 along an axis. */
+/* Returns the distance at which a ray from inside a box leaves it; components of `dir` may be 0. */
 float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
 {
     vec3 far = mix(upper, lower, lessThan(dir, vec3(0.0)));

@@ -1,5 +1,5 @@
-/* primary_ray.glsl: primary rays, and depth along them. They start at the camera or, in
- * orthographic views, on the plane through it that is perpendicular to the view axis. */
+/* primary_ray.glsl: primary rays and their depth. Rays start at the camera or, in orthographic
+ * views, on the plane through the camera that is perpendicular to the view axis. */
 #ifndef PRIMARY_RAY_GLSL
 #define PRIMARY_RAY_GLSL
 #include "lib/globals.glsl"
@@ -13,7 +13,7 @@ vec3 primary_ray_dir(vec3 eye_to_point)
     return normalize(eye_to_point);
 }
 
-/* Returns a pixel's primary ray in the form that primary_ray_at() takes, linear in screen space. */
+/* Returns a pixel's primary ray as an argument of primary_ray_at(); linear in screen space. */
 vec3 primary_ray(vec2 ndc)
 {
     mat4 m = frame.clip_from_world;
@@ -28,7 +28,7 @@ vec3 primary_ray(vec2 ndc)
     return inverse(transpose(mat3(x, y, w))) * vec3(ndc, 1.0);
 }
 
-/* Returns the point, relative to the camera, of a primary ray at a view-space depth in metres. */
+/* Returns the camera-relative position of a primary ray at a view-space depth in metres. */
 vec3 primary_ray_at(vec3 ray, float distance)
 {
     if (constant_orthographic != 0u)
@@ -36,7 +36,7 @@ vec3 primary_ray_at(vec3 ray, float distance)
     return distance * ray;
 }
 
-/* Returns the ratio of a primary ray's length to its view-space depth. */
+/* Returns the ratio of distance along a primary ray to view-space depth. */
 float primary_ray_slant(vec3 ray)
 {
     return constant_orthographic != 0u ? 1.0 : length(ray);

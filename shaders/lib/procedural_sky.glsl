@@ -15,7 +15,7 @@ vec3 sky_ambient(vec3 normal)
     return frame.sky_strength * sky_diffuse(normal);
 }
 
-/* Returns the radiance of a white diffuse surface that faces the sun, by sunlight alone. */
+/* Returns the radiance of a white diffuse surface that faces the sun, lit by the sun alone. */
 vec3 sky_sun()
 {
     return frame.sun_light;

@@ -48,8 +48,8 @@ bool ice_light_is_before(sampler2D front, vec4 clip)
     return depth > 0.0 && clip.z / clip.w > depth;
 }
 
-/* Returns true if a point is in shadow: behind the farthest of the four nearest texels of the
- * ground's light-space depth, plus a tolerance. */
+/* Returns true if a point is in shadow: farther from the sun, by more than a tolerance, than the
+ * farthest of the four nearest texels in the ground's light-space depth map. */
 bool ice_light_is_hidden(sampler2D ground, vec4 clip)
 {
     const float tolerance = 0.02 / ICE_CAUSTICS_DISTANCE;

@@ -16,7 +16,7 @@ struct sun_shadow {
     float visibility; /* fraction of sunlight that surroundings do not block */
 };
 
-/* Returns the sun's visibility by the shadow map at a biased point; shadows fade at its edge. */
+/* Returns the sun's visibility at a biased point; shadows fade at the shadow map's edge. */
 float sun_shadow_open(vec4 clip)
 {
     vec2 uv = ice_light_uv(ice_light_shadow_map_clip(clip));
@@ -27,8 +27,8 @@ float sun_shadow_open(vec4 clip)
     return mix(ice_light_pcf(sun_shadow_map, uv, clip.z / clip.w), 1.0, faded);
 }
 
-/* Returns the sunlight at a light-space position, without caustics where surroundings shadow it.
- * `lifted` is the position with the shadow bias. */
+/* Returns the sunlight at a light-space position; there are no caustics where surroundings cast a
+ * shadow on it. `lifted` is the position with the shadow bias. */
 sun_shadow sun_shadow_lookup(vec4 clip, vec4 lifted)
 {
     float visibility = sun_shadow_open(lifted);

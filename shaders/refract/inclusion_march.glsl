@@ -9,17 +9,17 @@
 #define INCLUSION_MARCH_GLSL
 
 const uint inclusion_steps = 8u;       /* ray marching steps through the object's bounding sphere */
-const uint inclusion_refinements = 2u; /* iterations that refine the hit within its step */
+const uint inclusion_refinements = 2u; /* number of iterations that refine a hit */
 const float inclusion_none = 1e30;
 
 struct inclusion_ray {
     vec4 from, dir;    /* origin and direction, projected to texels */
     float depth;       /* depth at the origin */
     float depth_slope; /* derivative of the depth along the ray, never 0 */
-    bool is_across;    /* ray at a large angle to the view axis, which can hit steep inclusions */
+    bool is_across;    /* ray at over 45 degrees to the view axis; can hit steep inclusions */
 };
 
-/* Returns a point's depth, 1 to 2; `from_center` is relative to the bounding sphere's centre. */
+/* Returns a depth in the bounding sphere, 1 to 2; `from_center`: point relative to its centre. */
 float inclusion_depth(vec3 from_center, vec3 forward, float radius)
 {
     return clamp(1.5 + 0.5 * dot(from_center, forward) / radius, 1.0, 2.0);

@@ -11,14 +11,14 @@
 #define REFRACT_DEPTH_FRONT  5
 #define REFRACT_SHADING      7 /* shading normal of front faces */
 #define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_fullscreen.glsl) */
-/* Front depth for ray marching with REFRACT_FULLSCREEN; may extend beyond the image. */
+/* Front depth map for ray marching with REFRACT_FULLSCREEN; may be larger than the image. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
-/* Material images written by ice_normal.c, with REFRACT_MATERIAL. */
+/* Images of material parameters, written by ice_normal.c; used with REFRACT_MATERIAL. */
 #define REFRACT_MATERIAL_FRONT 9
 #define REFRACT_MATERIAL_BACK  10
 #define REFRACT_MATERIAL_BASE  11
-/* Image of cracks for models that intersect refracted rays with them (cracks_hit.frag). */
+/* Image of cracks, for models whose refracted rays are tested for cracks (cracks_hit.frag). */
 #define REFRACT_CRACKS    6
 #define REFRACT_COMPOSITE 1 /* image that refract_composite.frag composites */
 

@@ -28,7 +28,7 @@ layout(location = REFRACT_REFRACTED) out vec3 out_refracted[3];
 
 void main()
 {
-    /* `precise`: the AOV pass tests for equal depth with the image pass */
+    /* `precise`, so that image and AOV pass compute exactly the same depth for a face */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

@@ -8,7 +8,7 @@
 #define REFRACT_BOUNCE_NESTED_ON  1 /* nested objects, cavities and folds */
 #define REFRACT_BOUNCE_NESTED_ALL 2 /* also for all concave objects */
 
-/* values of refract_bounce_params.inclusions: inclusions that refracted rays intersect */
+/* values of refract_bounce_params.inclusions: inclusions that refracted rays can hit */
 #define REFRACT_BOUNCE_INCLUSIONS_OFF    0
 #define REFRACT_BOUNCE_INCLUSIONS_CRACKS 1 /* only cracks */
 #define REFRACT_BOUNCE_INCLUSIONS_ALL    2 /* bubbles, and cracks along reflected rays */

@@ -2,8 +2,8 @@
  * refract_depth_maps.glsl: lookups in the ice's screen-space depth and normal maps.
  *
  * Depths are compared as stored (reversed): near plane over view-space distance, 0 if there is no
- * face. Such depths are linear in screen space on a plane, which distances are not. Clip
- * coordinates are linear in a ray's length.
+ * face. On a plane, stored depths are linear in screen space, unlike distances. Clip coordinates
+ * are linear in the distance along a ray.
  */
 #ifndef REFRACT_DEPTH_MAPS_GLSL
 #define REFRACT_DEPTH_MAPS_GLSL
@@ -30,7 +30,7 @@ ivec2 refract_texel(vec4 clip)
     return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
 }
 
-/* Returns an interpolated depth; `at` is in texels from the first one's centre. */
+/* Returns an interpolated depth; `at` is in texels, relative to the first texel's centre. */
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);

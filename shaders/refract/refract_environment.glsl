@@ -29,12 +29,12 @@ const float cube_nearest = 0.0;
 
 const int cube_refinements = 3; /* root search iterations per hit */
 
-/* Rays that are farther behind a surface than this, relative to its distance, pass behind its edge.
- * What they then hit is not in the cube map. */
+/* A ray that gets farther behind a surface than this fraction of the surface's distance passes
+ * behind the surface's edge. What it then hits is not in the cube map. */
 const float cube_occluded_min = 0.15;
 
-/* Returns the distance of a point behind the surface in the cube map, negative in front; linear
- * along a line for flat surfaces. `point` is homogeneous, relative to the cube's centre. */
+/* Returns how far a homogeneous point, relative to the cube's centre, is behind the surface in the
+ * cube map; negative in front. For flat surfaces, the result is linear along a line. */
 float cube_depth_behind(vec4 point)
 {
     return length(point.xyz) * textureLod(env_cube_points, point.xyz, 0.0).a - point.w;
@@ -71,8 +71,8 @@ cube_bracket cube_find_bracket(vec4 from, vec4 to)
     return ends;
 }
 
-/* Returns the first point of a ray that is as far from the centre as the nearest surface; steps
- * before it cannot hit anything and would coarsen the others. */
+/* Returns the point where a ray's search begins: as far from the cube's centre as the nearest
+ * surface. Steps before it cannot hit anything and would make the others longer. */
 vec3 cube_first_point(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)
@@ -87,8 +87,8 @@ vec3 cube_first_point(vec3 from_center, vec3 dir)
  * Returns the direction in which a ray hits the cube map. A ray that passes behind a surface uses
  * the direction beside the surface's edge.
  *
- * Steps are even between the ray's origin and its end at infinity in homogeneous coordinates, so
- * that the sampled directions are about evenly spaced.
+ * In homogeneous coordinates, steps are even from the ray's origin to its end at infinity, so that
+ * the sampled directions are about evenly spaced.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {

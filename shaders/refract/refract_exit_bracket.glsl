@@ -5,7 +5,7 @@
 
 const float march_outside_silhouette = -1e30; /* signed distance there */
 
-/* Bracket of a ray's exit: the last distance inside and the first one outside. */
+/* Bracket of a ray's exit: the last known distance inside the object, the first one outside. */
 struct march_bracket {
     float within, beyond;
     float distance_within; /* signed distance to the face at `within`; 0 if unknown */

@@ -24,7 +24,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
-#ifdef REFRACT_SSR /* one exit is enough for faint reflections */
+#ifdef REFRACT_SSR /* reflections are faint, so that one exit is enough */
 #define EXITS        1u
 #define EXITS_BRANCH 1.0
 #else
@@ -37,14 +37,14 @@ layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' r
 
 #include "refract/refract_cracks.glsl"
 
-/* Maximum number of times that a ray is continued after a false exit. */
+/* Maximum number of false exits after which a ray is continued. */
 const uint exits_false_max = 2u;
 
 /* Maximum number of reflections by cracks between two exits. */
 const uint exits_crack_reflections = 3u;
 
-/* Cosine between normals above which a crack hit counts as the crack that the ray just left: the
- * image shows that one beside the ray's origin. */
+/* If the cosine between two normals exceeds this, a crack hit is taken for the crack that the ray
+ * just left, which the image shows beside the ray's origin. */
 const float exits_same_crack = 0.9;
 
 /* Throughput below which a ray gets at most one more reflection. Chains of total internal
@@ -68,10 +68,10 @@ struct exits_ray {
 #endif
 };
 
-/* Radiance of a pixel, and the branch that is still to be followed. */
+/* Radiance of a pixel, and the path branch that is still to be followed. */
 struct exits_pixel {
     vec3 light;
-    /* weaker branch; weight is negative if there is none, 0 once it is followed */
+    /* weaker branch of the path; its weight is negative if there is none, 0 once it is followed */
     exits_ray other;
 };
 

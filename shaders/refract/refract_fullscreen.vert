@@ -1,4 +1,4 @@
-/* refract_fullscreen.vert: vertex shader of per-pixel refraction models: full-screen triangle.
+/* refract_fullscreen.vert: full-screen-triangle vertex shader of per-pixel refraction models.
  * REFRACT_FULLSCREEN_WITH_MEAN adds the environment's mean radiance. */
 #version 460
 #define REFRACT_FULLSCREEN_VERTEX
@@ -16,9 +16,9 @@ layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat out float out_nea
 
 const uint mean_count = 256u;
 const float mean_golden = 2.39996323; /* golden angle, radians */
-const float mean_brightest = 16.0;    /* radiance limit; most samples miss the sun */
+const float mean_brightest = 16.0;    /* maximum radiance, because few samples hit the sun */
 
-/* Computes mean radiance and nearest distance of the environment cube along a spherical spiral. */
+/* Computes the environment cube's mean radiance and nearest distance, sampled along a spiral. */
 void mean_compute()
 {
     vec3 sum = vec3(0.0);

@@ -34,7 +34,7 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Returns the proxy sphere's diameter, metres: the side of the bounding sphere's inscribed cube. */
+/* Returns the proxy sphere's diameter in metres: the bounding sphere's divided by sqrt(3). */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);

@@ -5,7 +5,7 @@
 
 struct refract_march {
     uint32_t steps;    /* steps along a ray through the object's bounding sphere */
-    uint32_t halvings; /* bisections of the step that left the object */
+    uint32_t halvings; /* number of bisections of the step that leaves the object */
     uint32_t bounces;  /* maximum number of total internal reflections */
 };
 

@@ -29,7 +29,7 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 
 /* Constants of a march, loaded once, because lavapipe loads uniforms for each ray separately. */
 struct march_space {
-    mat4 map_from_world; /* projection to texels, x / w and y / w (refract_depth_at()) */
+    mat4 map_from_world; /* projection to texel coordinates x / w, y / w */
     vec2 texel;
     vec3 center; /* of the object's bounding sphere */
     float radius;
@@ -52,11 +52,11 @@ march_space march_space_of_frame()
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
-/* Offset of a ray's origin from its surface, in bounding radii, because texels are coarse. */
+/* Marching starts at this distance along a ray, in bounding radii, since texels are coarse. */
 const float march_start = 0.02;
 
-/* Returns signed distances of a point: x in front of the back faces, y behind the front faces,
- * negative outside. The unit, stored depth times w, is linear along a ray for flat faces. */
+/* Returns a point's signed distances, x to the back face and y to the front face, negative outside.
+ * Their unit, stored depth times w, makes them linear along a ray for flat faces. */
 vec2 march_signed_distances(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -182,8 +182,8 @@ float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
     return march_find_exit(space, point, dir, false, near_front, jumps);
 }
 
-/* Returns the outward normal at the end of a ray: that of the nearer face, or of the other one if
- * the ray cannot leave through the nearer. */
+/* Returns the outward normal at a ray's end: the front face's if `near_front`, otherwise the back
+ * face's. If the ray cannot leave through that face, returns the opposite face's normal. */
 vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -200,7 +200,7 @@ vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 }
 
 #ifdef REFRACT_BOUNCE
-/* Returns the outward normal of the nearer face at a ray's end. */
+/* Returns the outward normal at a ray's end: the front face's if `near_front`, else the back's. */
 vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -211,7 +211,7 @@ vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 }
 
 #ifdef REFRACT_MATERIAL
-/* Returns the transmittance of the nearer face at a ray's end. */
+/* Returns the transmittance at a ray's end: the front face's if `near_front`, else the back's. */
 vec3 march_transmittance(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

@@ -29,7 +29,7 @@ layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
 
 layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
-const float nested_start = 0.01; /* offset of a ray's origin from its face, in bounding radii */
+const float nested_start = 0.01;          /* distance at which marching starts, in bounding radii */
 const float nested_throughput_min = 0.01; /* minimum throughput of reflected rays */
 const int nested_pending_max = 3;
 const int nested_ends_max = 6;
@@ -38,7 +38,7 @@ const uint nested_steps = 2u;       /* factor on the ray marching steps */
 
 /* Transformation from world space to texels of the depth layers. */
 struct nested_space {
-    mat4 map_from_world; /* projection to texels, x / w and y / w */
+    mat4 map_from_world; /* projection to texel coordinates x / w, y / w */
     vec2 texel;          /* 1 / the depth layers' size */
 };
 
@@ -68,7 +68,7 @@ nested_space nested_space_of_frame()
     return nested_space(m, 1.0 / size);
 }
 
-/* Returns the interpolated depth of a layer, as refract_depth_at() does. */
+/* Returns a layer's interpolated depth; `at` is in texels, relative to the first one's centre. */
 float nested_depth_at(int layer, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
@@ -77,8 +77,8 @@ float nested_depth_at(int layer, vec2 at, vec2 texel)
     return depth_interpolate(textureGather(depths, coords), fraction);
 }
 
-/* Returns signed distances of a point: x in front of a level's far faces, y behind its near faces.
- * Negative outside, as in march_signed_distances(). */
+/* Returns a point's signed distances, x to a level's far faces and y to its near faces; negative
+ * outside. The unit is stored depth times w. */
 vec2 nested_signed_distances(nested_space space, int level, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -93,8 +93,8 @@ float nested_signed_distance(vec2 dists)
     return min(dists.x, dists.y);
 }
 
-/* Returns a point's signed distance to the faces of its level and of the next one; negative outside
- * of its level or inside the next. */
+/* Returns a point's signed distance to the nearest face of a level or of the next inner level;
+ * negative outside the level or inside the inner one. */
 float nested_level_distance(nested_space space, int level, vec4 at, out bool is_in_next)
 {
     float dist = nested_signed_distance(nested_signed_distances(space, level, at));
@@ -114,9 +114,9 @@ float nested_length(vec3 point, vec3 dir)
     return sqrt(max(half_b * half_b - outside, 0.0)) - half_b;
 }
 
-/* Returns two distances along a ray: the last one in its level, and the first one beyond, which is
- * in the next level if `enters`, otherwise in the surrounding one. The step is refined by the
- * Illinois method: if the same end moves twice, the signed distance at the other one is halved. */
+/* Returns two distances along a ray: the last one inside the ray's level, and the first one beyond,
+ * in the inner level if `enters`, otherwise in the surrounding one. The Illinois method refines the
+ * interval: if one end moves twice, the signed distance at the other end is halved. */
 vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
 {
     vec4 from = space.map_from_world * vec4(ray.point, 1.0);
@@ -163,8 +163,8 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
     return vec2(ends.within, ends.beyond);
 }
 
-/* Returns the outward normal of a level's face that is nearest to a point; 0 if there is none. Sets
- * `medium` to the medium behind the face, inside the level. */
+/* Returns the outward normal of the level's face that is nearest to a point, or 0 if there is none.
+ * Sets `medium` to the medium inside the level at that face. */
 vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -180,7 +180,7 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
 }
 
-/* Compares all indices, because indexing by a variable would move the array to memory. */
+/* Appends to `ends`; compares all indices, as a variable index would move the array to memory. */
 void nested_push_end(vec3 point, vec3 dir, vec3 throughput)
 {
     for (int k = 0; k < nested_ends_max; k++)
@@ -206,7 +206,7 @@ nested_ray nested_pop_pending()
     return ray;
 }
 
-/* Returns true if the point at distance `t` along a ray is in the surrounding level. */
+/* Returns true if a ray's point at distance `t` is in the level around the ray's level. */
 bool nested_is_in(nested_space space, nested_ray ray, float t)
 {
     vec4 at = space.map_from_world * vec4(fma(vec3(t), ray.dir, ray.point), 1.0);
@@ -226,10 +226,10 @@ struct nested_face {
 };
 
 /*
- * Moves a ray to its next face. It continues straight where the maps show no face.
+ * Moves a ray to its next face. The ray continues straight where the maps show no face.
  *
- * A cavity between two parts of an object is a level only where both parts are visible. Where it is
- * open to the outside, a ray leaves it and the surrounding level at once, without hitting a face.
+ * A cavity between two parts of an object is a level only where both parts are visible. Where the
+ * cavity is open to the outside, a ray leaves cavity and surrounding level at once, without a face.
  */
 nested_face nested_next_face(nested_space space, int channel, inout nested_ray ray)
 {
@@ -270,8 +270,8 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     return face;
 }
 
-/* Continues a ray from a face; its throughput becomes zero if it ends. Returns the throughput that
- * is not followed, for which the caller adds the surroundings' mean radiance. */
+/* Continues a ray from a face; the ray's throughput becomes zero if it ends there. Returns the
+ * throughput that is not followed; the caller multiplies it by the surroundings' mean radiance. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;

@@ -3,8 +3,8 @@
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 
-/* Returns the thickness along the front normal. The back face is read where a sphere of the
- * object's size would end; the distance is halved while that pixel shows no ice. */
+/* Returns the thickness along the front normal. The back face is read at the pixel where a sphere
+ * of the object's size would end. While that pixel shows no ice, the distance to it is halved. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();
@@ -33,7 +33,7 @@ refract_path refract_follow(vec3 e, vec3 n_f, int channel)
     vec3 inside = optics_refract(e, n_f, eta);
     float ci = clamp(-dot(n_f, e), 0.0, 1.0);
     float si = sqrt(1.0 - ci * ci);
-    /* eta exceeds 1 if the ice's index is below that of its outside */
+    /* eta exceeds 1 if the ice's index is below the outside's */
     float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
     float ray_thickness = refract_thickness();
     float path_length = mix(thickness_along(point, n_f), ray_thickness, ratio);

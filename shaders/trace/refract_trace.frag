@@ -84,7 +84,7 @@ struct trace_result {
     uint last;                            /* main path's last object, or 0 */
 };
 
-/* Per-pixel state in global variables: lavapipe compiles arrays in function arguments slowly. */
+/* Per-pixel state; global, because lavapipe compiles arrays in function arguments slowly. */
 
 trace_path path;                       /* the path that is being followed */
 trace_path pending[trace_pending_max]; /* pending paths, the latest one first */
@@ -110,7 +110,7 @@ int end_count, ends_left;
 trace_path escaped_end;
 #endif
 
-/* Returns the untextured surface parameters of a medium. */
+/* Returns the untextured surface parameters of the medium of priority `rank`. */
 object_material trace_untextured(uint rank)
 {
     return object_material(trace_medium(rank, TRACE_TINT).rgb, trace_medium(rank, TRACE_IOR).w,
@@ -292,7 +292,7 @@ void trace_add(vec3 light, float kind)
 }
 
 #ifndef TRACE_RAYS
-/* Compares all indices, because indexing by a variable would move the array to memory. */
+/* Appends to `ends`; compares all indices, as a variable index would move the array to memory. */
 void trace_push_end(trace_path at)
 {
     for (int k = 0; k < trace_ends_max; k++)
@@ -302,7 +302,7 @@ void trace_push_end(trace_path at)
 }
 #endif
 
-/* Pushes a pending path; a path that has left the objects is stored as ended. */
+/* Pushes a pending path, or stores it as ended if it has left the objects. */
 void trace_push_pending(trace_path other)
 {
 #ifndef TRACE_RAYS
@@ -503,7 +503,7 @@ bool trace_end_path(trace_hit hit)
     return goes_on;
 }
 
-/* Pops the next pending path. Returns false if there is none. */
+/* Makes the next pending path the current one. Returns false if there is none. */
 bool trace_pop_pending()
 {
     path = pending[0];
@@ -515,7 +515,7 @@ bool trace_pop_pending()
     return pending_count >= 0;
 }
 
-/* Applies one segment and its hit to the path. Returns true if the path has ended. */
+/* Moves the path along one segment to its hit. Returns true if the path has ended. */
 bool trace_step(trace_hit hit, trace_crossing c)
 {
     if (hit.t < 1e30) {

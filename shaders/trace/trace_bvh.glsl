@@ -88,7 +88,7 @@ const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS;
 /* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
     vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
-    vec3 cull;                  /* 2 * side * dir, or 0 */
+    vec3 cull;                  /* 2 * side * dir to cull triangles, else 0 */
     int mask, shift;            /* lower plane's mask; upper plane's shift */
 };
 
@@ -141,8 +141,8 @@ vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
     return bubble_intersect(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
 }
 
-/* Intersects a crack or a bubble. A ray inside a bubble can hit only bubbles, where it leaves them.
- * Cracks nearer than the epsilon are ignored, because the ray may start on one. */
+/* Intersects a crack or a bubble. A ray inside a bubble hits only bubbles and leaves the one it
+ * hits. Cracks nearer than trace.epsilon are ignored, because the ray may start on one. */
 bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 last, inout float t,
                           inout float u, inout float v)
 {
@@ -253,9 +253,9 @@ void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
     trace_hit_bvh(ray, int(trace.roots[bvh]), bvh, hit);
 }
 
-/* Returns the nearest hit of a ray among its BVHs; inactive rays hit nothing. Each ray steps
+/* Returns a ray's nearest hit in the BVHs it may hit; inactive rays hit nothing. Each ray steps
  * through its own list of BVHs, so that lanes in surroundings and lanes in objects run at the same
- * time. A ray inside an object skips surroundings if these are outside its bounding box. */
+ * time. A ray inside an object skips surroundings if all are outside the objects' bounding box. */
 trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);

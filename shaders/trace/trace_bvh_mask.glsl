@@ -38,8 +38,8 @@ trace_start trace_start_of(trace_path path)
 }
 
 #ifndef TRACE_RAYS
-/* Returns the horizon at a rasterised point of an object's outer side, whose triangle is unknown:
- * the sine of the elevation above which rays hit no object. */
+/* Returns the sine of the elevation above which rays from an object's outer side hit no object. It
+ * is read from a grid, because the triangle of a rasterised point is unknown. */
 float trace_grid_horizon(vec3 point)
 {
     vec3 local = trace_unposed_point(point, BVH_OBJECTS);

@@ -47,7 +47,7 @@ float denoise_normal(vec3 n)
     return 1.0 + steps.x + 4096.0 * steps.y;
 }
 
-/* Records a diffuse surface and its throughput to the camera. */
+/* Records a diffuse surface for the denoiser; `throughput` is from the surface to the camera. */
 void denoise_record(vec3 point, vec3 normal, vec3 throughput)
 {
     float total = dot(throughput, vec3(1.0));

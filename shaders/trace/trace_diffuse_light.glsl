@@ -33,8 +33,8 @@ vec3 lighting_sky(vec3 dir)
     return lit_specular(dir, 0.0, 0.0);
 }
 
-/* Returns the visibility of the sun from a point, for next-event estimation: casts a shadow ray to
- * a random point of its disc. Blended surfaces attenuate it. */
+/* Returns the sun's visibility from a point, 0 to 1, for next-event estimation: casts a shadow ray
+ * to a random point of the sun's disc. Blended surfaces attenuate the result. */
 float light_gather_sun(trace_hit from, vec3 point, uint seed)
 {
     vec2 at =
@@ -59,7 +59,7 @@ float light_gather_sun(trace_hit from, vec3 point, uint seed)
 }
 
 /* Returns the factor that scales the sampled sky radiance `some` to the unoccluded lighting `all`.
- * The remaining colour ratio, limited to 0.5 to 2, goes into `throughput`. */
+ * Multiplies `throughput` by the remaining colour ratio, limited to 0.5 to 2. */
 float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 {
     some = max(some, lighting_radiance_min);
@@ -69,7 +69,7 @@ float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 }
 
 /* Pushes a lighting ray from a surface in the current path's medium. `open` scales the sky radiance
- * if the ray is unoccluded. Weak rays undergo Russian roulette against the unoccluded radiance. */
+ * if the ray is unoccluded. Unoccluded radiance replaces weak rays that Russian roulette drops. */
 void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uint seed)
 {
     vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
@@ -149,8 +149,8 @@ void lighting_trace_ray(trace_hit hit, lighting_rays rays, uint i, float chance)
     trace_add(-rays.skies[i] / chance, path.kind);
 }
 
-/* Replaces the unoccluded lighting of the surface shaded last by traced lighting; `throughput` is
- * the path throughput there. */
+/* Replaces unoccluded by traced lighting at the surface that was shaded last; `throughput` is the
+ * path throughput at that surface. */
 void light_gather_at(trace_hit hit, vec3 throughput)
 {
     if (path.is_lighting_ray || !lobes.is_lit)
@@ -178,7 +178,7 @@ void light_gather_at(trace_hit hit, vec3 throughput)
 #endif
 }
 
-/* Records surroundings that the primary ray hits as the pixel's visible surface. */
+/* Records the surroundings that the primary ray hits as the pixel's visible surface. */
 void lighting_begin(trace_hit hit)
 {
     result.is_object = true;
@@ -194,7 +194,7 @@ float lighting_sky_roughness(trace_path path)
     return path.open > 0.0 ? 0.0 : path.open < 0.0 ? 1.0 : lighting_refracted_roughness;
 }
 
-/* Returns the radiance at a path's end. `passing` becomes the fraction of transmitted light. */
+/* Returns the radiance at a path's end; sets `passing` to the transmitted fraction of light. */
 vec3 trace_radiance_at_end(trace_path path, trace_hit hit, out float passing)
 {
     vec3 light = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray

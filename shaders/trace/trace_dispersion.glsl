@@ -2,8 +2,8 @@
 #ifndef TRACE_DISPERSION_GLSL
 #define TRACE_DISPERSION_GLSL
 
-/* Traces a pixel. With TRACE_DISPERSION, traces one path per colour channel; all results but
- * radiance are those of green. Drivers inline calls, so the loop contains only one. */
+/* Traces a pixel. With TRACE_DISPERSION, traces one path per colour channel; all results except
+ * radiance are those of green. The loop has a single call, because drivers inline calls. */
 void trace_all_channels(vec3 eye, vec3 e)
 {
 #ifdef TRACE_DISPERSION

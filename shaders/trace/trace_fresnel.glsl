@@ -2,7 +2,7 @@
 #ifndef TRACE_FRESNEL_GLSL
 #define TRACE_FRESNEL_GLSL
 
-/* Directions, reflectance and sampling weights of the two paths at a surface. */
+/* Directions, reflectance and sampling weights of a surface's reflected and refracted path. */
 struct trace_fresnel_split {
     vec3 reflected, refracted;
     float fresnel, reflected_weight, refracted_weight;

@@ -1,4 +1,4 @@
-/* trace_layers.glsl: the ray tracer's fragment outputs for its layers (AOVs). */
+/* trace_layers.glsl: the ray tracer's fragment outputs in the AOV pass. */
 #ifndef TRACE_LAYERS_GLSL
 #define TRACE_LAYERS_GLSL
 
@@ -18,7 +18,7 @@ bool trace_is_hidden(vec3 point)
 #endif
 }
 
-/* Returns the number of the last object on the refracted path; 0 if it is the first object. */
+/* Returns the number of the last object on the refracted path; 0 if none follows the first. */
 uint trace_last_object()
 {
 #ifndef TRACE_RAYS

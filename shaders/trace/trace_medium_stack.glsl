@@ -92,7 +92,7 @@ vec4 trace_medium(uint rank, int texel)
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
 }
 
-/* Returns the path's refractive index for green light relative to the outside. */
+/* Returns the refractive index of a path's medium for green light, relative to the outside. */
 float trace_ior(uvec4 medium_stack)
 {
     if (!trace_has(TRACE_HAS_MEDIA))

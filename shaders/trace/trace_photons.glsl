@@ -86,7 +86,7 @@ void photon_scatter(trace_hit hit, trace_crossing c)
     is_first = false;
 }
 
-/* Applies one segment and its hit to the photon. Returns true if it has ended. */
+/* Moves the photon along one segment to its hit. Returns true if the photon's path has ended. */
 bool photon_step(trace_hit hit, trace_crossing c)
 {
     vec2 chance = photon_random(photon_scatter_seed);

@@ -87,7 +87,7 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
     p.material = floatBitsToUint(n1.w);
     p.ior = 1.0;
-    /* The map's rows are the dual basis of the triangle's edges, which cross products recover. */
+    /* The rows of the triangle's map are dual to its edges, which cross products recover. */
     at = BVH_TRIANGLE_WORDS * hit.triangle;
     vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
     vec3 row_1 = uintBitsToFloat(trace_row(at + 1)).xyz;
@@ -148,7 +148,7 @@ vec3 trace_diffuse(trace_surface_point p, vec3 to_eye, vec3 albedo, bool is_base
     return albedo * (lit_diffuse(p.normal) + sun) + lit_by_lights(s, p.position, p.normal, to_eye);
 }
 
-/* Returns the fraction of light that passes an alpha-blended or alpha-tested surface. */
+/* Returns the fraction of light that passes through an alpha-blended or alpha-tested surface. */
 float trace_alpha_transmittance_of(uint row, float alpha)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
@@ -160,7 +160,7 @@ float trace_alpha_transmittance_of(uint row, float alpha)
     return kind == float(MATERIAL_KIND_CUTOUT) && alpha < cutoff ? 1.0 : 0.0;
 }
 
-/* Returns the fraction of light that passes a surface at a hit. */
+/* Returns the fraction of light that passes through the surface at a hit. */
 float trace_alpha_transmittance(trace_surface_point p)
 {
     uint row = p.material >> MESH_SURFACE_SHIFT;
@@ -174,7 +174,7 @@ float trace_alpha_transmittance(trace_surface_point p)
     return trace_alpha_transmittance_of(row, lit_base(row, layer, p.uv, 1.0).a);
 }
 
-/* Returns the radiance of a surface. `passing` becomes the fraction of transmitted light. */
+/* Returns a surface's radiance; sets `passing` to the transmitted fraction of light. */
 vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passing)
 {
     uint row = p.material >> MESH_SURFACE_SHIFT;
