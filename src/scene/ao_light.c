@@ -7,7 +7,7 @@
 
 enum {
     RAYS = 192,        /* number of rays traced through the body */
-    RAYS_TRIED = 4096, /* maximum number of rays tried, including misses */
+    RAYS_TRIED = 4096, /* maximum number of rays tried, including those that miss the body */
     EVENTS_MAX = 24,   /* maximum scattering and reflection events */
 };
 
@@ -35,8 +35,8 @@ static vec3s random_dir(uint32_t *seed)
     return (vec3s){ { r * cosf(angle), r * sinf(angle), z } };
 }
 
-/* Returns the Fresnel reflectance of a dielectric; `ratio` is the refractive index in front of the
- * surface over that behind it. */
+/* Returns the Fresnel reflectance of a dielectric. `ratio` is the refractive index in front of the
+ * surface divided by that behind it. */
 static float fresnel(float cosine, float ratio)
 {
     const float square = ratio * ratio * (1.0f - cosine * cosine);
@@ -63,7 +63,7 @@ static bool reflect_or_refract(struct ray *ray, vec3s n, float ratio)
     return true;
 }
 
-/* Finds where a ray enters and leaves the body. Returns false if it misses. */
+/* Finds where a ray enters and leaves the body. Returns false if the ray misses. */
 static bool intersect(const struct ao_shape *shape, const struct ray *ray, float t[2],
                       uint32_t planes[2])
 {
@@ -90,7 +90,7 @@ static void absorb(struct ray *ray, vec3s absorption, float distance)
         ray->weight.raw[c] *= expf(-absorption.raw[c] * distance);
 }
 
-/* Reflects a ray diffusely: into a cosine-distributed direction around the normal `n`. */
+/* Reflects a ray diffusely, in a cosine-distributed direction around the normal `n`. */
 static void scatter_outside(struct ray *ray, vec3s n, vec3s tint)
 {
     ray->dir = glms_vec3_normalize(glms_vec3_muladds(n, 1.001f, random_dir(&ray->seed)));
@@ -145,7 +145,7 @@ static struct ray start_ray(const struct ao_shape *shape, vec3s base, vec3s up, 
     return ray;
 }
 
-/* Returns the point at the bottom of a body's bounding box, below its centre. */
+/* Returns the lowest point of a body's bounding box straight below the box's centre. */
 static vec3s base_of(const struct ao_shape *shape, vec3s up)
 {
     const vec3s center = box_center(shape->box);

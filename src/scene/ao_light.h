@@ -19,7 +19,7 @@ struct ao_medium {
     vec3s tint;             /* tint of diffuse transmission and reflection */
 };
 
-/* Fractions of the light that comes from the sky and from the ground; their sum is at most 1. */
+/* Fractions of the light from a body that come from sky and ground. Their sum is at most 1. */
 struct ao_light {
     vec3s sky, ground;
     float undeviated; /* fraction of sky light, almost undeviated */

@@ -20,7 +20,7 @@ struct extent {
     bool is_assigned;
 };
 
-/* Returns a plane's unit normal: towards a cube's face for planes 0 to 5, else towards an edge. */
+/* Returns a plane's unit normal, towards a cube's face for planes 0 to 5, else towards an edge. */
 static vec3s direction(uint32_t plane)
 {
     const float side = plane & 1 ? 1.0f : -1.0f;
@@ -74,7 +74,7 @@ static bool is_flat(const struct extent *extent)
     return sides.y < FLAT * fmaxf(sides.x, sides.z);
 }
 
-/* Returns the fraction of its bounding box that an occluder fills, by point sampling. */
+/* Returns the filled fraction of an occluder's bounding box, by point sampling. */
 static float filled_fraction(const struct ao_shape *shape)
 {
     const vec3s sides = glms_vec3_sub(shape->box.max, shape->box.min);
@@ -103,7 +103,7 @@ static bool contains(const struct extent *body, const struct extent *other)
     return true;
 }
 
-/* Adds a member to an occluder, and subtracts `fraction` from the member that encloses it. */
+/* Adds a member to an occluder, and subtracts `fraction` from the member around the new one. */
 static void add_member(struct ao_shape *shape, const struct object *objects, uint32_t object,
                        float fraction)
 {

@@ -24,7 +24,7 @@ struct box bubble_box(const struct bubble *bubble);
 bool bubble_contains(const struct bubble *bubble, vec3s point);
 
 /* Intersects the line of a ray with a bubble. The two distances are in lengths of `dir`, and may be
- * negative. Returns false if it misses. */
+ * negative. Returns false for a miss. */
 bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
 
 struct bubble_face {

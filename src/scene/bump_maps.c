@@ -161,7 +161,7 @@ static uint16_t to_unit_half(float x)
     return half_from_float(glm_clamp(x, 0, 1));
 }
 
-/* Writes smoothness: 1 where the field is below its quantile, with a gradual transition to 0. */
+/* Writes smoothness, which is 1 where the field is below its quantile, with a gradual edge to 0. */
 static void write_smoothness(uint16_t *texels, const float *field, float fraction)
 {
     const float width = 0.25F;

@@ -15,8 +15,8 @@ enum {
 };
 
 struct bump_maps {
-    /* bump map, half RGBA: slopes along u and v with a root mean square of 1, surface smoothness,
-     * frost thickness 0 to 1; all mip levels, in the layout of mip_levels.h */
+    /* half RGBA texels: slopes along u and v (root mean square 1), surface smoothness, and frost
+     * thickness (0 to 1); all mip levels, in the layout of mip_levels.h */
     uint16_t *texels;
     uint32_t size; /* width and height in texels; 0 if there is no texture */
 };
@@ -24,7 +24,7 @@ struct bump_maps {
 struct bump_maps_params {
     float smooth; /* smooth fraction of the surface */
     uint32_t seed;
-    /* heights that replace the procedural ones, BUMP_MAPS_SIZE rows and columns; may be NULL */
+    /* height map that replaces the procedural one, BUMP_MAPS_SIZE rows and columns; or NULL */
     const float *heights;
     const float *smoothness; /* smoothness map, 0 to 1, that replaces the procedural one; or NULL */
 };

@@ -2,7 +2,7 @@
  * bundled_assets.h: models, environments and images bundled with the program, by name.
  *
  * Files are searched in $FIRN_ASSETS, then in ../share/firn relative to the program's folder
- * (installation), then in assets in the program's folder (build tree).
+ * (installation), then in the folder `assets` beside the program (build tree).
  */
 #ifndef FIRN_SCENE_BUNDLED_ASSETS_H
 #define FIRN_SCENE_BUNDLED_ASSETS_H
@@ -31,13 +31,13 @@ struct asset {
 
 extern const struct asset assets[]; /* terminated by a zero entry */
 
-/* Returns true if the asset's file exists, or false if it does not or when out of memory. */
+/* Returns true if the asset's file exists. Returns false if not, or when out of memory. */
 bool asset_exists(const struct asset *asset);
 
 /* Returns the asset of this name and kind, or NULL. */
 const struct asset *asset_find(const char *name, enum asset_kind kind);
 
-/* Returns true if an environment name means the built-in landscape: "valley" or "sky". */
+/* Returns true if an environment's name, "valley" or "sky", selects the built-in landscape. */
 bool asset_is_valley(const char *name);
 
 /* Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns

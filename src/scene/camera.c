@@ -41,8 +41,8 @@ static void set_row(mat4s *matrix, int row, vec3s v, float w)
     matrix->raw[3][row] = w;
 }
 
-/* Returns a clip matrix: with p = point - eye, (x, y, z, w) = (right.p, down.p, near, forward.p).
- */
+/* Returns a clip matrix that maps a point to (right.p, down.p, near, forward.p), where p is the
+ * point minus `eye`. */
 static mat4s projection(vec3s right, vec3s down, vec3s forward, vec3s eye, float near)
 {
     mat4s clip_from_world = { 0 };

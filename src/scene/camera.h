@@ -34,7 +34,7 @@ struct camera_basis camera_basis(const struct camera *camera);
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
 
-/* Returns half the view's height: at distance 1 in perspective, at any distance if orthographic. */
+/* Returns half the height of the view, for a perspective view at a distance of 1. */
 float camera_half_height(const struct camera *camera);
 
 /* Returns the matrix from world to camera space (+X right, +Y up, -Z forward), for column vectors.

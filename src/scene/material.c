@@ -65,7 +65,7 @@ bool material_clamp(struct material *m)
 {
     const float color_max = m->flags & MATERIAL_IS_UNLIT ? 65504.0f : 1.0f;
     bool has_changed = clamp_surface(m);
-    if (isinf(m->attenuation_distance)) /* infinity is glTF's default: a clear medium */
+    if (isinf(m->attenuation_distance)) /* glTF's default, infinity, means a clear medium */
         m->attenuation_distance = 0.0f;
     for (int k = 0; k < 3; k++) {
         has_changed |= clamp(&m->base_color.raw[k], 0.0f, color_max, 1.0f);
@@ -83,7 +83,7 @@ bool material_clamp(struct material *m)
 
 vec3s material_absorption(const struct material *m)
 {
-    const float color_min = 1e-12f; /* avoids log(0): black attenuation transmits almost nothing */
+    const float color_min = 1e-12f; /* avoids log(0) for black, which transmits almost nothing */
     vec3s absorption = glms_vec3_zero();
     for (int k = 0; k < 3 && m->attenuation_distance > 0.0f; k++)
         absorption.raw[k] =

@@ -57,10 +57,10 @@ enum material_wrap {
 
 /* Texture and its transform. Colour textures are sRGB, others linear. */
 struct material_texture {
-    uint32_t layer; /* layer + 1 in model.textures (colours) or model.numbers; 0 for no texture */
+    uint32_t layer; /* layer + 1 in model.textures (colours) or model.numbers; 0 for none */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
     uint32_t uv_set;         /* texture coordinates: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
-    vec3s u_row, v_row;      /* transform rows, multiplied by (u, v, 1) */
+    vec3s u_row, v_row;      /* rows of the uv transform, multiplied by (u, v, 1) */
 };
 
 /* Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular
@@ -74,7 +74,7 @@ struct material {
     float transmission; /* fraction of the non-reflected light that is transmitted; 0 if opaque */
     float thickness;    /* volume thickness; 0 for a thin wall, with one medium on both sides */
     float ior;          /* refractive index, 1 to 4 */
-    float dispersion;   /* dispersion: 20 / Abbe number, 0 to 10 */
+    float dispersion;   /* dispersion, which is 20 / Abbe number, 0 to 10 */
     vec3s attenuation_color;    /* colour after attenuation_distance, 0 to 1 */
     float attenuation_distance; /* metres; 0 for a clear medium */
     float
@@ -83,7 +83,7 @@ struct material {
     int32_t priority;         /* where media overlap, the highest priority fills the space */
     float metallic;           /* metallic factor, 0 to 1; glTF's default is 1 */
     float alpha;              /* 0 to 1 */
-    float alpha_cutoff;       /* cutoff of alpha masks, 0 to 1; lower alpha is a hole */
+    float alpha_cutoff;       /* alpha below which a mask has a hole, 0 to 1 */
     vec3s emission;           /* emitted radiance, strength included, 0 to 65504 */
     float normal_scale;       /* factor on the normal map's x and y, -65504 to 65504 */
     float occlusion_strength; /* 0 to 1 */

@@ -1,4 +1,4 @@
-/* material_table.c: GPU table of materials, one row of texels each. */
+/* material_table.c: GPU table of materials, with one row of texels per material. */
 #include "src/scene/material_table.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -48,7 +48,7 @@ static int kind_of(const struct material *m)
     return m->flags & MATERIAL_IS_BLENDED ? MATERIAL_KIND_BLENDED : MATERIAL_KIND_OPAQUE;
 }
 
-/* Writes a texture's transform, layer and wrapping. Vertex uv include the base colour transform. */
+/* Writes a texture's transform, layer and wrapping. Vertex uv contain the base colour transform. */
 static void write_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);

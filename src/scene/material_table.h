@@ -11,7 +11,7 @@ vec3s material_f0(const struct material *material);
  * for each material. Returns NULL when out of memory. */
 vec4s *material_table_make(const struct model *model);
 
-/* Returns the texture uses in a model: bit i for enum material_texture_use i. */
+/* Returns a model's texture uses as bits: bit i for use i of enum material_texture_use. */
 uint32_t material_table_uses(const struct model *model);
 
 /* Returns true if any material is alpha-masked or blended. */

@@ -15,7 +15,7 @@ struct ranked {
     int64_t priority;        /* priority from the file; INT64_MIN without one */
     uint32_t depth;          /* number of enclosing objects */
     uint32_t container_rank; /* index of the innermost enclosing object, + 1; 0 for none */
-    /* like container_rank, but an object also encloses what is in its cavities */
+    /* like container_rank, but objects in another's cavities also count as enclosed */
     uint32_t enclosing_object;
 };
 

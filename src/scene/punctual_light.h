@@ -32,7 +32,7 @@ vec4s *punctual_light_table_make(const struct light *lights, uint32_t count);
 /* Returns "directional", "point" or "spot". */
 const char *punctual_light_kind_name(const struct light *light);
 
-/* Returns true if all values are within their ranges, and the position within 1e6 metres. */
+/* Returns true if all values are in range; position coordinates may be -1e6 to 1e6 metres. */
 bool punctual_light_is_valid(const struct light *light);
 
 #endif

@@ -23,13 +23,13 @@ struct scattering_media {
     struct scattering_medium all[SCATTERING_MEDIA_MAX];
     uint32_t count;
     uint32_t left_out; /* objects beyond SCATTERING_MEDIA_MAX, rendered as clear */
-    /* MEDIUM_SIZE texels per axis for each medium, x fastest; each has a density, 0 to 255, and
-     * that of the next texel along z; owned; NULL before scattering_media_fill() */
+    /* densities, 0 to 255, of MEDIUM_SIZE texels per axis for each medium, x fastest; the second
+     * byte is the density of the next texel along z; owned; NULL before scattering_media_fill() */
     uint8_t (*texels)[2];
 };
 
 /* Finds the scattering media of a model's materials, without texels. If `is_asked`, the first
- * object always gets one, by default with the density of the settings. */
+ * object always gets one, with the density of the settings unless its material specifies one. */
 struct scattering_media scattering_media_find(const struct model *model, bool is_asked);
 
 /* Generates the texels. Returns false when out of memory. */

@@ -113,7 +113,7 @@ static enum status make_pool(struct scene *scene, const struct scene_params *par
     return pool->ice > 0.0f ? add_floating_ice(scene, params) : STATUS_OK;
 }
 
-/* Logs an error with a similar name as a hint if the file does not exist. */
+/* If the file does not exist, logs an error that suggests a similar name. */
 static enum status check_file(const char *path, enum asset_kind kind)
 {
     const bool is_scene = kind == ASSET_SCENE;
@@ -170,7 +170,7 @@ static enum status load_file(struct model *model, const struct scene_params *par
     return status;
 }
 
-/* Adds an object that is the whole mesh, with a material that the settings define. */
+/* Adds an object that consists of the whole mesh, with a material that the settings define. */
 static enum status add_bare_object(struct model *model)
 {
     model->objects = calloc(1, sizeof(*model->objects));
@@ -343,7 +343,7 @@ static enum status allocate_bvh(struct scene *scene, const struct scene *before)
     return scene->bvh && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Moves the rest pose from the previous pose, or makes the previous pose the rest pose. */
+/* Moves the rest pose from the previous pose, which is itself the rest pose on the first call. */
 static void move_rest_pose(struct scene *scene, struct scene *before)
 {
     if (!before->rest || scene->rest)
@@ -362,7 +362,7 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings of the parameters, else those of the built-in scene, else the landscape if
+/* Loads the surroundings that the parameters or the built-in scene name, else the landscape if
  * there is a sky and the model has no surroundings. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
@@ -412,7 +412,7 @@ static enum status melt_ice(struct scene *scene, const struct scene_params *para
     return status;
 }
 
-/* Moves resources shared by two poses to the new pose if it has loaded, else to the old one. */
+/* Gives resources shared by two poses to the new pose if it has loaded, else to the old one. */
 static void transfer_ownership(struct scene *before, struct scene *scene, bool shares_environment,
                                enum status status)
 {

@@ -38,10 +38,10 @@ struct scene {
     /* GPU table of punctual lights; NULL if they light no surface */
     vec4s *punctual_light_table;
     vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
-    /* GGX split-sum table (image_based_lighting.h), if material_table exists */
+    /* GGX split-sum table (image_based_lighting.h); NULL without material_table */
     uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube; /* captured environment cube, replaces the rendered one; or empty */
+    struct environment cube; /* captured cube that replaces the rendered one; may be empty */
     struct bump_maps bump;   /* bump map of the object's surface; may be empty */
     struct box box;          /* bounding box of the object or pool */
     struct box framing_box;  /* bounding box at time 0, for the default camera */
@@ -92,15 +92,15 @@ enum {
 
 struct scene_params {
     const char *name;         /* name of a built-in scene or asset, or path of a model file */
-    const char *surroundings; /* model file; NULL for the landscape, if the sky is the background */
-    const char *environment;  /* asset or file of a background image or environment cube; or NULL */
-    float environment_turn;   /* rotation of a background image */
+    const char *surroundings; /* model file of surroundings, or NULL for the scene's default */
+    const char *environment;  /* name or path of a background image or environment cube; or NULL */
+    float environment_turn;   /* rotation of a background image, turns */
     float environment_exposure; /* exposure of the image file, stops */
-    /* pose of the same scene whose environment, lighting, `files` and `rest` are moved into this
-     * one; NULL to load them */
+    /* previous pose of the same scene, from which environment, lighting, `files` and `rest` are
+     * moved; NULL to load them */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
-    struct model_pose pose; /* pose; `objects` is set by scene_load() from material_overrides */
+    struct model_pose pose; /* pose, whose `objects` scene_load() sets from material_overrides */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background; /* background colour; NULL for the sky */
@@ -144,7 +144,7 @@ const struct scene_builtin *scene_find_builtin(const char *name);
 /* Returns true if the name is that of a built-in scene or an asset, not a file. */
 bool scene_is_known(const char *name);
 
-/* Returns true if the name is that of an environment but not, like `valley`, also of a scene. */
+/* Returns true if an environment has this name, and no scene does (`valley` is also a scene). */
 bool scene_is_environment(const char *name);
 
 /* Returns the name of a scene by index, built-in ones before assets, or NULL beyond the last. */
@@ -155,8 +155,8 @@ const char *scene_name(uint32_t index);
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
 /* Generates the texels that params.defers_texels has deferred. Other threads may read the rest of
- * the scene meanwhile. Returns NULL, or the name of the part that ran out of memory ("air"). Does
- * not log, so that the caller can choose between this error and one of another thread. */
+ * the scene meanwhile. Returns NULL, or the name of what ran out of memory ("air"). Does not log,
+ * because the caller may prefer to report another thread's error. */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */

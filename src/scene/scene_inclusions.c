@@ -52,7 +52,7 @@ static enum status add_air(struct scene *scene, const struct generate_air *air)
     return done ? STATUS_OK : log_out_of_memory("air");
 }
 
-#define CLEAR_RIM 0.12f /* relative width of the bubble-free rim: freezing pushes air to the core */
+#define CLEAR_RIM 0.12f /* relative width of the bubble-free rim; freezing pushes air inwards */
 
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {

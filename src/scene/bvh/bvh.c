@@ -13,8 +13,8 @@
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
 
-/* Ratios of SAH cost, deformed to original, above which a BVH is rebuilt. The limit is lower for a
- * BVH of a whole scene part, which all rays traverse. */
+/* Factors by which deformation may raise a BVH's SAH cost before the BVH is rebuilt. The limit is
+ * lower for the BVH of a whole scene part, which all rays traverse. */
 static const double object_growth_max = 1.5, part_growth_max = 1.1;
 
 static uint32_t bits(float x)
@@ -85,7 +85,7 @@ static uint32_t gap_bits(const struct bvh_part *part, uint32_t triangle, uint32_
     return (uint32_t)half_from_float(open) << 16;
 }
 
-/* Returns an object's rank (medium priority) plus BVH_OBJECT_NUMBER times its object number. */
+/* Returns the rank (medium priority) of a triangle's object + BVH_OBJECT_NUMBER * object number. */
 static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -110,7 +110,7 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
-/* Returns a triangle's material bits: its vertices' bits, with the object's material index. */
+/* Returns the material bits of a triangle's vertices, with the index of its object's material. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t bits = bvh_corner(part, triangle, 0)->material;
@@ -121,8 +121,8 @@ static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
     return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
 }
 
-/* Returns true if hits on a triangle need vertex colours and texture coordinates: opaque surfaces,
- * and objects that are textured or not fully transmissive. */
+/* Returns true if hits on a triangle need vertex colours and texture coordinates, as on opaque
+ * surfaces and on objects that are textured or not fully transmissive. */
 static bool has_surface(const struct bvh_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
@@ -218,8 +218,8 @@ static uint32_t media_words(const struct bvh *bvh)
     return bvh->object_count > BVH_MASK_OBJECTS_MAX ? bvh->object_count + 1 : 0;
 }
 
-/* Writes a medium index for each rank; equal materials share one. Returns false when out of memory.
- */
+/* Writes a medium index for each rank. Equal materials share an index. Returns false when out of
+ * memory. */
 static bool write_media(struct bvh *bvh, const struct model *model)
 {
     uint32_t count = 0;
@@ -237,8 +237,8 @@ static bool write_media(struct bvh *bvh, const struct model *model)
     return media;
 }
 
-/* Builds the BVHs of all scene parts. In an animated pose, refits those of the rest pose instead,
- * except for inclusions, which are generated for each pose. */
+/* Builds the BVHs of all scene parts. For an animated pose, refits the BVHs of the rest pose
+ * instead, except that of the inclusions, which are generated for each pose. */
 static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {
@@ -288,7 +288,7 @@ static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
     return !media_words(bvh) || write_media(bvh, parts[BVH_OBJECTS].model);
 }
 
-/* Moves the BVH topologies of the rest pose to `rest`, for refitting by later poses. */
+/* Moves the BVH topologies of the rest pose to `rest`, so that later poses can refit them. */
 static bool keep_topologies(struct bvh_rest_pose *rest, struct bvh_two_level *hierarchies)
 {
     bool done = true;

@@ -6,7 +6,7 @@
  * animated model has one for each object, below a top-level BVH. All data is in 16-byte words
  * (shaders/trace/bvh_layout.h), and does not depend on the number of threads.
  *
- * Ownership: a BVH owns its arrays; bvh_finish() frees them; a {0} BVH is fine, and empty.
+ * Ownership: a BVH owns its arrays; bvh_finish() frees them; a zeroed BVH is valid and empty.
  * Thread-safety: several threads may call bvh_intersect() at the same time.
  */
 #ifndef FIRN_SCENE_BVH_BVH_H
@@ -28,19 +28,19 @@ struct bvh {
     uint32_t triangle_count;
     uint32_t roots[BVH_COUNT]; /* root nodes; BVH_NONE for empty parts */
     uint32_t object_count;     /* number of refractive objects, >= 1 */
-    /* number of distinct media; 0 with up to BVH_MASK_OBJECTS_MAX objects, which need no table */
+    /* number of distinct media; 0 for up to BVH_MASK_OBJECTS_MAX objects, without a medium table */
     uint32_t medium_count;
     uint32_t media;             /* start of the medium table in `corners`; 0 if there is none */
     uint32_t grid;              /* start of the horizon grid in `corners`; 0 if there is none */
-    vec3s grid_low, grid_scale; /* horizon grid: minimum corner; cells per metre */
+    vec3s grid_low, grid_scale; /* minimum corner and cells per metre of the horizon grid */
     /* SAH costs, in ray-triangle tests; 0 for parts without triangles */
     double costs[BVH_COUNT];
     uint32_t depth;              /* maximum node depth from a root, at most BVH_DEPTH_MAX */
-    bool is_closed;              /* each edge of the objects' mesh has an opposite edge */
-    bool surroundings_are_apart; /* surroundings triangles' boxes do not overlap the objects' box */
-    bool is_disjoint_rotating; /* surroundings stay apart at any rotation of the object about +Y */
-    bool is_stored;            /* too large for the device's texel buffers; set by the caller */
-    double ms;                 /* duration of bvh_init(), milliseconds */
+    bool is_closed;              /* objects' mesh is closed (each edge has an opposite edge) */
+    bool surroundings_are_apart; /* no surroundings triangle's box overlaps the objects' box */
+    bool is_disjoint_rotating;   /* no overlap with surroundings at any object rotation about +Y */
+    bool is_stored; /* BVH is too large for the device's texel buffers; set by the caller */
+    double ms;      /* duration of bvh_init(), milliseconds */
     /* numbers of object BVHs that were built, copied from similar objects, or refitted */
     uint32_t built, shared, refitted;
     uint32_t read; /* number of BVHs loaded from cache files */
@@ -53,17 +53,17 @@ struct bvh_two_level;
  * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose
  * (1.1 times for a BVH of a whole part). Rigid motion and uniform scaling never cause a rebuild. */
 struct bvh_rest_pose {
-    bool by_objects;    /* true: one BVH per object; false: one per scene part, with horizons */
+    bool by_objects; /* true for one BVH per object; false for one per scene part, with horizons */
     struct model model; /* model in rest pose; only meshes, objects, surroundings_starts are set */
     struct mesh_order sorted; /* triangle order of the surroundings */
-    bool is_known;            /* true after the first bvh_init(), whose model is the rest pose */
+    bool is_known;            /* set by the first bvh_init(), whose model is the rest pose */
     struct bvh_two_level *hierarchies; /* BVH topology of each part, set by the first bvh_init() */
 };
 
 struct bvh_rest_pose *bvh_rest_pose_create(bool by_objects); /* returns NULL when out of memory */
 void bvh_rest_pose_destroy(struct bvh_rest_pose *rest);
 
-/* Moves meshes, objects, surroundings_starts and *sorted into `rest`, unless it has a model. */
+/* Moves the mesh data of `model` and *sorted into `rest`, unless `rest` already has a model. */
 void bvh_rest_pose_move_from(struct bvh_rest_pose *rest, struct model *model,
                              struct mesh_order *sorted);
 
@@ -95,19 +95,19 @@ size_t bvh_size(const struct bvh *bvh);
 
 struct bvh_ray {
     vec3s origin, dir;
-    double near;   /* hits must have a greater t, in lengths of `dir` */
+    double near;   /* exclusive minimum of hit distances, in lengths of `dir` */
     uint32_t from; /* triangle that the ray leaves and must not hit; BVH_NONE for none */
 };
 
 struct bvh_hit {
-    /* hit distance in lengths of `dir`; barycentrics of the second and third corner */
+    /* hit distance in lengths of `dir`, and barycentrics of the second and third corner */
     double t, u, v;
     uint32_t triangle; /* index in the BVH's triangle array */
     uint32_t rank;     /* rank of the hit object; 0 for surroundings */
     bool is_back;      /* the back face was hit */
 };
 
-/* Finds a ray's nearest hit with a scene part, in the part's space. Returns false if it misses. */
+/* Finds the nearest hit of a scene part by a ray in the part's space. Returns false for a miss. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 
@@ -115,8 +115,8 @@ bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *r
 uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank);
 
 /* Interior list of nested dielectrics (Schmidt and Budge 2002): the set of objects that enclose a
- * point. With up to BVH_MASK_OBJECTS_MAX objects it is a bit mask in the first word, bit `rank` -
- * 1; else it holds the BVH_INTERIOR_LIST_MAX highest ranks, 16 bits each, in descending order. */
+ * point. With up to BVH_MASK_OBJECTS_MAX objects, it is a bit mask in the first word, with bit
+ * `rank` - 1 per object; else it has the highest ranks in descending order, 16 bits each. */
 struct bvh_interior_list {
     uint32_t words[BVH_INTERIOR_LIST_MAX / 2];
 };

@@ -47,7 +47,7 @@ struct bin {
 
 /* Triangles binned by centroid along each axis. */
 struct bins {
-    float low[3], scale[3]; /* bin scale; 0 if all centroids coincide */
+    float low[3], scale[3]; /* lowest centroid; bins per metre (0 if all centroids coincide) */
     struct bin all[3][BVH_BIN_COUNT];
 };
 
@@ -90,7 +90,7 @@ static void fill_bins(struct bins *bins, const struct bvh_builder *builder,
     }
 }
 
-/* Replaces *best with the cheapest split along an axis, if it is cheaper. */
+/* Replaces *best with the cheapest split along an axis, unless *best is cheaper. */
 static void find_split(struct split *best, const struct bins *bins, int axis)
 {
     const struct bin *bin = bins->all[axis];
@@ -208,7 +208,7 @@ static void *build_subtree(void *user)
 void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t depth_left,
                uint32_t threads)
 {
-    /* number of levels that fork; gives more subtrees than threads, since their sizes differ */
+    /* number of levels that start threads, enough to even out the load of unequal subtrees */
     const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5;
     struct subtree all = { builder, range->root, range->first, range->count, depth_left, forks };
     (void)build_subtree(&all);

@@ -26,7 +26,7 @@ struct bvh_node {
 struct bvh_builder {
     struct bvh_box *boxes; /* bounding box of each triangle */
     uint32_t *order;       /* triangle indices in leaf order */
-    /* node pool; the subtree of n triangles uses at most 2 n - 1 slots, from its root on */
+    /* node pool; a subtree of n triangles uses at most 2 n - 1 slots, starting at its root */
     struct bvh_node *nodes;
     uint32_t leaf_max; /* triangles per leaf */
 };

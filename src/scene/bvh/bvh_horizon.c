@@ -24,7 +24,7 @@ enum {
     VISITS_MAX = 1024,    /* maximum node visits per triangle */
 };
 
-/* Limits of horizon tangents: steeper ones cull too few rays, and flatter ones cost too much. */
+/* Limits of horizon tangents. Steeper ones cull too few rays, and flatter ones cost too much. */
 static const float steepest = 2.6f, flattest = 0.143f;
 
 /* Triangle whose horizon is computed. */
@@ -61,7 +61,7 @@ static bool normalize(float v[static 3])
 struct search {
     const struct bvh_two_level *hierarchy;
     const struct bvh_part *part;
-    float epsilon; /* heights up to this count as rounding errors */
+    float epsilon; /* maximum height that counts as a rounding error, metres */
     uint8_t *horizons;
 };
 
@@ -323,7 +323,7 @@ static void widen_cells(struct grid *grid, const int first[static 3], const int 
 void bvh_horizon_grid_write(struct bvh *bvh, const struct bvh_two_level *objects,
                             const struct bvh_part *part)
 {
-    /* distance by which a hit point may be off its triangle, in cells */
+    /* maximum distance of a hit point from its triangle, in cells */
     static const float tolerance = 0.1f;
     const struct bvh_box *all = &objects->builder.nodes[objects->root].box;
     struct grid grid = { 0 };

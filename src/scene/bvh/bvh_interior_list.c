@@ -1,4 +1,4 @@
-/* bvh_interior_list.c: interior lists of nested dielectrics: the sets of enclosing objects. */
+/* bvh_interior_list.c: interior lists of nested dielectrics: the objects that enclose a point. */
 #include "src/scene/bvh/bvh.h"
 
 enum {

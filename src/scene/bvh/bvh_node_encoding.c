@@ -59,7 +59,7 @@ static struct cone merge_cones(const struct cone *a, const struct cone *b)
     return cone;
 }
 
-/* Returns the normal cone of a leaf, from the triangles' maps. Degenerate triangles are skipped. */
+/* Returns a leaf's normal cone, from the barycentric maps of its non-degenerate triangles. */
 static struct cone leaf_cone(const struct bvh *bvh, uint32_t first, uint32_t count)
 {
     struct cone cone = { .angle = -1.0 };
@@ -165,7 +165,7 @@ struct encoder {
     struct bvh *bvh;
     const struct bvh_two_level *hierarchy;
     struct grid grid;
-    uint32_t first; /* BVH index of the part's first triangle */
+    uint32_t first; /* index in the BVH of the part's first triangle */
     float rounding; /* enlargement of boxes for rounding errors */
     bool has_cones;
 };

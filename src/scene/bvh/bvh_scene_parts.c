@@ -53,7 +53,7 @@ static uint32_t *inverse_order(const struct bvh_part *part, const struct mesh_or
     return inverse;
 }
 
-/* Returns the index of the object that owns a triangle; 0 for inclusions or without objects. */
+/* Returns the index of the object that owns a triangle, or 0 for inclusions or without objects. */
 static uint32_t owner_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -156,7 +156,7 @@ static bool surroundings_are_apart(const struct bvh_part *part, const struct bvh
     return true;
 }
 
-/* Extends a box to its bounds over all rotations about its vertical axis. */
+/* Extends a box so that it contains its rotations by any angle about its vertical axis. */
 static void extend_to_rotations(struct bvh_box *box)
 {
     const float x = 0.5f * (box->high[0] - box->low[0]), z = 0.5f * (box->high[2] - box->low[2]);
@@ -192,7 +192,7 @@ static uint64_t edge_hash(const float *a, const float *b)
     return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
 }
 
-/* Tests the sum of edge hashes, in which opposite edges of a closed mesh cancel. */
+/* Opposite edges cancel in the sum of edge hashes, so that the sum of a closed mesh is 0. */
 bool bvh_part_is_closed(const struct bvh_part *part)
 {
     uint64_t sum = 0;

@@ -29,8 +29,8 @@ const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t trian
 
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
-/* Returns true if no triangle's box in the surroundings overlaps the objects' bounding box. With
- * `rotates`, the box covers all rotations about +Y, and moving surroundings always overlap. */
+/* Returns true if no bounding box of a surroundings triangle overlaps the objects' bounding box. If
+ * `rotates`, the latter covers all rotations about +Y, and moving surroundings count as overlap. */
 bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */

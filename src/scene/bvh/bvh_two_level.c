@@ -150,8 +150,8 @@ static bool build_top_level(struct bvh_two_level *hierarchy)
     return done;
 }
 
-/* Returns the maximum depth of a group's BVH. *group_count receives the number of groups, or 1 for
- * all triangles together if the BVH would get too deep. */
+/* Returns the maximum depth of a group's BVH. *group_count receives the number of groups, or 1 if
+ * separate BVHs of the groups would make the whole BVH too deep. */
 static uint32_t decide_depth(const struct bvh_part *part, uint32_t *group_count)
 {
     const uint32_t above =

@@ -19,18 +19,18 @@ struct bvh_build_stats {
     uint32_t read; /* number of groups loaded from the cache */
 };
 
-/* Builds a part's BVH; a cached part must have no bubbles. Returns false when out of memory. */
+/* Builds a part's BVH. Parts with bubbles must not be cached. Returns false when out of memory. */
 MUST_USE bool bvh_two_level_build(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                   struct bvh_build_stats *work);
 
 /* Builds the BVH of a pose by refitting that of the rest pose. A deformed group is rebuilt if its
- * SAH cost exceeds work->cost_growth_max times that at rest; all groups are rebuilt if their
- * triangle ranges differ. Returns false when out of memory. */
+ * SAH cost exceeds its cost at rest times work->cost_growth_max; all groups are rebuilt if their
+ * triangle ranges differ from those at rest. Returns false when out of memory. */
 MUST_USE bool bvh_two_level_refit(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                   const struct bvh_two_level *rest,
                                   const struct bvh_part *rest_part, struct bvh_build_stats *work);
 
-/* Frees unused nodes, and drops the top-level BVH. Returns false when out of memory. */
+/* Discards unused nodes and the top-level BVH. Returns false when out of memory. */
 MUST_USE bool bvh_two_level_pack(struct bvh_two_level *hierarchy);
 
 void bvh_two_level_finish(struct bvh_two_level *hierarchy);

@@ -43,7 +43,7 @@ struct sample_point {
 
 struct ray {
     vec3s origin, dir; /* relative to the planet's centre */
-    float length;      /* distance to the ground or the top of the atmosphere */
+    float length;      /* distance to the ground or to the top of the atmosphere, km */
     bool hits_ground;
 };
 

@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include "src/base/status.h"
 
-/* Sun of an equirectangular environment, whose disc is not in the image. */
+/* Sun of an equirectangular environment. The disc of the sun is not part of the image. */
 struct environment_sun {
     vec3s dir;   /* unit direction to the sun, before `turn` is applied */
     vec3s light; /* radiance of a white diffuse surface facing the sun; 0 without a sun */
@@ -23,7 +23,7 @@ struct environment {
     uint32_t width, height; /* texels */
     float turn;             /* rotation about +Y of an equirectangular image, in turns, 0 to 1 */
     struct environment_sun sun;
-    bool is_cube; /* captured cube map with alpha = 1 / (distance from its centre in metres) */
+    bool is_cube; /* captured cube; alpha is 1 / distance from its centre, 1 / metre */
 };
 
 /* Loads an .exr file (channels R, G, B or Y; a captured cube also needs A, without which everything
@@ -32,7 +32,7 @@ struct environment {
  * to equirectangular images. All others must have aspect 2:1. Colours with other chromaticities are
  * converted to Rec.709, and white stays white. Negative and non-finite values become 0, and values
  * beyond half's range its maximum. Logs and returns STATUS_NO_INPUT, STATUS_DATA or
- * STATUS_TRY_AGAIN; *environment is then {0}. */
+ * STATUS_TRY_AGAIN; *environment is then zeroed. */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 
 #define ENVIRONMENT_SUN_MAX 1e6f /* limit of environment_sun.light in files */
@@ -40,8 +40,8 @@ MUST_USE enum status environment_load(struct environment *environment, const cha
 /* Returns the unit direction of an azimuth (0 is +Z, 90 is +X) and an elevation, in degrees. */
 vec3s environment_direction(float azimuth_deg, float elevation_deg);
 
-/* EXR string attribute that describes the sun: "AZIMUTH ELEVATION RED GREEN BLUE", with angles in
- * degrees as in sky.sun_azimuth and sky.sun_elevation, and environment_sun.light. */
+/* EXR string attribute of the sun, "AZIMUTH ELEVATION RED GREEN BLUE": the angles of
+ * sky.sun_azimuth and sky.sun_elevation in degrees, and the colour environment_sun.light. */
 #define ENVIRONMENT_SUN_TEXT "firn/sun"
 
 /* Multiplies all radiances, the sun's included, by 2^stops. */

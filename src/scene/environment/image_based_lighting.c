@@ -19,7 +19,7 @@ enum {
     DIFFUSE_WIDTH = 32, /* width of the level for diffuse lobes */
     SAMPLE_COUNT = 64,  /* samples per glossy lobe */
     SPLIT_SAMPLE_COUNT = 256,
-    OVERLAP = 4, /* texel-to-sample ratio of solid angles, to choose mip levels */
+    OVERLAP = 4, /* texel's solid angle relative to a sample's, to choose mip levels */
 };
 
 static const float pi = 3.14159265358979f;
@@ -278,8 +278,8 @@ uint16_t *image_based_lighting_brdf_table(void)
     return texels;
 }
 
-/* Limits for a dominant light: the minimum brightness of its texels relative to the maximum, and
- * the minimum ratio of maximum to mean brightness. */
+/* A dominant light consists of texels with at least DOMINANT_FRACTION of the maximum brightness,
+ * which must be at least DOMINANT_RATIO times the mean. */
 #define DOMINANT_FRACTION 0.35f
 #define DOMINANT_RATIO    4.0f
 #define DOMINANT_COSINE   0.75f /* minimum cosine of the angle to the brightest texel */

@@ -18,9 +18,9 @@ uint16_t *image_based_lighting_brdf_table(void);
  * texels, which the caller frees. Returns NULL when out of memory. */
 uint16_t *image_based_lighting_prefilter(const struct environment *environment);
 
-/* Returns the cone that most light comes from: xyz is the unit axis, rotated by environment.turn,
- * and w the cosine of the half-angle; (0, 0, 0, 1) if nothing is much brighter than the mean.
- * `table` is the result of image_based_lighting_prefilter(), or NULL. */
+/* Returns the cone that most light comes from. xyz is the unit axis, rotated by environment.turn,
+ * and w is the cosine of the half-angle; (0, 0, 0, 1) means that nothing is much brighter than the
+ * mean. `table` is the result of image_based_lighting_prefilter(), or NULL. */
 vec4s image_based_lighting_dominant_cone(const struct environment *environment,
                                          const uint16_t *table);
 

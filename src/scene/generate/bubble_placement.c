@@ -17,7 +17,7 @@ static float cross(vec2s a, vec2s b)
     return a.x * b.y - a.y * b.x;
 }
 
-/* Returns the coordinate at which an axis hits a triangle, or NAN. */
+/* Returns the coordinate at which a coordinate axis hits a triangle, or NAN for a miss. */
 static float axis_hit(const vec3s corners[3], int axis)
 {
     const int u = (axis + 1) % 3;
@@ -44,8 +44,8 @@ static bool spans_zero(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* Counts ray hits: a ray from inside a closed surface hits it an odd number of times. A ray through
- * an edge may miss both triangles, so the rays along all three axes must agree. */
+/* A ray from inside a closed surface hits it an odd number of times. A ray through an edge may miss
+ * both triangles, so that rays along all three axes must agree. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
     uint32_t exits[3] = { 0 };
@@ -85,8 +85,8 @@ static bool is_unoccupied(const struct bubbles *bubbles, vec3s center, float rad
     return true;
 }
 
-/* Returns a bubble of the requested shape inside a bounding sphere. Its axis is within about 11
- * degrees of the freezing direction, which points towards the centre. */
+/* Returns a bubble of the requested shape inside a bounding sphere. The bubble's axis is within
+ * about 11 degrees of the freezing direction, which points towards the centre. */
 static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
                                   vec3s middle, struct random *random)
 {
@@ -104,8 +104,8 @@ static struct bubble shape_bubble(struct bubble bubble, const struct generate_bu
     return bubble;
 }
 
-/* Adds a bubble at a random free position. Returns false if none is found. In a convex object, the
- * octahedron whose half diagonals are the clearance is inside, and so is its inscribed sphere. */
+/* Adds a bubble at a random free position. Returns false if none is found. A convex object contains
+ * the octahedron whose half diagonals are the clearance, and thus also its inscribed sphere. */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        const struct generate_bubbles *params, struct box box, float radius,
                        struct random *random)

@@ -7,8 +7,8 @@
  * two triangles, which share its vertices), wound counter-clockwise seen from outside, centred at
  * the origin, with vertex normals; they are white and have material 0. Units are metres.
  *
- * Ownership: *mesh must be {0} or finished; the caller finishes it. Errors: the functions return
- * false only when out of memory; *mesh is then {0}.
+ * Ownership: *mesh must be zeroed or finished; the caller finishes it. Errors: the functions return
+ * false only when out of memory; *mesh is then zeroed.
  */
 #ifndef FIRN_SCENE_GENERATE_GENERATE_H
 #define FIRN_SCENE_GENERATE_GENERATE_H
@@ -39,12 +39,12 @@ bool generate_ice_cube(struct mesh *mesh, uint32_t triangles);
  * spout's mouth are closed, and handle and spout are joined to the body. */
 bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 
-/* Generates a valley surrounded by hills, 60 m wide, 1.35 m below the origin at its centre: an open
- * surface facing up, lit (not MESH_UNLIT), coloured by height and slope. */
+/* Generates a valley surrounded by hills, 60 m wide, and 1.35 m below the origin at its centre. The
+ * open surface faces up, is lit (not MESH_UNLIT), and is coloured by height and slope. */
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
 /* Generates a level floor of pale tiles under the object, up to the horizon, on which transmitted
- * light is visible. Lit, facing up. */
+ * light is visible. The floor is lit and faces up. */
 bool generate_floor(struct mesh *mesh, struct box object);
 
 /* Generates a closed room, 11.7 x 6.3 x 9.9 m, with an off-centre table under the object. Walls,
@@ -53,7 +53,7 @@ bool generate_floor(struct mesh *mesh, struct box object);
 bool generate_room(struct mesh *mesh, struct box object);
 
 /* Generates coloured balls (MESH_ORBITS) in a ring around a box, outside its bounding sphere, so
- * that it can rotate about +Y. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
+ * that the box can rotate about +Y. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
 bool generate_orbiting_balls(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
@@ -72,7 +72,7 @@ struct generate_air {
     uint32_t count, seed; /* number of planes, 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in box diagonals */
     float frequency;      /* number of the largest bubbles along the box diagonal */
-    /* bubble opacity that replaces the procedural one in all layers, 0 to 1;
+    /* image of bubble opacities, 0 to 1, that replaces the procedural one in all layers, with
      * GENERATE_AIR_LAYER_SIZE rows and columns; or NULL */
     const float *opacity;
 };
@@ -82,16 +82,16 @@ enum {
     GENERATE_AIR_LAYER_COUNT = 4,
 };
 
-/* Array texture of air planes, two bytes per texel: opacity of bubbles, opacity of haze. */
+/* Array texture of air planes, two bytes per texel, for the opacity of bubbles and of haze. */
 struct air_layers {
     /* all mip levels, in the layout of mip_levels.h; the caller frees the texels */
     uint8_t *texels;
-    /* texels per side, a power of two; number of layers; both 0 without air planes */
+    /* texels per side (a power of two), and number of layers; both 0 without air planes */
     uint32_t size, count;
 };
 
 /* Generates squares as wide as the box's diagonal, randomly rotated about points near its centre.
- * Texture coordinates span each square; a vertex's `material` is the layer + 1. */
+ * Texture coordinates span each square. The vertices' `material` is the layer index + 1. */
 bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
 
 /* Clips air planes to a k-DOP of the object. Returns false when out of memory; *planes is then
@@ -131,7 +131,7 @@ struct bubbles {
  * the mesh is convex, else at least their centres. Bubbles without free space are omitted. Axes
  * point roughly to the centre. The shape does not change positions or longest diameters, except for
  * GENERATE_BUBBLES_GROWN: groups of parallel worms, strings of beads, and clumps of eggs. Returns
- * false when out of memory; *bubbles is then {0}. */
+ * false when out of memory; *bubbles is then zeroed. */
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
                       const struct generate_bubbles *params);
 

@@ -18,8 +18,8 @@ static uint32_t choose_cells(uint32_t triangles)
     return more - target < target - fewer ? n + 1 : n;
 }
 
-/* Returns the index of a surface point of an (n + 1)^3 lattice: first the layer at 0, then square
- * rings of 4n points, then the layer at n. */
+/* Returns the index of a surface point of an (n + 1)^3 lattice. Points are numbered first in the
+ * layer at 0, then in square rings of 4n points, and last in the layer at n. */
 static uint32_t surface_index(const uint32_t at[3], uint32_t n)
 {
     uint32_t i = at[0], j = at[1], k = at[2];
@@ -38,7 +38,7 @@ static uint32_t surface_index(const uint32_t at[3], uint32_t n)
     return ring + 4 * n - j;
 }
 
-/* Returns a lattice coordinate. Lines are denser towards the edges, where the curvature is high. */
+/* Returns a lattice coordinate. Lattice lines are denser near edges, where curvature is high. */
 static float lattice_coordinate(uint32_t i, uint32_t n)
 {
     float t = 2 * (float)i / (float)n - 1;

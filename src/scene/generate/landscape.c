@@ -16,7 +16,7 @@ struct grid {
 
 static struct grid choose_grid(uint32_t triangles)
 {
-    /* grid cells in the proportion 30 : 39 (Seipel and Nivfors 2006) */
+    /* columns and rows in the proportion 30 : 39 (Seipel and Nivfors 2006) */
     double cells = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX) / 2, 1);
     double rows = fmax(1, round(sqrt(cells * 39 / 30)));
     double columns = fmax(1, round(cells / rows));

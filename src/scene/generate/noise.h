@@ -8,8 +8,8 @@
 uint32_t noise_hash(uint32_t x);
 
 /* Returns value noise in [-1, 1] with two continuous derivatives: interpolated random values at
- * integer coordinates. Slopes are below 4. Seeds are uncorrelated. Coordinates must be below 2^30.
- */
+ * integer coordinates. Slopes are below 4. Different seeds give uncorrelated noise. Coordinates
+ * must be below 2^30. */
 float noise_value(vec3s p, uint32_t seed);
 
 /* Returns a vector of three uncorrelated noise values. */

@@ -56,7 +56,7 @@ struct side {
     vec3s albedo; /* albedo of furniture */
 };
 
-/* Ascending cell boundaries of a side along one axis. */
+/* Ascending coordinates of cell boundaries along one axis of a box's side. */
 struct breaks {
     float at[BREAKS_MAX];
     uint32_t count;
@@ -190,7 +190,7 @@ static vec3s albedo_of(const struct side *side, vec3s middle)
     return (vec3s){ { 0.72F, 0.70F, 0.66F } };
 }
 
-/* Writes the four vertices of a cell, and two triangles, wound for the visible side. */
+/* Writes a cell's four vertices and two triangles, wound so that the visible side is the front. */
 static void set_cell(const struct room *room, const struct side *side, uint32_t cell, vec3s low,
                      vec3s high)
 {

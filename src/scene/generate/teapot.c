@@ -22,7 +22,7 @@
 
 enum {
     PROFILE_PIECES = 6,
-    UPPER = 3,     /* first of the two profile pieces that handle and spout join */
+    UPPER = 3,     /* first of the two profile pieces to which handle and spout are joined */
     CELLS_MIN = 5, /* with fewer cells, smoothed normals at the joints point inwards */
 };
 
@@ -63,7 +63,7 @@ struct teapot {
     struct mesh *mesh;
     uint32_t n;       /* cells along a patch's side */
     uint32_t columns; /* columns around the body: 4n */
-    uint32_t lines;   /* circles of vertices on the body, including both poles */
+    uint32_t lines;   /* number of circles of vertices on the body, including both poles */
     struct hole spout, handle_top, handle_bottom;
     /* rows of the spout from hole to mouth, and of the handle from hole to hole */
     uint32_t spout_rows, handle_rows;
@@ -185,9 +185,9 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
     return (n * percent + 99) / 100;
 }
 
-/* Plans the grid. Hole sizes are percentages of a patch, with a margin around the joints. In
- * patches below the rim, the spout joins the body at 0.62..1.20, and the handle at 0.10..0.24 and
- * 1.00..1.24; the joints' half widths are 0.153, 0.085 and 0.070. */
+/* Plans the grid. Hole sizes, in percent of a patch, include a margin around the joints. Measured
+ * in patches below the rim, the spout joins the body at 0.62..1.20, and the handle at 0.10..0.24
+ * and 1.00..1.24. The joints' half widths are 0.153, 0.085 and 0.070 patches. */
 static struct teapot plan(uint32_t n)
 {
     struct teapot t = { .n = n, .columns = 4 * n, .lines = PROFILE_PIECES * n + 2 };

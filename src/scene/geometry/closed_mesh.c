@@ -40,7 +40,7 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
 }
 
 /* Counts the triangles that overlap each column. On a second call, when s->triangles is allocated,
- * stores them instead, filling each column from its end. */
+ * stores the triangles instead, filling each column from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
@@ -91,8 +91,8 @@ void closed_mesh_finish(struct closed_mesh *closed_mesh)
 }
 
 /* Returns twice the signed area of the triangle a, b, p in the xz plane. The two triangles at an
- * edge get exactly opposite values, never 0, because both use the same end of the edge. A line
- * through an edge therefore hits exactly one of them. */
+ * edge get exactly opposite values, never 0, because both start at the same end of the edge. A
+ * vertical line through an edge therefore hits exactly one of the two triangles. */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {
     bool is_swapped = a.x > b.x || (a.x >= b.x && a.z > b.z);

@@ -36,8 +36,8 @@ bool closed_mesh_may_overlap(const struct closed_mesh *closed_mesh, struct box b
 
 /* Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are
  * bisected until no side is longer than `step` metres, then cut where their sides cross the
- * surface; smaller features are missed. The result shares no vertices. Returns false when out of
- * memory; *sheet is then unchanged. */
+ * surface; smaller features are missed. The new triangles share no vertices. Returns false when out
+ * of memory; *sheet is then unchanged. */
 bool closed_mesh_clip(const struct closed_mesh *closed_mesh, struct mesh *sheet, float step);
 
 #endif

@@ -24,7 +24,7 @@ struct work {
     const struct mesh *mesh;
     struct box box;
     vec3s cell;        /* size of a texel */
-    uint32_t *nearest; /* nearest triangle of each texel, or NOWHERE */
+    uint32_t *nearest; /* index of each texel's nearest triangle, or NOWHERE */
     uint8_t *changed;  /* last sweep that changed each texel */
     float *distances2;
     int32_t *windings;
@@ -57,7 +57,7 @@ static float line_distance2(vec3s p, vec3s a, vec3s b)
 }
 
 /* Returns the squared distance from p to a triangle. If p projects outside the triangle, the
- * nearest point is on one of the edges whose outer side p is on. */
+ * nearest point is on an edge whose outer side faces p. */
 static float distance2(const struct work *work, uint32_t triangle, vec3s p)
 {
     vec3s c[3];
@@ -121,8 +121,8 @@ static void test_near(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Tests the nearest triangles of 13 neighbours, before or after the texel in scan order. Skips
- * duplicates, which are common, and neighbours that have not changed since sweep `since`. */
+/* Tests the nearest triangles of the 13 neighbours that precede or follow a texel in scan order.
+ * Skips duplicates, which are common, and neighbours that have not changed since sweep `since`. */
 static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
@@ -197,7 +197,7 @@ static void add_winding(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Returns the distance from a point near a texel's centre to its neighbours' nearest triangles. */
+/* Returns the distance from a point to the nearest triangles of a texel and its neighbours. */
 static float depth_near(const struct work *work, const int texel[static 3], vec3s point)
 {
     float nearest2 = INFINITY;
@@ -212,7 +212,7 @@ static float depth_near(const struct work *work, const int texel[static 3], vec3
     return sqrtf(nearest2);
 }
 
-/* Returns the maximum distance near the deepest texel, searched between texel centres. */
+/* Returns the maximum depth near the deepest texel, searched in steps of a quarter texel. */
 static float find_maximum(const struct work *work, size_t index)
 {
     const int texel[3] = { (int)(index % SIZE), (int)(index / SIZE % SIZE),

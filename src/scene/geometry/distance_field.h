@@ -12,7 +12,7 @@ struct distance_field {
         *texels; /* depths relative to the maximum, MEDIUM_SIZE texels per axis, x fastest; owned */
 };
 
-/* Computes the field; an empty mesh or failure zeroes it. Returns false when out of memory. */
+/* Computes the field (zeroed if the mesh is empty). Returns false when out of memory. */
 bool distance_field_init(struct distance_field *field, const struct mesh *mesh);
 void distance_field_finish(struct distance_field *field); /* {0} is fine */
 

@@ -19,9 +19,9 @@ struct kdop {
 /* Returns the k-DOP of a mesh, which is empty for an empty mesh. */
 struct kdop kdop_of(const struct mesh *mesh);
 
-/* Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, which is
- * 0, or 3 to `count` + KDOP_PLANE_COUNT; `corners` must have room for it. New vertices interpolate
- * the texture coordinates and copy the other attributes of the first vertex. */
+/* Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, 0 or 3 to
+ * `count` + KDOP_PLANE_COUNT, for which `corners` must have room. New vertices interpolate the
+ * texture coordinates and copy the other attributes of the first vertex. */
 uint32_t kdop_clip(const struct kdop *kdop, struct mesh_vertex *corners, uint32_t count);
 
 #endif

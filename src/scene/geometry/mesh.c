@@ -221,8 +221,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* Returns a triangle's shell index: exponent and top mantissa bit of its squared distance from a
- * point. There are thus four shells per octave of distance. */
+/* Returns the index of the spherical shell around a point that contains a triangle: exponent and
+ * top mantissa bit of the squared distance. There are thus four shells per octave of distance. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;

@@ -1,8 +1,8 @@
 /*
  * mesh.h: indexed triangle mesh in memory, with the vertex layout of all passes.
  *
- * Space: the owner's; world space (right-handed, +Y up, metres) in scenes. Winding:
- * counter-clockwise seen from outside. A mesh owns its arrays (malloc'd); mesh_finish() frees them.
+ * Scenes' meshes are in world space (right-handed, +Y up, metres), others in their owner's space.
+ * Triangles are counter-clockwise seen from outside. mesh_finish() frees the malloc'd arrays.
  */
 #ifndef FIRN_SCENE_GEOMETRY_MESH_H
 #define FIRN_SCENE_GEOMETRY_MESH_H
@@ -24,7 +24,7 @@ struct mesh_vertex {
 /* Optional attributes, which few meshes have. */
 struct mesh_extra {
     vec3s tangent; /* unit tangent along u; zero to derive it from texture coordinates */
-    float side;    /* 1, -1 or 0: the bitangent, opposite to v, is cross(normal, tangent) * side */
+    float side;    /* 1, -1 or 0; cross(normal, tangent) * side is the bitangent, opposite to v */
     vec2s uv;      /* second set of texture coordinates */
 };
 
@@ -73,14 +73,14 @@ float box_diagonal(struct box box);
  * must not be 0. Normals are unchanged. */
 void mesh_fit(struct mesh *mesh, float width);
 
-/* Computes vertex normals: the mean of the adjacent triangles' normals, weighted by their angles at
- * the vertex, which is independent of triangulation (Thuermer and Wuethrich 1998). Vertices without
- * a non-degenerate triangle get +Y. */
+/* Computes each vertex normal as the mean of the adjacent triangles' normals, weighted by angle at
+ * the vertex to be independent of triangulation (Thuermer and Wuethrich 1998). Vertices without a
+ * non-degenerate triangle get +Y. */
 void mesh_make_normals(struct mesh *mesh);
 
-/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal: a ray is
- * then inside at most once. Returns false above MESH_CONVEX_MAX triangle-vertex pairs. */
 #define MESH_CONVEX_MAX (1u << 24)
+/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal. A ray is
+ * then inside at most once. Returns false above MESH_CONVEX_MAX triangle-vertex pairs. */
 bool mesh_is_convex(const struct mesh *mesh);
 
 /* Original index of each triangle of a sorted mesh. */
@@ -92,7 +92,7 @@ struct mesh_order {
 /* Sorts triangles front to back from a point, so that early depth tests reject most hidden
  * fragments. Distances are quantised to shells, each less than a quarter farther than the last,
  * that keep the file's order for vertex caches. *order, unless NULL, gets an array that the caller
- * frees. Returns false when out of memory; *mesh is then unchanged, and *order is {0}. */
+ * frees. Returns false when out of memory; *mesh is then unchanged, and *order zeroed. */
 bool mesh_sort_by_distance(struct mesh *mesh, vec3s from, struct mesh_order *order);
 
 #endif

@@ -11,7 +11,7 @@ struct grid {
     vec3s across[2];
     vec2s first; /* minimum corner of the mesh's bounding rectangle in the `across` axes */
     vec2s step;  /* spacing of lines */
-    unsigned char hits[SIDE * SIDE]; /* triangle hits of each line, at most 255 */
+    unsigned char hits[SIDE * SIDE]; /* number of triangles that each line hits, at most 255 */
 };
 
 /* Orthogonal directions, oblique to the faces of man-made objects, since lines within a slightly

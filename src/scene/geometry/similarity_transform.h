@@ -29,7 +29,7 @@ struct similarity_transform {
 struct similarity_transform_anchor
 similarity_transform_anchor_find(const struct similarity_transform_corners *corners);
 
-/* Finds the transform of the anchor from `before` to `after`. Returns false if collinear. */
+/* Finds the transform of the anchor from `before` to `after`. Returns false if it is collinear. */
 bool similarity_transform_find(struct similarity_transform *motion,
                                const struct similarity_transform_anchor *anchor,
                                const struct similarity_transform_corners *before,

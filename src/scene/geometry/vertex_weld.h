@@ -19,8 +19,8 @@ struct vertex_weld {
     uint32_t corner_count;
 };
 
-/* Welds the vertices of `count` indices from `first` on. Returns false when out of memory;
- * *vertex_weld is then zeroed. */
+/* Welds the vertices that `count` indices from `first` on refer to. Returns false when out of
+ * memory; *vertex_weld is then zeroed. */
 bool vertex_weld_init(struct vertex_weld *vertex_weld, const struct mesh *mesh, uint32_t first,
                       uint32_t count);
 void vertex_weld_finish(struct vertex_weld *vertex_weld); /* {0} is fine */

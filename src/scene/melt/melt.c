@@ -25,7 +25,7 @@
 /* widening of cracks at the surface of fully melted ice, in gap widths */
 #define CRACK_WIDENING     20.0f
 #define SUBMERGED_FRACTION 0.917f /* submerged fraction of floating ice (density ratio) */
-#define PUDDLE_DEPTH       0.164f /* thickness of spread meltwater, in half widths: 2.3 mm */
+#define PUDDLE_DEPTH       0.164f /* thickness of meltwater, in half widths of the ice */
 #define WATER_PER_ICE      0.917f /* volume of water per volume of ice */
 
 /* Returns the depth of cellular noise at a point, 0 to 1: round hollows with sharp ridges. */
@@ -295,7 +295,7 @@ static bool melt_all(struct model *model, const struct melting *melting, float t
 {
     struct object whole = { .index_count = model->object.index_count };
     bool done = mesh_append(&melted->unmelted, &model->object);
-    if (!model->object_count) /* a pool's floating ice has no object list */
+    if (!model->object_count) /* without an object list, the whole mesh is a pool's ice */
         done = done && melt_object(model, &whole, true, melting, time, melted);
     for (uint32_t i = 0; i < model->object_count && done; i++) {
         if (is_ice(model, i, melting))
@@ -341,7 +341,7 @@ static void shorten_capsule(const struct distance_field *depth, struct bubble *b
     const bool is_second =
         melt_air_and_water_depth(depth, ends[1]) > melt_air_and_water_depth(depth, ends[0]);
     const vec3s deep = ends[is_second], shallow = ends[!is_second];
-    /* fractions of the length at which the capsule is inside the ice, and outside */
+    /* fractions of the length, `whole` inside the ice, and `cut` partly outside */
     float whole = 0.0f, cut = 1.0f;
     if (melt_air_and_water_depth(depth, shallow) >= bubble->radius)
         return;

@@ -29,7 +29,7 @@ struct melting {
 
 struct melted {
     float lost_fraction; /* lost volume fraction of the first ice object; 0 if nothing has melted */
-    struct mesh unmelted; /* objects before melting, displaced with the ice; or {0} */
+    struct mesh unmelted; /* unmelted objects, displaced with the ice; zeroed if nothing melted */
     struct box box;       /* bounding box of `unmelted` */
 };
 

@@ -6,7 +6,7 @@
 #include "src/scene/geometry/vertex_weld.h"
 
 /* Maximum depth of a component's centre, in half widths of the ice, at which the component shrinks.
- * It is limited to half the component's radius. */
+ * The depth is also limited to half the component's radius. */
 #define SHRINKS_AT 0.06f
 
 #define SCALE_MIN 1e-3f /* minimum scale of a component, to keep its normals valid */
@@ -230,7 +230,7 @@ static float spread_radius(float out, float before, float after, float edge, flo
     return glm_lerp(pushed, fmaxf(scale * edge, pushed), t * t);
 }
 
-/* Spreads a component, around ice whose outline changes from `before` to `after`. */
+/* Spreads a component of water around ice whose outline changes from `before` to `after`. */
 static void spread_component(const struct components *components, const struct component *component,
                              struct mesh *mesh, const struct outline *before,
                              const struct outline *after, float spread)
@@ -288,7 +288,7 @@ static bool is_water_layer(const struct model *model, const struct mesh_vertex *
     return index && model->materials[index - 1].flags & MATERIAL_IS_WATER_LAYER;
 }
 
-/* Selects the surroundings' triangles in water layers, or all others. Borrows the vertices. */
+/* Selects all surroundings triangles in water layers, or all others. Borrows the vertices. */
 static bool select_triangles(struct mesh *selected, const struct model *model,
                              bool are_water_layers)
 {
@@ -380,8 +380,8 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
 }
 
 /* Moves the texture coordinates of water layers with the moved vertices, and lowers vertices over
- * deep hollows; elsewhere the surface stays level. `level` is the ground height below the ice, so
- * that protruding stone does not make the layer thinner elsewhere. */
+ * deep hollows; elsewhere the surface stays level. `level` is the ground height below the ice, used
+ * where stone protrudes above it, so that the layer does not get thinner elsewhere. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

@@ -17,7 +17,7 @@ struct melt_air_and_water_ice {
     struct distance_field depth, depth_before;
 };
 
-/* Moves connected components inside the ice along with it, shrinks those near its surface, and
+/* Moves air inside the ice along with it, shrinks connected components near the ice's surface, and
  * collapses those outside. Returns false when out of memory. */
 bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);

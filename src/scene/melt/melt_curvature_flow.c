@@ -289,7 +289,7 @@ static double compute_next(struct work *work, double half, double volume)
             smooth_tangentially(work);
         const uint32_t inverted = mark_collisions(work);
         if (inverted >
-            flow->corner_count / 6) { /* most triangles are inverted: the ice has vanished */
+            flow->corner_count / 6) { /* most triangles are inverted, so the ice has vanished */
             collapse(work);
             return 0;
         }
@@ -333,7 +333,7 @@ static double run(struct work *work, double fraction, double further)
 {
     const double first = volume_of(work->flow, work->flow->points);
     const double half = melt_curvature_flow_half_width(work->flow);
-    double volume = first, left = -1; /* steps left once `fraction` is lost; negative until then */
+    double volume = first, left = -1; /* remaining steps; -1 until `fraction` is lost */
     for (int stage = 0; stage < STAGES_MAX && volume > 0 && !(left >= 0 && left <= 0); stage++) {
         const double after = compute_next(work, half, volume);
         double part = 1;

@@ -19,7 +19,7 @@
 struct melt_curvature_flow {
     double (*points)[3];
     uint32_t count;
-    const uint32_t *corners; /* three per triangle, counter-clockwise seen from outside */
+    const uint32_t *corners; /* three points per triangle, counter-clockwise from outside */
     uint32_t corner_count;
 };
 
