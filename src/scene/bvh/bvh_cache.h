@@ -22,7 +22,7 @@ uint64_t bvh_cache_key(const struct bvh_part *part);
  * no valid file; nodes are then undefined, and the triangle order is unchanged. */
 bool bvh_cache_load(struct bvh_two_level *hierarchy, uint64_t key);
 
-/* Writes a BVH's topology to a cache file, and evicts old files if the cache is too large. */
+/* Writes a BVH's topology to a cache file, evicting the least recently used files. */
 void bvh_cache_save(const struct bvh_two_level *hierarchy, uint64_t key);
 
 /* Decodes `count` untrusted words into a BVH. Returns false if they are not a valid topology. */

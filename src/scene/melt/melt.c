@@ -25,7 +25,7 @@
 /* widening of cracks at the surface of fully melted ice, in gap widths */
 #define CRACK_WIDENING     20.0f
 #define SUBMERGED_FRACTION 0.917f /* submerged fraction of floating ice (density ratio) */
-#define PUDDLE_DEPTH       0.164f /* thickness of meltwater, in half widths of the ice */
+#define PUDDLE_DEPTH       0.164f /* thickness of meltwater in half widths of the ice: 2.3 mm */
 #define WATER_PER_ICE      0.917f /* volume of water per volume of ice */
 
 /* Returns the depth of cellular noise at a point, 0 to 1: round hollows with sharp ridges. */
