@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* Passes a PNG file to wl-copy (Wayland) or xclip, which then serve paste requests. Returns false,
- * without logging, if the program is not installed or fails. */
+/* Passes a PNG file to wl-copy (Wayland) or xclip (X11), which keeps running to serve paste
+ * requests. Returns false, without logging, if the program is not installed or fails. */
 bool clipboard_copy_png(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* comparison_image.h: fixed image for the A/B comparison: an image file, the path-traced reference
- * or an error map. Errors are logged once where found. */
+ * or an error map. Errors are logged before they are returned. */
 #ifndef FIRN_VIEW_COMPARISON_IMAGE_H
 #define FIRN_VIEW_COMPARISON_IMAGE_H
 
@@ -16,11 +16,11 @@ struct comparison_image {
     uint32_t curve;
 };
 
-/* Tone-maps `linear` like tonemap_encode() and uploads it to `image` unless that is up to date. */
+/* Updates an outdated `image` from `linear`, tone-mapped in the same way as by tonemap_encode(). */
 MUST_USE enum status comparison_image_show(struct comparison_image *comparison, struct gpu *gpu,
                                            float gain, uint32_t curve);
 
-/* Uploads sRGB-encoded pixels to `image` unless it is up to date. */
+/* Uploads sRGB-encoded pixels to `image` if it is outdated. */
 MUST_USE enum status comparison_image_upload(struct comparison_image *comparison, struct gpu *gpu,
                                              const uint8_t *rgba, VkExtent2D size);
 

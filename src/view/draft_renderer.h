@@ -22,7 +22,7 @@ struct draft_renderer_params {
     uint64_t version; /* version of the viewport's renderers */
 };
 
-/* Features and detail that the draft leaves out. */
+/* Simplifications of a draft; each level includes those of all levels before it. */
 enum draft_renderer_level {
     DRAFT_RENDERER_FULL,          /* nothing that is easily noticed */
     DRAFT_RENDERER_COARSE_MESH,   /* uses coarser meshes */
@@ -41,13 +41,13 @@ struct draft_renderer {
     bool failed;    /* there was not enough memory */
 };
 
-/* Returns the settings of a draft. A setting controlled by quality levels gets its value at quality
- * `draft`, unless its current value is that of no quality level. */
+/* Returns the settings of a draft: those set to the value of some quality level get that of quality
+ * `draft`; then the upper limits of `level` apply to all settings. */
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level);
 
-/* Creates the renderers and draws hidden frames, to make the driver compile the shaders and to
- * measure their time. It is no error if there is no memory for them. */
+/* Creates the draft renderers and draws hidden frames, so that the driver compiles the shaders and
+ * the frame time is measured. If memory runs out, succeeds without draft renderers. */
 MUST_USE enum status draft_renderer_create(struct draft_renderer *draft,
                                            const struct draft_renderer_params *params,
                                            const struct renderer_shot *shot);

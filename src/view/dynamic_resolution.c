@@ -3,7 +3,7 @@
 #include <math.h>
 
 static const double target = 0.028;   /* target frame time, seconds */
-static const double early = 0.024;    /* size grows up to this predicted frame time, seconds */
+static const double early = 0.024;    /* size grows if the predicted time is below this, seconds */
 static const double late = 0.033;     /* frame time in seconds; two slower frames shrink the size */
 static const double very_late = 0.05; /* frame time in seconds; one slower frame shrinks the size */
 static const double first_rest = 0.006;

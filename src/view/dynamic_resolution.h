@@ -23,13 +23,13 @@ struct dynamic_resolution {
     double passes, rest; /* smoothed V and F in seconds */
 };
 
-/* Restarts the controller. `passes`: pass time at full size, seconds; 0 if unknown. */
+/* Restarts the controller; `passes` is the GPU pass time at full size in seconds, 0 if unknown. */
 void dynamic_resolution_begin(struct dynamic_resolution *resolution, double passes);
 
-/* Adds the frame time and pass time, in seconds, of a frame that was drawn at size k. */
+/* Adds the times, in seconds, of a frame drawn at the current size: whole frame and GPU passes. */
 void dynamic_resolution_add(struct dynamic_resolution *resolution, double frame, double passes);
 
-/* Returns length * k / 16, rounded down to an even number; `length` if that is 0 or k is 16. */
+/* Returns length * k / 16, rounded down to even; `length` if the result is 0 or if k is 16. */
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k);
 
 #endif

@@ -34,14 +34,14 @@ struct flip_error_map {
 
 void flip_error_map_finish(struct flip_error_map *map); /* waits for the thread; {0} works */
 
-/* Starts to compute the error of the first image relative to the second. Both have the same size
- * and are copied. `gain` and `curve` are those of tonemap_apply(). No other run may be in progress.
- * Returns false if out of memory. */
+/* Starts to compute the error of the first image relative to the second. Copies the images, which
+ * must have the same size. `gain` and `curve` are those of tonemap_apply(). No other run may be in
+ * progress. Returns false if out of memory. */
 bool flip_error_map_begin(struct flip_error_map *map,
                           const struct flip_error_map_image sides[static 2], float gain,
                           uint32_t curve);
 
-/* Returns true, once, when the worker has finished; its results are valid unless `failed`. */
+/* Returns true in the first call after a run has finished. Unless `failed`, results are valid. */
 bool flip_error_map_take(struct flip_error_map *map);
 
 #endif

@@ -370,7 +370,7 @@ static enum view_action find(const struct key_press *press, bool shifted)
     return VIEW_ACTION_NONE;
 }
 
-/* '+' needs Shift on many keyboards, so a shortcut with Shift falls back to the one without. */
+/* '+' needs Shift on many keyboards, so Shift is ignored if no shortcut requires it. */
 enum view_action key_bindings_find(const struct key_press *press)
 {
     const enum view_action action =
@@ -398,7 +398,7 @@ const char *key_bindings_button(enum view_action action)
     return actions[action].button ? actions[action].button : actions[action].label;
 }
 
-/* Finds entry i of the shortcut list. `help` is its label, or its full help text if `all`. */
+/* Finds entry i of the shortcut list. *help is its label or, if `all`, its full help text. */
 static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;

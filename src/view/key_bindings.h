@@ -66,7 +66,7 @@ enum view_action {
     VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
-    VIEW_DRAG = VIEW_ACTION_COUNT, /* first input that is not an executable action */
+    VIEW_DRAG = VIEW_ACTION_COUNT, /* VIEW_DRAG and all later inputs cannot be executed */
     VIEW_PAN,
     VIEW_ROTATE_LIGHT,
     VIEW_MOVE_SUN,

@@ -1,6 +1,6 @@
-/* noise_estimate.h: standard error of a progressively refined image. It is computed per block of
- * 8x8 pixels, from the variance of the block's mean over the samples, which are treated as
- * independent; the estimate is the mean over all blocks. */
+/* noise_estimate.h: standard error of a progressively refined image. Each sample gives a mean for
+ * every block of 8x8 pixels; the variance of these means gives the block's standard error, as if
+ * samples were independent. The estimate is the mean over all blocks. */
 #ifndef FIRN_VIEW_NOISE_ESTIMATE_H
 #define FIRN_VIEW_NOISE_ESTIMATE_H
 

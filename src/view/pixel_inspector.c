@@ -16,7 +16,7 @@ static const float darkest_stops = -12.0f; /* histogram range, stops */
 static const float brightest_stops = 8.0f;
 
 /* Retires the current image but keeps it alive until the next change, so that the next image gets
- * another handle: the window's plan detects a new image by its handle. */
+ * another handle, by which the window's plan detects the change. */
 static void forget(struct pixel_inspector *inspector, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &inspector->previous);
@@ -130,7 +130,7 @@ static void find_range(struct pixel_inspector *inspector, const struct planes *p
         inspector->min = inspector->max = 0.0f;
 }
 
-/* Fills the histogram, in stops for the rendered image or over the value range of a layer. */
+/* Fills the histogram. Its axis is in stops for the rendered image, or a layer's value range. */
 static void count_bins(struct pixel_inspector *inspector, const struct planes *planes)
 {
     const bool is_log = !inspector->choice.layer;
@@ -260,7 +260,7 @@ static uint32_t take(const struct image *image, const struct frame_layer *layer,
     return count;
 }
 
-/* Finds an object's name in `names`, lines of "NUMBER NAME"; `name` is "" if there is none. */
+/* Sets `name` to the object's name, from a line "NUMBER NAME" of `names`; "" if there is none. */
 static void find_name(const char *names, uint32_t number, char *name, size_t size)
 {
     const char *line = names;

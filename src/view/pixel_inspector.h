@@ -1,6 +1,6 @@
 /* pixel_inspector.h: pixel inspector: shows layers of a converging image and reads values of its
  * pixels. Layers are rendered on demand, with one sample at each pixel's centre, and kept in host
- * memory until the image changes. Errors are logged once where found. */
+ * memory until the image changes. Errors are logged before they are returned. */
 #ifndef FIRN_VIEW_PIXEL_INSPECTOR_H
 #define FIRN_VIEW_PIXEL_INSPECTOR_H
 

@@ -41,14 +41,14 @@ struct presenter {
     double wait_seconds;  /* seconds the host waited to acquire and present this frame's image */
 };
 
-/* Initialises a presenter, which must not move. Borrows `surface` and `canvas` (may be NULL). */
+/* Initialises a presenter, which must not move. Borrows `surface` and, unless NULL, `canvas`. */
 MUST_USE enum status presenter_init(struct presenter *presenter, struct gpu *gpu,
                                     VkSurfaceKHR surface, VkPresentModeKHR mode,
                                     const struct gpu_shared_window *canvas);
 void presenter_finish(struct presenter *presenter); /* {0} and half-built are fine */
 
-/* Recreates the swapchain if it does not have this window size; *remade is then true and the
- * presenter is disconnected. Nothing can be presented while swapchain.stale is still true. */
+/* Recreates the swapchain if it is stale or has another size; *remade is then true and the
+ * presenter is disconnected. If swapchain.stale is still true, nothing can be presented. */
 MUST_USE enum status presenter_fit(struct presenter *presenter, VkExtent2D size, bool *remade);
 
 /* Sets the font atlas of the user interface; NULL if there is none. Disconnects the presenter. */
@@ -66,7 +66,7 @@ void presenter_disconnect(struct presenter *presenter);
 MUST_USE enum status presenter_begin(struct presenter *presenter, bool *ready);
 
 /* Draws and presents a frame. `frame->overlay` indexes the presenter's buffers overlay_vertices and
- * overlay_indices. Members of `frame` that depend on the swapchain are set by this function. */
+ * overlay_indices. The members of `frame` that follow `overlay` need not be set. */
 MUST_USE enum status presenter_end(struct presenter *presenter, const struct window_frame *frame);
 
 /* Waits until no frame reads the source images. */

@@ -33,7 +33,7 @@ static char *take_line(FILE *file)
     return line;
 }
 
-/* Prints `first`, followed by the previous entries other than `first`. */
+/* Prints `first`, then the entries of the file `before` except `first`. */
 static void print(FILE *out, const char *first, FILE *before)
 {
     char *line;

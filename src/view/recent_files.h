@@ -13,7 +13,7 @@ enum {
  * HOME. Logs if the list cannot be written. */
 void recent_files_add(const char *path);
 
-/* Returns the path of recent file i, malloc'd, skipping missing files; NULL after the last. */
+/* Returns the path of recent file i, malloc'd; NULL after the last. Missing files are skipped. */
 char *recent_files_at(uint32_t i);
 
 #endif

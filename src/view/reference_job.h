@@ -1,5 +1,5 @@
-/* reference_job.h: path-traces the reference image on a worker thread, sample by sample. Errors are
- * logged once where found. */
+/* reference_job.h: path-traces the reference image on a worker thread, sample by sample. Logs
+ * errors. */
 #ifndef FIRN_VIEW_REFERENCE_JOB_H
 #define FIRN_VIEW_REFERENCE_JOB_H
 
@@ -32,7 +32,7 @@ bool reference_job_begin(struct reference_job *job, const struct reference_reque
 /* Stops the thread, if one is running, and discards its result. */
 void reference_job_stop(struct reference_job *job);
 
-/* Moves the newest mean image to *mean and frees the old one. Returns false if none is new. */
+/* Replaces *mean by the newest mean image. Returns false if there is no new one. */
 bool reference_job_take(struct reference_job *job, struct image *mean);
 
 #endif

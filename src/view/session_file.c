@@ -164,7 +164,7 @@ static bool parse_transform(struct session_file *s, const char *name, const char
 }
 
 /* Parses an entry other than a setting. Returns false if `name` is unknown. If the value is
- * invalid, *expected describes valid ones; otherwise it is NULL. */
+ * invalid, *expected describes valid values; otherwise *expected is NULL. */
 static bool parse_own(struct session_file *s, const char *name, char *value, const char **expected)
 {
     *expected = NULL;

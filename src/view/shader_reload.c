@@ -17,10 +17,10 @@ enum {
     POLL_NANOSECONDS = 100000000, /* polling interval */
 };
 
-/* Reload state of one shader of embedded_all. */
+/* Reload state of one built-in shader. */
 struct file {
     const char *name;                   /* source file, relative to the folder */
-    uint64_t stamp;                     /* hash of file and includes when last compiled */
+    uint64_t stamp;                     /* hash of the file and its includes when last compiled */
     uint64_t polled;                    /* hash at the last poll */
     bool failed;                        /* compilation failed */
     struct shader_compile_code ready;   /* compiled code, held back until all shaders compile */
@@ -88,8 +88,8 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
     return stamp;
 }
 
-/* Polls all files. Returns true if some have changed since they were compiled, and all are
- * unchanged since the previous poll, so that no editor is still writing. */
+/* Polls all files. Returns true if some have changed since they were compiled, but none since the
+ * previous poll, which means that no editor is still writing. */
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;
@@ -141,7 +141,7 @@ static void compile(struct shader_reload *w, size_t index,
     f->ready = code;
 }
 
-/* Offers all compiled shaders to shader_reload_take() at once, unless one of them has failed. */
+/* Hands all new shaders to shader_reload_take() at once, but only if every one was compiled. */
 static void offer(struct shader_reload *w, const char *message, bool sound)
 {
     size_t count = 0;
@@ -161,7 +161,7 @@ static void offer(struct shader_reload *w, const char *message, bool sound)
     }
     w->has_new = w->has_new || count;
     pthread_mutex_unlock(&w->lock);
-    if (!sound) /* `message` is written only by this thread, so no lock is needed */
+    if (!sound) /* no lock is needed, as only this thread writes w->message */
         log_error("%s (the previous shaders stay in use)", w->message);
     else if (count == 1 && !w->quiet)
         fprintf(stderr, "%s/%s: compiled\n", w->folder, name);
@@ -206,7 +206,7 @@ static void *run(void *data)
     return NULL;
 }
 
-/* Finds the source files; several shaders may share one. Returns true if any exists. */
+/* Finds the source files; several shaders may share one. Returns true if at least one exists. */
 static bool find_files(struct shader_reload *w)
 {
     bool found = false;

@@ -20,16 +20,16 @@ MUST_USE enum status shader_reload_create(struct shader_reload **reload, const c
                                           bool quiet);
 void shader_reload_destroy(struct shader_reload *reload); /* may be NULL */
 
-/* Activates newly compiled shaders for shader_reload_replace(). Returns true if there are any. */
+/* Makes shader_reload_replace() use newly compiled shaders. Returns true if there are any. */
 bool shader_reload_take(struct shader_reload *reload);
 
 /* Undoes shader_reload_take() after pipelines could not be created. */
 void shader_reload_revert(struct shader_reload *reload);
 
-/* Returns the compilation error, one line, or ""; valid until the next shader_reload_take(). */
+/* Returns a one-line compilation error, or "" if none; valid until shader_reload_take(). */
 const char *shader_reload_message(const struct shader_reload *reload);
 
-/* Replaces shaders in executors; `user` is the struct shader_reload. */
+/* Callback that gives executors the reloaded shaders; `user` is a struct shader_reload. */
 rg_replace_shader_fn shader_reload_replace;
 
 #endif

@@ -37,7 +37,7 @@ void stderr_capture_begin(struct stderr_capture *e)
             (void)fclose(stream);
         return;
     }
-    setvbuf(stream, NULL, _IONBF, 0); /* unbuffered like stderr, so that messages arrive whole */
+    setvbuf(stream, NULL, _IONBF, 0); /* unbuffered like stderr, so that messages appear at once */
     e->original = stderr;
     stderr = stream;
 }

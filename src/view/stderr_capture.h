@@ -17,12 +17,12 @@ struct stderr_capture {
     char line[STDERR_CAPTURE_SIZE]; /* last error, without "firn: " */
 };
 
-/* Starts capturing text written to stderr, which is still printed. Does nothing on failure. The
+/* Starts capturing text written to stderr; the text is still printed. Does nothing on failure. The
  * struct must not move until stderr_capture_end(). */
 void stderr_capture_begin(struct stderr_capture *capture);
 void stderr_capture_end(struct stderr_capture *capture); /* restores stderr; {0} is fine */
 
-/* Moves the last error since the previous call to `line`. Returns false if there was none. */
+/* Writes to `line` the last error since the previous call. Returns false if there was none. */
 bool stderr_capture_take(struct stderr_capture *capture, char line[static STDERR_CAPTURE_SIZE]);
 
 #endif

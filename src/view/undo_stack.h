@@ -46,8 +46,8 @@ struct undo_stack {
 
 bool undo_stack_same_state(const struct view_state *a, const struct view_state *b);
 
-/* Pushes a state and drops all states that could be redone. States of one continuous gesture (not
- * 0), such as a slider drag, replace each other, so that they are undone in one step. */
+/* Pushes a state and drops all states that could be redone. States pushed with the same `gesture`,
+ * unless it is 0, replace each other, so that a slider drag is undone in one step. */
 void undo_stack_push(struct undo_stack *stack, const struct view_state *state, uint32_t gesture);
 
 /* Makes the previous or next state current and returns it; NULL if there is none. */

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 /* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets", and creates it if `make`. Returns
- * NULL, without logging, if HOME is not set, creation fails or memory is out. */
+ * NULL, without logging, if HOME is not set, creation fails or memory runs out. */
 char *user_files_presets(bool make);
 
 char *user_files_sessions(bool make); /* folder of session files, "$XDG_DATA_HOME/firn/sessions" */
@@ -17,11 +17,11 @@ char *user_files_state(bool make);
 /* Returns the first unused file name "STEM-0001.ENDING" in a folder; NULL on failure. */
 char *user_files_new(const char *folder, const char *stem, const char *ending);
 
-/* Returns path i, in alphabetical order, of the files with one of the extensions; or NULL. */
+/* Returns the path of file i, sorted by name, with one of the extensions; NULL after the last. */
 char *user_files_at(const char *folder, const char *const *endings, unsigned i);
 
-/* Returns the built-in scene, or the model in the folder of `path`, that follows this one by name
- * (`step` 1) or precedes it (`step` -1), wrapping around. NULL if there is no other. */
+/* Returns the built-in scene or, for a file, the model in the same folder that follows `path` by
+ * name (`step` 1) or precedes it (`step` -1), wrapping around. NULL if there is no other. */
 char *user_files_next_model(const char *path, int step);
 
 #endif

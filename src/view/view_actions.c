@@ -72,7 +72,7 @@ void view_move_divider(struct view *v, double to)
     v->viewport->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
-/* Sets the camera. Renderers support one kind of projection, so they are replaced if it changes. */
+/* Sets the camera. A change of projection replaces the renderers, which support only one kind. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {
     struct viewport *p = v->viewport;
@@ -116,7 +116,7 @@ static void use_bookmark(struct view *v, uint32_t i, bool store)
     ui_show_message(v->ui, text);
 }
 
-/* Handles view directions, projection and stored cameras. Returns true if `action` is one. */
+/* Handles view directions, projection and stored cameras. Returns false for other actions. */
 static bool set_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->viewport->camera;

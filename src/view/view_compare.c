@@ -36,8 +36,8 @@ static bool is_at_rest(const struct view *v)
 
 /* ---- choice of side B ---- */
 
-/* Returns the default refraction model of side B: that of --split, or the last (most exact) one;
- * the first one if side A already uses the last. */
+/* Returns the default refraction model of side B: that of --split; otherwise the last (most exact)
+ * one or, if side A uses that one, the first. */
 static const struct technique *side_b_refraction(const struct view *v)
 {
     const struct technique *last = NULL, *next;
@@ -105,7 +105,7 @@ void view_compare_store(struct view *v)
     ui_show_message(v->ui, "stored as B: change something, then compare with W");
 }
 
-/* Selects a side B, which flipping and error map need, if there is none. False on failure. */
+/* Selects a side B if there is none. Returns false if that fails. */
 static bool has_side_b(struct view *v)
 {
     if (v->compare.side_b == VIEW_SIDE_B_NONE)
@@ -275,7 +275,7 @@ static bool is_compared(const struct view *v)
            !(gain < c->flip_map_gain || gain > c->flip_map_gain);
 }
 
-/* Returns true if the error map is outdated; it is updated at sample counts 2^n and at the last. */
+/* Returns true if the error map is outdated and the sample count is 2^n or the last one. */
 static bool is_due(const struct view *v)
 {
     const uint32_t shown = v->progressive.shown_count;

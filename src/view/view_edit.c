@@ -106,8 +106,8 @@ static enum status return_to_scene(void *user)
     return viewport_apply_state(&v->viewport, &state);
 }
 
-/* Reopens the scene of a state if another scene is open. Its camera is restored only if the model
- * differs, but not if only the environment does. */
+/* Reopens the scene of a state if another scene is open. The camera is restored only if the model
+ * differs, not if only the environment does. */
 static enum status return_to(struct view *v, const struct view_state *state)
 {
     struct change change = { v, state };
@@ -155,7 +155,7 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     return status == STATUS_OK;
 }
 
-/* Prints why a change took longer than a frame; "" if it did not. */
+/* Writes to `words` why a change took longer than a frame; "" if it did not. */
 static void print_cost(const struct view_state *before, const struct view_state *after,
                        double seconds, char *words, size_t size)
 {
@@ -170,8 +170,8 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-/* Marks the settings that the user has set: those in `marked` (may be NULL) and those that differ
- * from `before`, unless their new value is the scene's own. */
+/* Marks the settings that the user has set: those in `marked` (may be NULL), and those that differ
+ * from `before` unless the new value is the scene's own. */
 static void state_settings(const struct view *v, struct view_state *state,
                            const struct settings *before, const bool *marked)
 {

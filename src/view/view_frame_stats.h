@@ -27,7 +27,7 @@ struct view_time_ring {
     uint32_t count; /* measurements in total */
 };
 
-/* All times in seconds. The sums skip the first frames, which compile shaders. */
+/* Frame times in seconds. The sums omit the first frames, in which shaders are compiled. */
 struct view_frame_stats {
     uint32_t frame_count;
     double last_end;                          /* 0 if there is none */
@@ -54,7 +54,7 @@ void view_frame_stats_pause(struct view_frame_stats *stats);
 void view_frame_stats_end(struct view_frame_stats *stats, const struct rg_times *times,
                           uint32_t time_count, double presentation);
 
-/* Records mouse movement and release times, in seconds or 0, to measure latencies from. */
+/* Starts latency measurements at the times of mouse movement and release, seconds; 0 if none. */
 void view_frame_stats_input(struct view_frame_stats *stats, double moved, double released);
 
 /* Records that the ended frame shows a new image: interactive if `is_moving`, else in full size. */

@@ -7,7 +7,7 @@
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
 
-static const float drag_rotation_deg = 180.0f; /* rotation of a drag over the whole window height */
+static const float drag_rotation_deg = 180.0f; /* degrees per drag over the whole window height */
 
 static bool has_moved(const struct window_drag *drag)
 {

@@ -21,7 +21,7 @@ enum {
     VIEW_BOOKMARK_COUNT = 4,
 };
 
-#define VIEW_HOLD 0x80000000u /* gesture ids with this bit are not from imgui_gesture() */
+#define VIEW_HOLD 0x80000000u /* marks gesture ids that do not come from imgui_gesture() */
 
 struct view {
     const struct app_options *options;
@@ -84,8 +84,8 @@ void view_seek(struct view *view, float time);            /* sets the scene time
 void view_set_title(struct view *view, const char *what); /* sets the window title */
 void view_show_name(struct view *view);
 
-/* view_fail() shows the last logged error in the status bar; view_clear_errors() forgets it. */
-void view_clear_errors(struct view *view);
+void view_clear_errors(struct view *view); /* forgets the last logged error */
+/* Shows `what` and the last logged error, if there is one, in the status bar. */
 void view_fail(struct view *view, const char *what);
 void view_show_ui(struct view *view, bool shown);
 void view_update_layout(struct view *view, VkExtent2D size); /* `size` of the window, pixels */
@@ -104,7 +104,7 @@ void view_move_divider(struct view *view, double to); /* `to`: fraction of the i
 
 struct view_state view_state_now(const struct view *view);
 
-/* Registers that another scene is shown, so that undo can return to the state `before`. */
+/* Records that another scene has been opened; undo can then return to the state `before`. */
 void view_enter_scene(struct view *view, const struct view_state *before);
 
 /* Returns the settings of the scene without changes by the user. */
@@ -126,13 +126,13 @@ void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
 
-/* Selects side B in `state`. VIEW_SIDE_B_STATE selects a refraction model if none is stored. */
+/* Sets side B in `state`. Selects a refraction model if VIEW_SIDE_B_STATE has no stored state. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
 /* Shows side B of a state. On failure, which is logged, nothing changes. */
 MUST_USE enum status view_compare_use(struct view *view, const struct view_state *state);
 
-/* Stops the reference job, because scene or settings are about to change. */
+/* Stops the reference job. Must be called before the scene or the settings change. */
 void view_compare_stop(struct view *view);
 
 void view_compare_with(struct view *view, enum view_side_b other);
@@ -141,10 +141,10 @@ void view_compare_store(struct view *view);  /* stores side A as side B */
 void view_compare_flip(struct view *view);   /* toggles between sides A and B */
 void view_compare_toggle_error_map(struct view *view);
 
-/* Start waiting for a dropped image file, test a dropped path, and open a file as side B. */
+/* Makes the next dropped image file become side B. */
 void view_compare_await(struct view *view);
 bool view_compare_accepts(const struct view *view, const char *path);
-void view_compare_open(struct view *view, const char *path);
+void view_compare_open(struct view *view, const char *path); /* opens side B */
 
 /* Starts, collects and stops the comparison's worker jobs. Reports their failures. */
 void view_compare_follow(struct view *view);
@@ -178,7 +178,7 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
-/* Copies scene, settings and refraction model of a session to a state, without copying strings.
+/* Copies scene, settings and refraction model of a session to a state, which borrows the strings.
  * view_resume_session() restores the rest once the viewport shows that state. */
 void view_apply_session(const struct session_file *session, struct app_image *state);
 MUST_USE enum status view_resume_session(struct view *view, const struct session_file *session);
@@ -188,13 +188,13 @@ void view_save_session(struct view *view);
 
 /* ---- view_progressive.c: progressive refinement ---- */
 
-/* Creates draft renderers after the first image if they are needed. */
+/* Creates draft renderers if they are needed. Call after drawing the first image. */
 MUST_USE enum status view_progressive_begin(struct view *view);
 
 /* Draws a changed view as a frame of an interaction, at reduced size. */
 MUST_USE enum status view_progressive_draw(struct view *view, const struct renderer_shot *shot);
 
-/* Draws the next sample, or prepares it, once the view is at rest. *drew is true if it did so. */
+/* If the view is at rest, draws or prepares the next sample. *drew is false if nothing was done. */
 MUST_USE enum status view_progressive_step(struct view *view, bool *drew);
 
 /* Returns the seconds until samples may be drawn; negative if all samples have been drawn. */

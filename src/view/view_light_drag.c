@@ -4,7 +4,7 @@
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_internal.h"
 
-static const double drag_rotation_deg = 180.0; /* rotation of a drag over the whole window height */
+static const double drag_rotation_deg = 180.0; /* degrees per drag over the whole window height */
 
 /* Wraps an angle to -180 ... 180 degrees. */
 static double wrap(double degrees)

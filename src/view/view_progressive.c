@@ -9,10 +9,10 @@
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
 static const double soon_seconds =
-    0.15; /* a draft is shown first if samples take longer, seconds */
+    0.15; /* seconds; if a sample takes longer, a draft is shown first */
 
 enum {
-    FIRST_COUNT = 8, /* up to this count, only means of 2^n samples are shown */
+    FIRST_COUNT = 8, /* up to this sample count, the image is shown only after 2^n samples */
 };
 
 static struct view_identity current_identity(const struct view *v, float time)

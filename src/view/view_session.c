@@ -49,7 +49,7 @@ void view_apply_session(const struct session_file *session, struct app_image *st
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
 }
 
-/* Unmarks settings with the scene's own values, so that opening another scene resets them. */
+/* Clears is_set of settings with the scene's own value, so that another scene resets them. */
 static void unmark_scene_settings(struct view *v)
 {
     const struct app_scene *given = &v->options->image.scene;

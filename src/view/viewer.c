@@ -47,7 +47,7 @@ static bool shows_panels(const struct app_options *o)
            (is_interactive && o->view.overlay == APP_OVERLAY_AUTO);
 }
 
-/* Chooses the window size so that the image has the size of --size; with panels, at most `room`. */
+/* Returns the window size for an image of --size; a window with panels is limited to `room`. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;

@@ -126,8 +126,8 @@ struct renderer_params viewport_right_params(struct viewport *p)
     return params;
 }
 
-/* Loads a scene for side B, posed like that of side A, if side B's settings affect the scene.
- * Overwrites p->side_b_scene without freeing it. */
+/* If side B's settings require another scene, loads it into p->side_b_scene, in side A's pose;
+ * otherwise sets p->side_b_scene to NULL. Does not free the previous scene. */
 static enum status make_right_scene(struct viewport *p)
 {
     struct app_scene given = p->state.scene;
@@ -524,7 +524,7 @@ static bool same_frame(const struct viewport *p, const struct app_image *a,
     const struct settings other = viewport_with_exposure(&a->scene.settings, &b->scene.settings);
     if (!memcmp(&other, &b->scene.settings, sizeof(other)))
         return true;
-    /* unless it is redrawn, the environment cube keeps the lighting of the old settings */
+    /* the environment cube keeps the lighting of the old settings unless it is redrawn */
     return frame_draws_cube(&a->scene.settings, &p->scene) &&
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
@@ -548,7 +548,7 @@ enum status viewport_change(struct viewport **viewport, const struct app_scene *
     if (!p->renderer || same_frame(p, &before, &requested))
         return STATUS_OK;
     const enum status status = viewport_rebuild(p);
-    *remade = true; /* also on failure, when renderers may have been replaced */
+    *remade = true; /* true even on failure, as renderers may have been replaced */
     if (status == STATUS_OK)
         return status;
     p->state = before;

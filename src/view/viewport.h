@@ -60,8 +60,8 @@ MUST_USE enum status viewport_create(struct viewport **viewport, struct gpu *gpu
                                      bool quiet, bool refines);
 void viewport_destroy(struct viewport *viewport); /* may be NULL; waits for frames */
 
-/* Frees all device resources; viewport_upload() then uploads the scene to a reopened device. In
- * between, or after a failed upload, only destroying and viewport_upload() are allowed. */
+/* Frees all device resources; viewport_upload() then uploads the scene to a reopened device. Until
+ * an upload succeeds, only viewport_upload() and viewport_destroy() are allowed. */
 void viewport_leave_device(struct viewport *viewport); /* may be NULL */
 MUST_USE enum status viewport_upload(struct viewport *viewport);
 
@@ -83,11 +83,11 @@ MUST_USE enum status viewport_load(struct viewport **viewport, const char *path,
 MUST_USE enum status viewport_apply_state(struct viewport **viewport,
                                           const struct app_image *state);
 
-/* Returns `settings` with the exposure of `of`; a change of exposure needs no new samples. */
+/* Returns `settings` with the exposure of `of`, to compare settings regardless of exposure. */
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);
 
-/* Shows another refraction model on the right (side B); NULL ends the split. `settings` of side B
- * are copied; if NULL, side B uses those of side A. On failure nothing changes. */
+/* Shows another refraction model as side B, or ends the split if `refraction` is NULL. Copies
+ * `settings`; without them, side B uses those of side A. On failure nothing changes. */
 MUST_USE enum status viewport_split(struct viewport *viewport, const struct technique *refraction,
                                     const struct settings *settings);
 
@@ -96,11 +96,11 @@ bool viewport_is_split(const struct viewport *viewport); /* true if side B is sh
 /* Rotates the environment panorama, degrees. On failure nothing changes. */
 MUST_USE enum status viewport_rotate_panorama(struct viewport *viewport, float degrees);
 
-/* Returns true if the camera has moved so that renderer_draws_beyond_image() has changed. */
+/* Returns true if a camera movement has changed the result of renderer_draws_beyond_image(). */
 bool viewport_is_outgrown(struct viewport *viewport);
 
-/* Updates the renderers to changed shaders, projection or viewport_is_outgrown(). On failure, there
- * are no renderers until viewport_resize() creates them. */
+/* Updates the renderers after shaders, projection or viewport_is_outgrown() have changed. On
+ * failure, there are no renderers until viewport_resize() creates them. */
 MUST_USE enum status viewport_rebuild(struct viewport *viewport);
 
 /* Returns true if the model has the pose of this time, seconds, or is not animated. */
@@ -110,7 +110,7 @@ bool viewport_is_posed(const struct viewport *viewport, float time);
  * cannot be read, nothing changes. An animated camera is followed unless the user moved it. */
 MUST_USE enum status viewport_pose(struct viewport *viewport, float time);
 
-/* Calls renderer_draw() or renderer_wait() for the renderers of both sides. */
+/* Call renderer_draw() or renderer_wait() for the renderers of both sides. */
 MUST_USE enum status viewport_draw(struct viewport *viewport, const struct renderer_shot *shot);
 MUST_USE enum status viewport_wait(struct viewport *viewport);
 
@@ -151,12 +151,12 @@ struct signals;
 MUST_USE enum status viewport_save(struct viewport *viewport, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes pixels already drawn (`rgba`, one sample) to a PNG file with firn's metadata. */
+/* Writes `drawn`, which must have `rgba` and one sample, to a PNG file with firn's metadata. */
 MUST_USE enum status viewport_save_drawn(struct viewport *viewport, float time, const char *path,
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);
 
-/* Returns STATUS_USAGE, logged, if a split view cannot be saved to one of the paths. */
+/* Logs and returns STATUS_USAGE if a split view cannot be saved to one of the paths. */
 MUST_USE enum status viewport_can_save(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 

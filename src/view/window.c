@@ -82,7 +82,7 @@ static bool holds(GLFWwindow *handle, int left, int right)
     return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
 }
 
-/* Returns the drag that mouse movement adds to, selected by the button, Ctrl and Shift held. */
+/* Returns the drag that mouse movement counts for; this depends on the button, Ctrl and Shift. */
 static struct window_drag *current_drag(struct window *w)
 {
     const bool shift = holds(w->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
@@ -177,7 +177,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->drags_divider) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
-    w->cursor_x = x; /* from the event, because glfwGetCursorPos() may already be ahead of it */
+    w->cursor_x = x; /* not from glfwGetCursorPos(), which may be newer than this event */
     w->cursor_y = y;
     const double pixels = scale * window_size(w).height;
     if (notify(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
@@ -304,8 +304,8 @@ static VkExtent2D without_frame(struct window *w, VkExtent2D room)
                : room;
 }
 
-/* Connects to the window system. GLFW 3.4 also tries Wayland, whose library prints an error if
- * there is no Wayland session, so X11 is forced then. */
+/* Connects to the window system. Without a Wayland session, requests X11, because GLFW 3.4 also
+ * tries Wayland, whose library would then print an error. */
 static bool connect_system(void)
 {
 #ifdef GLFW_PLATFORM

@@ -17,7 +17,7 @@ enum {
     WINDOW_ACTION_COUNT = 32, /* maximum between two calls of window_take_input() */
 };
 
-/* Mouse drag in fractions of the window height, right and down. */
+/* Distance of a mouse drag to the right and down, as fractions of the window height. */
 struct window_drag {
     double x, y;
 };
@@ -33,7 +33,7 @@ struct window_input {
     uint32_t action_count;
     bool redraw;             /* the window's contents may be damaged */
     bool pressed, released;  /* by any mouse button */
-    double moved_at;         /* first mouse movement of a drag, in seconds; 0 if none */
+    double moved_at;         /* time of a drag's first movement, in seconds; 0 if none */
     double released_at;      /* release of a mouse button, clock_seconds() */
     bool double_clicked;     /* left button, at (click_x, click_y) */
     double click_x, click_y; /* position of the double click, pixels */
@@ -56,7 +56,7 @@ struct window_event {
     bool control, shift, alt; /* modifiers held with a key */
 };
 
-/* Receives every event first. Returns true to consume it, so that the viewer ignores it. */
+/* Receives every event before the viewer. Returns true to hide the event from the viewer. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
 struct window {
@@ -78,8 +78,8 @@ struct window {
     int left, top, width, height; /* rectangle to restore after full screen */
 };
 
-/* Chooses the window size in pixels for a user interface `scale` and an available work area `room`
- * (0x0 if not known). */
+/* Returns the window size in pixels. `scale` is that of the user interface; `room` is the available
+ * work area, 0x0 if not known. */
 typedef VkExtent2D window_fit_fn(void *user, float scale, VkExtent2D room);
 
 struct window_params {
@@ -112,7 +112,7 @@ void window_hide(struct window *window);
 void window_poll(struct window *window);
 void window_wait(struct window *window, double seconds);
 
-/* Ends window_wait(); may be called from any thread. */
+/* Makes window_wait() return; may be called from any thread. */
 void window_wake(void);
 
 /* Sets the event listener, which immediately gets the current cursor position. */

@@ -100,7 +100,7 @@ static bool has_extension(xcb_connection_t *x, const char *name)
     return is_there;
 }
 
-/* Returns a visual of a screen; NULL if the screen does not have it. */
+/* Returns the visual with this id; NULL if the screen has none. */
 static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visualid_t visual_id)
 {
     xcb_depth_iterator_t depth = xcb_screen_allowed_depths_iterator(screen);

@@ -3,7 +3,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-/* interval at which a window without events is checked for being closed */
+/* interval between checks for a closed window if there are no events, seconds */
 static const double poll_seconds = 0.1;
 
 struct job {

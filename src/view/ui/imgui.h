@@ -81,8 +81,8 @@ struct imgui_thumbnails {
 /* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
 void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails);
 
-/* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas, outside frames
- * only. Returns false if the font cannot be read; the built-in font is then used. */
+/* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Not allowed
+ * within a frame. Returns false if the font cannot be read; the built-in font is then used. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
 void imgui_destroy(struct imgui *ui);                              /* may be NULL */
@@ -117,7 +117,7 @@ enum imgui_panel {
     IMGUI_POPUP,  /* bordered popup above other panels */
 };
 
-/* Begins a panel at `area`. It must be ended even if it is completely hidden. */
+/* Begins a panel at `area`. imgui_panel_end() must follow, even if the panel is hidden. */
 void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect area,
                        enum imgui_panel kind);
 void imgui_panel_end(void);

@@ -70,7 +70,7 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Lists the last item by its label or, if that is empty or a symbol, by the text after "##". */
+/* Records the last item by its label, or by the text after "##" if the label is at most 2 bytes. */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -94,7 +94,7 @@ void imgui_focus_panel(const char *title)
     ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
     if (!window)
         return;
-    ImGui::NavInitWindow(window, true); /* selects an item, from which arrow keys move the focus */
+    ImGui::NavInitWindow(window, true); /* selects an item, so that arrow keys can move the focus */
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
@@ -247,7 +247,7 @@ static bool is_within_character(const char *at)
     return (*at & 0xc0) == 0x80;
 }
 
-/* Shortens a text in the middle, because names differ mostly at their ends. */
+/* Shortens a text in the middle, because names mostly differ near their start or end. */
 void imgui_text_elided(const char *text, float width)
 {
     const char *end = text + strlen(text);

@@ -4,7 +4,7 @@
 #include <fontconfig/fontconfig.h>
 #include <stdio.h>
 
-/* Accepts only scalable fonts, because fontconfig falls back to bitmap fonts. */
+/* Accepts a font only if it is scalable, because fontconfig may fall back to a bitmap font. */
 static bool take(struct system_font *font, const FcPattern *found)
 {
     FcChar8 *path;

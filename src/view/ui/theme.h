@@ -1,6 +1,6 @@
-/* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. Text has a
- * contrast of at least 4.5 with every surface it is drawn on, marks and borders of at least 3 (WCAG
- * 2.1, 1.4.3 and 1.4.11); a test verifies both. */
+/* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. The contrast
+ * with the surface below is at least 4.5 for text, and 3 for marks and borders (WCAG 2.1, 1.4.3 and
+ * 1.4.11); a test verifies the contrasts. */
 #ifndef FIRN_VIEW_UI_THEME_H
 #define FIRN_VIEW_UI_THEME_H
 

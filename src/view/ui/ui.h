@@ -33,18 +33,18 @@ bool ui_is_shown(const struct ui *ui);
 /* Returns true if the panels are shown but not yet up to date with the input. */
 bool ui_is_busy(const struct ui *ui);
 
-/* Return true while the user drags the image. ui_can_skip_frame() also requires that the panels
- * were updated recently, because a drag changes only the frame times that they show. */
-bool ui_drags_image(const struct ui *ui);
+bool ui_drags_image(const struct ui *ui); /* the user drags the image */
+/* Returns true if a frame of an image drag need not update the panels, because they were updated
+ * recently. Only the frame times that panels show change during a drag. */
 bool ui_can_skip_frame(const struct ui *ui, double now);
 
-/* Changes the scale and replaces ui_font(), which no frame may still use. */
+/* Changes the scale and replaces ui_font(). No frame may still use the old font. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets a text file for scripts, rewritten on each change. Each line has left, top, width, height
- * (pixels) and label of an item; lines with a rectangle of zeros have action counts. */
+/* Sets a text file from which scripts read the panels. Each line has left, top, width, height
+ * (pixels) and label of an item; a line that begins with four zeros counts an action instead. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -95,7 +95,7 @@ struct ui_request {
     const struct technique *split; /* model of side B, or NULL */
 };
 
-/* Toggles the panel of an action, such as pass times or plan. Returns true if it is shown. */
+/* Shows or hides the panel that belongs to an action. Returns true if it is now shown. */
 bool ui_toggle(struct ui *ui, enum view_action action);
 
 /* Requests a frame although there was no input. */
@@ -109,7 +109,7 @@ void ui_show_message(struct ui *ui, const char *message);
 /* Shows an error message in red in the status bar; the message should include advice. */
 void ui_show_failure(struct ui *ui, const char *message);
 
-/* Shows a persistent error in red until it is cleared by "". */
+/* Shows an error in red until the next call; "" removes it. */
 void ui_set_error(struct ui *ui, const char *message);
 
 /* Runs the panels for one frame; call it before drawing that frame. */

@@ -4,10 +4,10 @@
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    BUTTON_MAX = 8, /* maximum values shown as buttons, not as a list */
+    BUTTON_MAX = 8, /* maximum number of values shown as buttons, not as a list */
 };
 
-static const float cell_width = 63.0f; /* minimum thumbnail width with margins, pixels, scale 1 */
+static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
 
 /* Draws the label of a control on the left; the control itself starts at `x`. */

@@ -2,8 +2,8 @@
 #include "src/view/ui/ui_frame_pacing.h"
 
 static const double smoothing = 0.1; /* weight of the newest frame */
-static const double busy = 0.8;      /* GPU-bound above this fraction of the frame time */
-static const double waits = 0.3;     /* limited by a wait above this fraction of the frame time */
+static const double busy = 0.8;      /* GPU-bound if GPU time / frame time exceeds this */
+static const double waits = 0.3;     /* a wait is the limit if wait / frame time exceeds this */
 
 static void mix(double *mean, double value, double by)
 {

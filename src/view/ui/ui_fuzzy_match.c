@@ -7,7 +7,7 @@
 enum {
     WITHIN = 2,              /* match distance inside another word */
     GAPS_MAX = 2,            /* maximum skipped letters per typed one */
-    GAPS_PART = 2,           /* minimum typed letters per skipped one, if one letter is wrong */
+    GAPS_PART = 2,           /* a wrong letter allows 1 skipped letter per this many typed */
     ABBREVIATION = 3,        /* minimum length of a fuzzy word */
     MISSPELT_LENGTH_MIN = 4, /* minimum length for a wrong letter */
     MISSPELT = 8,            /* distance added for a wrong letter */
@@ -62,7 +62,7 @@ static uint32_t whole(const char *text, const char *word, size_t length)
     return distance;
 }
 
-/* Counts the letters of `text` that are skipped between those of a word; ignores letter `wrong`. */
+/* Counts the letters of `text` between matched letters of `word`; word[wrong] is not compared. */
 static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t count = 0;
@@ -82,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Returns the match distance of a word whose letters occur in order, the first at the start of a
- * word; UI_FUZZY_MATCH_NONE if they do not, or with too many letters between them. */
+/* Returns the match distance if the letters of `word` occur in order, beginning at the start of a
+ * word of `text`; UI_FUZZY_MATCH_NONE if not, or if too many letters lie between them. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;

@@ -21,7 +21,7 @@ struct ui_input_queue {
 
 void ui_input_queue_add(struct ui_input_queue *input, const struct window_event *event);
 
-/* Applies queued events for the next frame to input->now. The caller sets its time and size. */
+/* Applies the next frame's events to input->now. The caller sets now.seconds, width and height. */
 void ui_input_queue_step(struct ui_input_queue *input);
 
 #endif

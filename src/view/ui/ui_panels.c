@@ -236,7 +236,7 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     imgui_scroll_end();
 }
 
-/* Draws the memory of the image's plan, and the log of slow changes with their reasons. */
+/* Shows the memory used by the image's plan, and the log of slow changes with their reasons. */
 static void show_costs(const struct ui_view *view)
 {
     const struct renderer *renderer = viewport_renderer(view->viewport, false);
@@ -348,7 +348,7 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_panel_end();
 }
 
-/* Draws the label of a side over a corner of the image; no other panel covers the image. */
+/* Draws the name of a compared side over a lower corner of the image. */
 static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
 {
     const struct present_area *p = view->image_area;

@@ -42,7 +42,7 @@ void ui_pass_times_add(struct ui_pass_times *times, const struct rg_plan *plan,
 
 double ui_pass_times_sum(const struct ui_pass_times *times); /* milliseconds */
 
-/* Returns a frame's GPU time, milliseconds; negative if none. `ago` is 0 for the newest frame. */
+/* Returns the GPU milliseconds of the frame `ago` frames before the newest; negative if none. */
 double ui_pass_times_frame(const struct ui_pass_times *times, uint32_t ago);
 
 /* Draws the panel; `what` names the measured plan. */

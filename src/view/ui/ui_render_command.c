@@ -116,7 +116,7 @@ static bool has_default_inclusions(const struct settings *settings)
 }
 
 /* Prints --material or refract.ior, unless the refractive index is the default or the model's. For
- * files, a given --material is always printed, as it also decides which parts are refractive. */
+ * a file, a given --material is always printed, as it also decides which parts are refractive. */
 static void print_ior(FILE *out, const struct ui_render_command *c)
 {
     const struct setting *row =

@@ -30,7 +30,7 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
 bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_group group,
                          bool *open);
 
-/* Draws the settings of a group; the less useful ones only if *more, which a button toggles. */
+/* Draws the settings of a group. A button toggles *more, which also shows the less useful ones. */
 bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
 /* Returns true if each word of `query` occurs in name, label, help, group or synonyms. */

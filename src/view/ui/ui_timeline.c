@@ -5,7 +5,7 @@
 
 static const float default_length = 10.0f; /* length without animation, seconds */
 
-/* Returns the end of the timeline: that of the model's animation, or the next multiple of 10 s. */
+/* Returns the timeline's end in seconds: the animation's end or the next multiple of 10. */
 static float end_of(const struct ui_view *view)
 {
     const struct model *model = &view->viewport->scene.model;

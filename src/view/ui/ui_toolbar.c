@@ -14,7 +14,7 @@ static const enum view_action buttons[BUTTON_COUNT] = {
     VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
 };
 
-static const float slot_width = 130.0f;   /* width of exposure slider and layer list, at scale 1 */
+static const float slot_width = 130.0f;   /* width of slider and layer list, pixels at scale 1 */
 static const float exposure_reach = 6.0f; /* stops; the setting itself allows more */
 static const float name_width = 60.0f;    /* minimum scene name width, scale 1 */
 
