@@ -48,7 +48,7 @@ static void cross(const float a[3], const float b[3], float out[3])
         out[i] = length_1[i] / length;
 }
 
-/* Returns the view matrix from `eye` to the origin; +Y is down and +Z ahead, as Vulkan expects. */
+/* Returns the view matrix of a camera at `eye` that looks at the origin: +Y is down, +Z ahead. */
 static struct matrix view_from_world(const float eye[3])
 {
     const float up[3] = { 0, 1, 0 };

@@ -19,7 +19,7 @@
     }
 #endif
 
-/* Initialises an rg_shader from the header that glslangValidator --vn writes. */
+/* Initialises an rg_shader from `code`, an array in a header that glslangValidator --vn wrote. */
 #define EXAMPLE_SHADER(title, code) \
     { \
         .name = title, .words = code, .word_count = sizeof(code) / 4 \

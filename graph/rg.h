@@ -35,7 +35,7 @@
 extern "C" {
 #endif
 
-/* Limits of pass tables, supported by every device (RG_COLOR_COUNT: by desktop devices). */
+/* Limits of pass tables, supported by every device, or every desktop device (RG_COLOR_COUNT). */
 enum {
     RG_COLOR_COUNT = 8,        /* maximum colour attachments per pass */
     RG_ALL_MIPS = UINT16_MAX,  /* full mip chain, for rg_image.mips */
@@ -108,14 +108,14 @@ enum rg_memory {
     RG_MEMORY_READBACK, /* read by the CPU after frames */
 };
 
-/* A 2D or 3D image, transient unless imported or persistent. The content of a transient image lives
- * from the first to the last pass of a frame that accesses it; its memory may alias others. A
+/* A 2D or 3D image, transient unless imported or persistent. A transient image has content from the
+ * first to the last pass of a frame that accesses it, and may share memory with others. A
  * persistent image keeps its content between frames (history) and is initially zero. */
 struct rg_image {
     const char *name;       /* unique; shown in dumps and captures */
     VkFormat format;        /* required; one of compile/format_table.c */
     uint32_t width, height; /* texels; 0 means view times `scale` */
-    float scale;            /* `scale`: image size / view size, rounded up to texels; 0 means 1 */
+    float scale;            /* `scale`: size relative to view, rounded up to texels; 0 means 1 */
     uint32_t layers;        /* array layers; default 1, cube 6 */
     uint32_t mips;          /* mip levels, or RG_ALL_MIPS; default 1 */
     /* samples per texel: a power of two up to 64; 0 means 1. A multisampled image has one mip
@@ -141,7 +141,7 @@ struct rg_buffer {
     VkFormat format;             /* texel buffer's format; 0 means none */
 };
 
-/* Subresource range of an image. {0} is the whole image. */
+/* Subresource range of an image. A zeroed struct means the whole image. */
 struct rg_range {
     VkImageAspectFlags aspect;   /* 0 means all aspects */
     uint32_t mip, mip_count;     /* mip_count 0 means all remaining levels */
@@ -150,7 +150,7 @@ struct rg_range {
     bool each;
 };
 
-/* Sampler state; {0} samples the nearest texel of mip 0 and clamps to the edge. */
+/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. */
 struct rg_sampler {
     bool linear;      /* linear filter, also between mip levels */
     bool mips;        /* mip chain; otherwise only mip 0 */
@@ -177,12 +177,12 @@ struct rg_use {
     uint16_t element;
     bool texels;  /* storage texel buffer, of rg_buffer.format */
     bool partial; /* write preserves some earlier content */
-    /* RG_SAMPLED: reads only the fragment's own texel, so rg_exec_set_region() can draw less */
+    /* for RG_SAMPLED: fragments read only their own texel, so rg_exec_set_region() can draw less */
     bool same_texel;
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    /* placeholder if nothing provides the single-sample image; if NULL, that is a fault */
+    /* placeholder for a missing single-sample image; if NULL, a missing image is a fault */
     const struct rg_fallback *fallback;
-    /* shader stages that access it; 0 means compute or fragment, plus vertex for RG_UNIFORM */
+    /* shader stages of the access; 0 means compute or fragment, and also vertex if RG_UNIFORM */
     VkPipelineStageFlags2 stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
 };
@@ -192,12 +192,13 @@ struct rg_target {
     const struct rg_image *image; /* NULL: no attachment */
     enum rg_load load;            /* content when the pass begins */
     VkClearValue clear;           /* for RG_LOAD_CLEAR; depth 0 to 1 */
-    /* mip level and layer to render to; repetitions advance one of them if the image has several */
+    /* mip level and layer to draw to; in a repeated pass, those of the first repetition. Later
+     * ones advance one of the two if the image has several */
     uint32_t mip, layer;
     enum rg_blend blend; /* blend mode of a colour target */
     /* custom blend state instead of `blend`, which must be 0; no dual-source blending */
     const VkPipelineColorBlendAttachmentState *blend_state;
-    /* receives the average of a multisampled colour target's samples; same format and size */
+    /* image that receives the averaged samples of a colour target; of the same format and size */
     const struct rg_image *resolve;
     uint32_t resolve_mip, resolve_layer; /* as `mip` and `layer`, of `resolve` */
 };
@@ -216,11 +217,11 @@ struct rg_set {
     const char *name; /* required; for messages and dumps */
 };
 
-/* Layout of one vertex buffer, and link to that of the next binding; the first is binding 0. */
+/* Element of a linked list of vertex buffer layouts, which are those of bindings 0, 1 and so on. */
 struct rg_vertex_layout {
     uint32_t stride;          /* bytes, at most RG_MAX_STRIDE */
     uint32_t attribute_count; /* number of `attributes` */
-    /* borrowed; unique locations below RG_MAX_ATTRIBUTES, with the binding of this layout */
+    /* borrowed; each has the binding of this layout and a unique location < RG_MAX_ATTRIBUTES */
     const VkVertexInputAttributeDescription *attributes;
     VkVertexInputRate rate;              /* per vertex or per instance */
     const struct rg_vertex_layout *next; /* layout of the next binding */
@@ -315,7 +316,7 @@ struct rg_import {
     VkDeviceSize size;              /* actual bytes; 0 means as declared */
 };
 
-/* A resource whose content is needed after the frame, and left in the state for `access`. */
+/* A resource whose content is needed after the frame, which leaves it in the state for `access`. */
 struct rg_output {
     const struct rg_image *image;   /* set either this or `buffer` */
     const struct rg_buffer *buffer; /* set either this or `image` */
@@ -348,8 +349,7 @@ struct rg_device {
 };
 
 /* Which transient resources may alias. A resource that takes over memory must wait for the last
- * access of the previous owner, by a barrier that the frame might not need otherwise: least memory
- * and fewest batches of barriers are conflicting goals. */
+ * access of the previous owner, so aliasing saves memory but may add barriers. */
 enum rg_sharing {
     RG_SHARE_FEWEST_BATCHES, /* aliases if no batch is added */
     RG_SHARE_LEAST_MEMORY,   /* aliases all resources with disjoint lifetimes */
@@ -380,7 +380,7 @@ struct rg_compile_params {
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
     bool skip_shaders;              /* no shader validation (5 us each) */
-    /* rg_exec_params.constants, to check that each exists in a shader; if NULL, no check */
+    /* rg_exec_params.constants, each of which must exist in a shader; NULL means no check */
     const VkSpecializationInfo *constants;
     /* Memory for compiling and for the plan; must outlive the plan and be aligned for any type. If
      * NULL or too small, malloc() provides the rest; rg_plan.arena_size bytes suffice. */

@@ -107,8 +107,8 @@ RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buff
 
 /* ---- acceleration structures ---- */
 
-/* Return a buffer's acceleration structure (owned by the executor), or the device address of a
- * buffer with a structure, build input or build scratch. The pass must declare the buffer. */
+/* Return a buffer's acceleration structure, owned by the executor, or (rg_cmd_address) the device
+ * address of a buffer for a structure, build input or scratch. The pass must declare the buffer. */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);

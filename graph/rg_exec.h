@@ -38,8 +38,8 @@ struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
     VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
-    /* alternative to `image`: several images, such as a swapchain's, of which a frame uses one; all
-     * such imports have equal image counts, and use the same index in a frame */
+    /* instead of `image`: several images, such as a swapchain's; each frame uses one of them. All
+     * such imports have equally many images, and each frame uses the same index for all of them */
     const VkImage *images;
     uint32_t image_count;
 };
@@ -85,13 +85,13 @@ struct rg_exec_params {
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
-    /* uses VkRenderPass, not dynamic rendering; for old synchronization validation layers */
+    /* use VkRenderPass instead of dynamic rendering, for old synchronization validation layers */
     bool render_passes;
-    /* only for rg_exec_warm_up(): without imports and content; excludes render_passes */
+    /* executor only for rg_exec_warm_up(): no imports, no content; not with render_passes */
     bool warm_up_only;
     bool measured;   /* enables rg_time.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
-    /* specialization constants for all shaders that declare them; NULL means defaults. Not kept. */
+    /* specialization constants for shaders that declare them; NULL means defaults. Not kept. */
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn *replace_shader; /* called by rg_exec_create(); NULL: no replacement */
     /* features enabled on the device (pNext: Vulkan 1.2 and 1.3 features); NULL: all supported */
@@ -131,7 +131,7 @@ RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 /* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
-/* Synchronisation of a frame with work outside its queue; {0} means none. */
+/* Synchronisation of a frame with work outside its queue. A zeroed struct means none. */
 struct rg_exec_external_sync {
     uint32_t image_index;              /* index into rg_exec_import.images */
     VkSemaphore wait;                  /* binary semaphore, or VK_NULL_HANDLE */

@@ -71,7 +71,7 @@ struct rg_plan_target {
     uint32_t resolve_mip, resolve_layer;
 };
 
-/* A use with its range resolved: a descriptor, or an access without descriptor. */
+/* A resource use of a pass, with its subresource range resolved. It may have no descriptor. */
 struct rg_plan_use {
     const struct rg_use *use;      /* the declaration */
     uint32_t image, buffer;        /* index; the other is RG_NONE */

@@ -81,7 +81,7 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                            ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
-    /* all stages, so that the semaphore signalled after the frame covers the layout transition */
+    /* all stages, so that the frame's signal semaphore also waits for the layout transition */
     [RG_PRESENT] = { "present", STAGE(ALL_COMMANDS), 0, 0, LAYOUT(PRESENT_SRC_KHR), NO_DESCRIPTOR,
                      .reads_content = true },
 };

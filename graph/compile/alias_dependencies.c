@@ -5,11 +5,11 @@
 #include "graph/compile/compiler.h"
 
 enum {
-    /* maximum segments per block; then no more are split, and barriers may wait too long */
+    /* maximum number of segments per block; beyond it, barriers may wait longer than needed */
     MAX_SEGMENTS = 256
 };
 
-/* Byte range of a block, from `begin` to the next segment, and the last accesses to it. */
+/* Byte range of a memory block, up to the next segment's `begin`, and the last accesses to it. */
 struct segment {
     VkDeviceSize begin;
     struct previous_owner pending;
@@ -50,7 +50,7 @@ static bool covers(const struct previous_owner *a, const struct previous_owner *
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Adds an item's last accesses to the segments that it overlaps, splitting segments at its ends. */
+/* Splits segments at the ends of an item, and records the item's last accesses in its segments. */
 static void record_accesses(struct segments *s, const struct pack_item *item,
                             const struct previous_owner *pending)
 {
@@ -90,7 +90,7 @@ static void find_ends(struct compiler *c, struct segments *s, const struct pack_
         const struct previous_owner pending = { .end = item->last + 1 };
         struct previous_owner *owner = owner_of(c, item);
         merge_owners(s, item, owner);
-        if (owner->end > item->first) /* clamped, as unsplit segments may report later passes */
+        if (owner->end > item->first) /* segments that were not split may report later passes */
             owner->end = item->first;
         record_accesses(s, item, &pending);
     }
@@ -107,7 +107,7 @@ static void find_pending(const struct resource *r, struct previous_owner *pendin
     }
 }
 
-/* Finds the previous owners of each item's bytes, with their accesses pending after a frame. */
+/* For each item, merges the accesses to its memory that are still pending after a frame. */
 static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
                         uint32_t count)
 {

@@ -25,7 +25,7 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* Returns a copy of `array` with doubled capacity (or `min_room`); `array` if out of memory. */
+/* Returns a copy of `array` with doubled capacity, at least `min_room`, or `array` on failure. */
 void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t min_room,
                     size_t element_size);
 

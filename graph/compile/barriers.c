@@ -13,7 +13,7 @@
 #include <assert.h>
 #include "graph/compile/subresource_state.h"
 
-/* Stores the index range of the newest batch in its pass, or in the plan if it is the final one. */
+/* Stores the newest batch's barrier range in its pass, or in the plan if it follows all passes. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -40,7 +40,7 @@ static bool has_same_dependency(const struct rg_barrier *a, const struct rg_barr
            a->new_layout == b->new_layout;
 }
 
-/* Extends `a` by `b` if their union is a single range of layers, mip levels or aspects. */
+/* Extends range `a` to include `b`. Returns false if no single range is exactly their union. */
 static bool merge_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
 {
     bool aspects = a->aspectMask == b->aspectMask;
@@ -98,7 +98,7 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
-/* Adds the barrier at c->barrier_count to the newest batch, or to a new one at pass `deadline`. */
+/* Adds the barrier at c->barrier_count to the newest batch, or begins one at pass `deadline`. */
 static void append_barrier(struct compiler *c, const struct cell_walk *w, struct resource *r,
                            uint32_t release, uint32_t deadline)
 {

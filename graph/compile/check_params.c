@@ -130,7 +130,7 @@ static const char *buffer_problem(const struct resource *r, enum rg_error *error
     return NULL;
 }
 
-/* Checks a resource. A faulty one is reduced to one layer and mip level, safe for later stages. */
+/* Checks a resource. If it is faulty, later stages see only one layer and mip level of it. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     enum rg_error error;

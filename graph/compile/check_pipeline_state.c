@@ -37,7 +37,7 @@ void rg_check_target(struct compiler *c, const struct rg_target *target)
         "blend_state: expected Vulkan constants without dual-source blending, and no .blend");
 }
 
-/* Returns true if a vertex layout is valid and has unused locations. Adds these to *locations. */
+/* Adds a layout's locations to the mask. Returns false if one was taken or a field is invalid. */
 static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32_t *locations)
 {
     bool fits = v->stride <= RG_MAX_STRIDE && (uint32_t)v->rate <= VK_VERTEX_INPUT_RATE_INSTANCE;
@@ -45,7 +45,7 @@ static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32
         const VkVertexInputAttributeDescription *a = &v->attributes[i];
         fits = fits && a->binding == binding && a->offset < RG_MAX_STRIDE &&
                a->location < RG_MAX_ATTRIBUTES && !(*locations >> a->location & 1) &&
-               /* the last format before the block-compressed ones */
+               /* E5B9G9R9 is the last format before the block-compressed ones */
                a->format - 1u < VK_FORMAT_E5B9G9R9_UFLOAT_PACK32;
         *locations |= 1u << (a->location & 31);
     }

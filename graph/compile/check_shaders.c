@@ -180,7 +180,7 @@ static const char *format_name(VkFormat format)
     return info ? info->name : "an unknown format";
 }
 
-/* Returns the type that shaders read from a format's aspect: 'f', 'i' or 'u'; '?' if unknown. */
+/* Returns the component type in shaders of a format's aspect: 'f', 'i' or 'u'; '?' if unknown. */
 static char component_of(VkFormat of, VkImageAspectFlags aspect)
 {
     const struct rg_format_info *format = rg_format_info(of);
@@ -317,7 +317,7 @@ static void check_elements(const struct shaders *s, const struct spirv *stage,
         check_use(s, stage, v, &first[i], in);
 }
 
-/* Reports a shader binding that a pass lacks, with a hint at a binding that no shader uses. */
+/* Reports a shader binding that a pass lacks. A hint may name a resource that no shader uses. */
 static void report_missing(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, uint32_t *missing)
 {
@@ -376,7 +376,7 @@ static void check_bindings(const struct shaders *s)
 
 /* ---- vertex inputs, colour outputs ---- */
 
-/* Successive VkFormats of equal component count. kinds[i] is the type of `first` + i: f, u, i. */
+/* Successive VkFormats of equal component count. kinds[i] is 'f', 'u' or 'i' for `first` + i. */
 struct format_group {
     VkFormat first;
     uint32_t components;
@@ -516,7 +516,7 @@ static void check_fragments(const struct shaders *s)
 
 /* ---- specialization constants ---- */
 
-/* Checks the sizes of the params' specialization constants, and records which ones shaders have. */
+/* Checks the sizes of specialization constants, and records which of them the shaders have. */
 static void check_constants(const struct shaders *s)
 {
     const VkSpecializationInfo *given = s->c->params->constants;

@@ -134,7 +134,7 @@ struct compiler {
     struct string_set resource_names, pass_names;
     struct map provided; /* images written or imported; for fallbacks */
 
-    /* Pass declaration being processed, as technique and row; NULL and RG_NONE if there is none. */
+    /* Technique and index of the pass declaration being processed; NULL and RG_NONE if none. */
     const struct rg_technique *technique;
     uint32_t row;
     uint32_t row_first_fault;
@@ -214,8 +214,9 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
-/* Value of cell.visible for a write that is visible to all reads: a bit per (stage, access) pair.
- * Bit 31, for any other shader stage, is never set, so that its reads always get a barrier. */
+/* Value of cell.visible for a write that is visible to all reads: a bit per (stage, access)
+ * pair. Bit 31 means any other shader stage. It is never set: reads in these always get a barrier.
+ * */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
 /* Returns true for accesses by shaders through a descriptor. */
@@ -230,7 +231,7 @@ static inline bool rg_is_structure_access(enum rg_access kind)
     return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
 }
 
-/* Initialises and returns `a`, an access to a whole resource. Its flags follow from `kind`. */
+/* Makes `a` an access to a whole resource, with flags that follow from `kind`, and returns `a`. */
 struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
                               VkPipelineStageFlags2 stages);
 
@@ -310,7 +311,7 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
 /* Counts the passes, and checks the arrays in the params. Returns true if all can be read. */
 bool rg_check_params(struct compiler *c);
 
-/* Checks an import (if `arrives`) or output. Returns true if it names exactly one resource. */
+/* Checks an import (if `arrives`) or output. Returns true if exactly one resource is named. */
 bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
                        const struct rg_buffer *buffer, enum rg_access access, bool arrives);
 
@@ -326,9 +327,8 @@ enum {
     ALL_CHANNELS = 0xf /* all bits of VkColorComponentFlags */
 };
 
-/* Return true if blending reads the old colour, and (rg_keeps_color) if some of it may remain. */
-bool rg_is_blended(const struct rg_target *target);
-bool rg_keeps_color(const struct rg_target *target);
+bool rg_is_blended(const struct rg_target *target);  /* blending reads the old colour */
+bool rg_keeps_color(const struct rg_target *target); /* some of the old colour may remain */
 
 void rg_check_target(struct compiler *c, const struct rg_target *target);
 void rg_check_vertices(struct compiler *c, const struct rg_vertex_layout *v); /* may be NULL */
@@ -337,7 +337,7 @@ void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
 /* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 
-/* Report specialization constants that no shader has. Called before and after all passes. */
+/* Begin and end the search for specialization constants that no shader has, which are faults. */
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
@@ -399,7 +399,7 @@ void rg_expand(struct compiler *c);
 /* cull_passes.c: decides which passes are alive. */
 void rg_cull(struct compiler *c);
 
-/* memory_requirements.c: lifetimes, memory requirements, and the plan's images and buffers. */
+/* memory_requirements.c: finds lifetimes and sizes, and lists the plan's images and buffers. */
 void rg_find_lifetimes(struct compiler *c);
 void rg_check_formats(struct compiler *c);
 void rg_list_resources(struct compiler *c);
@@ -410,14 +410,14 @@ void rg_pack_blocks(struct compiler *c);
 /* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: find the last pass, and then the last accesses, of the earlier owners of
- * each item's memory. Item offsets must be known; for the accesses, also the final cell states. */
+/* alias_dependencies.c: rg_find_release_passes() finds the last pass that used each item's memory
+ * before. Once cell states are final, rg_complete_alias_barriers() finds what to wait for. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 
 /* ---- subresource_state.c ---- */
 
-/* Sets the synchronisation state of every subresource to that at the start of a frame. */
+/* Resets every subresource's synchronisation state to that at the start of a frame. */
 void rg_begin_cells(struct compiler *c);
 
 typedef void rg_history_read_fn(struct compiler *c, const struct cell_walk *w,
@@ -428,8 +428,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
 
 /* ---- barriers.c ---- */
 
-/* Adds the barriers that an access needs. If `restores_import` (return of an import to its initial
- * state), subresources that are still in that state get no barrier. */
+/* Adds the barriers that an access needs. If `restores_import`, the access returns an import to
+ * its initial state, and subresources already in that state get no barrier. */
 void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
                      bool restores_import);
 

@@ -4,7 +4,7 @@
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* maximum iterations; then a last one treats all persistent content as needed */
+    MAX_ROUNDS = 4 /* maximum iterations, before one that treats all persistent content as needed */
 };
 
 /* Starts an iteration: marks outputs, and persistent content that the next frame needs. */

@@ -59,7 +59,7 @@ static bool find_cells(struct compiler *c, struct access *a)
     return true;
 }
 
-/* Adds a prepared access to the pass. In a conditional pass it never discards earlier content. */
+/* Adds a prepared access to the pass. If the pass is conditional, earlier content is kept. */
 static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
 {
     const char *name = a->resource->name;
@@ -261,8 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns the number of repetitions of a pass: the mip levels or layers of the first image that it
- * writes, from the first one used; 1 if that one is out of range, 0 if it writes no image. */
+/* Returns how often a pass is repeated: once for each mip level or layer of the first image that it
+ * writes, from the declared one on; 1 if that is out of range; 0 if the pass writes no image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

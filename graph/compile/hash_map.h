@@ -4,7 +4,7 @@
 
 #include "graph/compile/arena.h"
 
-/* Hash table with open addressing, at most 3/4 full. Reserve slots in an empty one ({0}) first. */
+/* Hash table with open addressing, at most 3/4 full. Initialise with {0}, then reserve slots. */
 
 struct map_slot {
     const void *key; /* NULL: empty slot */
@@ -20,7 +20,7 @@ struct map {
 /* Returns the slot of an address, or the empty slot where it would be inserted. */
 static inline struct map_slot *rg_map_find(const struct map *map, const void *address)
 {
-    /* adjacent addresses get adjacent slots (locality); higher bits spread power-of-two strides */
+    /* adjacent addresses get adjacent slots; adding high bits spreads power-of-two strides */
     uintptr_t i = ((uintptr_t)address + ((uintptr_t)address >> 9)) >> 4;
     while (map->slots[i & map->mask].key && map->slots[i & map->mask].key != address)
         i++;
@@ -29,17 +29,17 @@ static inline struct map_slot *rg_map_find(const struct map *map, const void *ad
 
 void rg_map_reserve(struct arena *arena, struct map *map, uint32_t count);
 
-/* Inserts an address into its empty slot; returns a pointer to its value, NULL if out of memory. */
+/* Inserts an address into an empty slot. Returns a pointer to its value; NULL if out of memory. */
 void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address);
 
-/* Returns a pointer to the value of an address, inserting NULL if new; NULL if out of memory. */
+/* Returns a pointer to an address's value (initially NULL). Returns NULL if out of memory. */
 static inline void **rg_map_value(struct arena *arena, struct map *map, const void *address)
 {
     struct map_slot *slot = rg_map_find(map, address);
     return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
 }
 
-/* A slot holds a hash and an index rather than the string, to keep probing in few cache lines. */
+/* A slot holds a hash and an index instead of the string, so that probing reads few cache lines. */
 struct string_slot {
     uint32_t hash;
     uint32_t number; /* `texts` index plus 1; 0: empty */

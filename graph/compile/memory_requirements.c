@@ -125,7 +125,7 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
                     "this device does not support this sample count for such images; use fewer");
 }
 
-/* Returns a tightly packed size for compiling without a device, so that plans are portable. */
+/* Returns an image's tightly packed size in bytes, for plans that are compiled without a device. */
 static VkDeviceSize estimate_image(const struct rg_plan_image *image)
 {
     VkDeviceSize texels = 0;
@@ -159,7 +159,7 @@ static struct rg_memory_requirements buffer_memory(const struct compiler *c, VkD
     return device->buffer_memory(device->user, &info);
 }
 
-/* Returns requirements that satisfy both the current and the largest view. */
+/* Returns memory requirements that suffice for both the current and the largest view size. */
 static struct rg_memory_requirements combine_requirements(struct rg_memory_requirements a,
                                                           const struct rg_memory_requirements *b)
 {

@@ -11,7 +11,7 @@ enum {
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     FEW_ITEMS = 256,         /* Shell sort up to this count */
-    /* mean lifetime, in passes that begin items, above which only apply_time_order() is used */
+    /* mean lifetime, in passes where items begin; above it, only apply_time_order() runs */
     LONG_LIFE = 32,
 };
 
@@ -30,21 +30,21 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Range of allocated bytes. A list of spans is ascending, with gaps; the first span begins at 0 and
- * may be empty, and a sentinel at UINT64_MAX ends the list. */
+/* Range of allocated bytes. Lists of spans are ascending and have gaps; the first span begins at 0
+ * and may be empty, and the last is a sentinel at UINT64_MAX. */
 struct span {
     VkDeviceSize begin, end;
 };
 
-/* Set of items alive at the same pass: a maximal clique of the interval graph of lifetimes. It is
- * complete at the last pass where an item begins before another one ends. */
+/* Items alive at the same pass: a maximal clique of the interval graph of lifetimes. The next set
+ * begins with the first item that begins after an item of this set has ended. */
 struct live_set {
     struct span *spans;
     struct span *next; /* span above the current item's gap */
     uint32_t alive;    /* number of items */
 };
 
-/* Changes of live memory from the previous pass to this one. Unsigned; decreases wrap around. */
+/* Changes of live items from the previous pass to this one. Unsigned; decreases wrap around. */
 struct change {
     VkDeviceSize taken;      /* live bytes */
     VkDeviceSize used;       /* live bytes counted from first use */
@@ -77,7 +77,7 @@ static VkDeviceSize end_of(const struct pack_item *item)
 
 /* ---- live sets ---- */
 
-/* Fills p->changes, and p->offsets with a packing without aliasing. */
+/* Fills p->changes; fills p->offsets with the offsets of all items without aliasing. */
 static void find_changes(const struct packing *p, struct pack_result *result)
 {
     struct change *changes = p->changes;
@@ -97,7 +97,7 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     }
 }
 
-/* Fills the live sets and size bounds. Returns an upper bound of the spans of all live sets. */
+/* Fills the live sets and size bounds. Returns an upper bound of the sum of `alive` of all sets. */
 static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
@@ -200,7 +200,7 @@ static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item
 
 /* ---- orders of placement ---- */
 
-/* Returns an item's sort key: the bits of a positive double, which sort like its value. */
+/* Returns an item's sort key, the bits of a positive double; as integers they sort the same way. */
 static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
@@ -263,7 +263,7 @@ static void sort(struct packing *p, const struct rule *rule)
         sort_by_byte(p, shift);
 }
 
-/* Moves the item with the highest end offset to half its index in the order. */
+/* Moves the item with the highest end offset forward, to half its index in the order. */
 static void promote_highest(struct packing *p)
 {
     uint64_t *order = p->order;
@@ -282,7 +282,7 @@ static void place_item(const struct packing *p, struct pack_item *item)
 {
     struct live_set *first = p->changes[item->first].newest;
     struct live_set *last = p->changes[item->last].newest;
-    /* last live set to check: the one before the set that last raised `begin` */
+    /* last live set to check, cyclically: the one before the set that last raised `begin` */
     const struct live_set *end = last;
     VkDeviceSize begin = 0;
     for (struct live_set *set = first;; set = set == last ? first : set + 1) {
@@ -316,7 +316,7 @@ static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
     return size < limit ? size : UINT64_MAX;
 }
 
-/* Tries all orders. Returns the smallest block size; if it is below `size`, sets p->offsets. */
+/* Tries all orders. Sets p->offsets if a block is smaller than `size`. Returns the least size. */
 static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
     uint32_t rule_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT;
@@ -341,7 +341,7 @@ static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceS
 static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
 {
     struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };
-    /* for each pass: index plus 1 of the first item that ends there */
+    /* for each pass: head of the list of items that end there, as index + 1; 0 means none */
     uint32_t *ending = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1);
     uint32_t *next = ARENA_ARRAY(arena, uint32_t, p->count);
     uint32_t now = 0;

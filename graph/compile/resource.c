@@ -85,8 +85,8 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* Allocates the states of a resource's subresources, as at the start of a frame; those of imports,
- * persistent resources and aliased memory are completed by subresource_state.c. */
+/* Allocates a resource's subresource states and sets them for the start of a frame. For imports,
+ * persistent resources and aliased memory, subresource_state.c completes them. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;

@@ -68,7 +68,7 @@ struct instruction {
     const uint32_t *words;
 };
 
-/* Advances `in`, initially {0}, to the next instruction. Returns false at the end or on errors. */
+/* Advances `in`, initially zero, to the next instruction. Returns false at the end or on error. */
 static bool next(const struct rg_shader *shader, struct instruction *in)
 {
     const uint32_t *end = shader->words + shader->word_count;
@@ -153,7 +153,7 @@ static struct member_layout member_layout_of(const struct spirv *s, uint32_t typ
 
 static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth);
 
-/* Returns a type's size in bytes without trailing padding. May wrap around if malformed. */
+/* Returns a type's size in bytes without trailing padding; may wrap around for malformed types. */
 static uint32_t size_of(const struct spirv *s, uint32_t type, const struct member_layout *layout,
                         uint32_t depth)
 {

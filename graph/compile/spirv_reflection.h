@@ -60,7 +60,7 @@ struct spirv {
 };
 
 /* Parses the entry point `main` of a stage, and the variables that it uses. Returns NULL, or an
- * error message. After an error, or if out of memory, no other function may be called. */
+ * error message. After an error, or if out of memory, the functions below must not be called. */
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage);
 
@@ -69,17 +69,17 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
 VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
                                      uint32_t *count);
 
-/* Returns the name of a variable, or of its block type if it is anonymous; "?" if stripped. */
+/* Returns the name of a variable or, if it has none, that of its block type; "?" if stripped. */
 const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v);
 
 /* Returns the name of a struct type and its number of members; NULL for other types. */
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
-/* Returns the unpadded size in bytes of a struct, or of one element of a struct array; else 0. */
+/* Returns the unpadded size in bytes of a struct or of a struct array's element, otherwise 0. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
-/* Fills `image` for an image or sampled image type, or an array of these; else returns false. */
+/* Fills *image if `type` is an image, a sampled image or an array of these, else returns false. */
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
 /* Returns the component type of a scalar or vector: 'f' float, 'i' or 'u' integer of at most 32

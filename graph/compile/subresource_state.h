@@ -19,8 +19,8 @@ static inline bool rg_changes_cell(const struct cell *s, const struct access *a)
     return a->flags & ACCESS_WRITES || s->layout != a->layout;
 }
 
-/* Fills `b` except resource and range, and sets *release to the first pass before which the barrier
- * may be placed. Returns false if the access needs no barrier. */
+/* Fills the barrier `b`, except resource and range, and sets *release to the earliest pass that it
+ * may precede. Returns false if the access needs no barrier. */
 static inline bool rg_needs_barrier(const struct cell *s, const struct access *a,
                                     struct rg_barrier *b, uint32_t *release)
 {
@@ -40,7 +40,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
 }
 
-/* Updates a subresource's state after an access; `made_visible`: a barrier precedes the access. */
+/* Updates a subresource's state after an access. `made_visible`: a barrier preceded the access. */
 static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
                                    bool made_visible)
 {

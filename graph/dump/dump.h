@@ -30,7 +30,7 @@ void rg_dump_utf8(FILE *out, uint32_t character);
 
 /* ---- flag_names.c ---- */
 
-/* Name of a flag or enum value in dumps; NULL ends a list. */
+/* Name of a flag or enum value in dumps. In tables, a NULL name marks the end. */
 struct rg_dump_flag_name {
     const char *word;
     uint64_t value;

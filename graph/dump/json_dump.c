@@ -185,7 +185,7 @@ static void print_use(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, "}");
 }
 
-/* Prints those members of a pass that culled passes have, too. */
+/* Prints the members that live and culled passes have in common. */
 static void print_pass_name(const struct rg_dump *d, const struct rg_pass *pass,
                             uint32_t repetition)
 {

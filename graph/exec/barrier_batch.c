@@ -55,8 +55,8 @@ static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubreso
            a->layerCount == b->layerCount;
 }
 
-/* Records the pending barriers in one call. Barriers of one call are unordered and cannot be
- * chained, so those of several passes all get the union of stages and accesses. */
+/* Records the pending barriers in one call. As barriers of one call are unordered, those of several
+ * passes cannot be chained; instead, each gets the union of all stages and accesses. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands)
 {
     struct exec_batch *batch = &exec->batch;

@@ -74,8 +74,8 @@ struct placement {
     uint64_t salt; /* distinguishes keys of equal names */
 };
 
-/* Finds or allocates the memory of a resource. Fails if the plan was compiled for another device,
- * or without one, and gives the resource too little memory. */
+/* Finds or allocates the memory of a resource. Fails if the plan's memory does not suit it, because
+ * the plan was compiled for another device or without one. */
 static VkResult find_memory(struct rg_exec *exec, const struct placement *placement,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {

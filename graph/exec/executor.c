@@ -225,7 +225,7 @@ static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_
     return count == 1 ? exec->plan->passes[first].pass->name : NULL;
 }
 
-/* Records `count` passes from `first` on into the slot begun last, and submits them. */
+/* Records `count` passes from `first` on into the most recently begun slot, and submits them. */
 static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                        uint32_t count)
 {

@@ -125,7 +125,7 @@ struct rg_exec {
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL if created without `measured` */
     bool initialized; /* persistent resources, placeholders are initialised */
-    /* for each image, then each buffer, of the plan: true if it has content of the previous plan */
+    /* for each image and then each buffer of the plan: true if it has kept its previous content */
     bool *has_content;
     struct exec_transition *transitions;
     uint32_t transition_count;
@@ -149,7 +149,7 @@ struct rg_cmd {
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
 
-/* Logs a failed call and the name `of` its object; NULL means the frame. Returns `result`. */
+/* Logs a failed call on the object named `of` (NULL: on the frame). Returns `result`. */
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
                        const char *of);
 
@@ -189,8 +189,8 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 #define RG_MAKE(exec, of, type, function, handle, ...) \
     RG_MAKE_KEYED(exec, of, RG_NO_KEY, type, function, handle, __VA_ARGS__)
 
-/* Creates a zeroed array that is freed with the plan; false if out of memory. With a key, it may
- * return the previous plan's array with its content. */
+/* Creates a zeroed array that is freed with the plan; false if out of memory. If `key` is not
+ * RG_NO_KEY, it may be the previous plan's array with its content. */
 #define RG_MAKE_KEYED_ARRAY(exec, key, array, count) \
     ((array) = rg_exec_make_array((exec), (key), (count), sizeof(*(array))), (array) != NULL)
 #define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
@@ -200,8 +200,8 @@ VkResult rg_exec_reserve_object(struct rg_exec *exec); /* reserves an entry in t
 bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *handle, size_t size);
 void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
                         const char *name);
-/* Frees objects of the previous plan that this plan does not use, except pipelines, which are kept
- * for one more plan, since programs often switch back and forth. */
+/* Frees objects of the previous plan that this plan does not use. Pipelines are kept for one more
+ * plan, since programs often switch back and forth. */
 void rg_exec_free_former(struct rg_exec *exec);
 /* Moves the pipelines in rg_exec_params.pipelines to the executor, for reuse. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);
@@ -222,7 +222,7 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
-/* Returns true if the program owns an object. Its handle may be reused, so it is no cache key. */
+/* Returns true if the program owns an object, whose handle is no cache key: it may be reused. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);

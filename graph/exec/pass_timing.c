@@ -1,6 +1,6 @@
-/* pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass. A
- * pass's timestamp precedes the next barriers, as a tile-based software rasteriser may execute a
- * later one only after the next pass. */
+/* pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass.
+ * A pass's timestamp precedes the next barriers, as a tile-based software rasteriser may execute a
+ * later timestamp only after the next pass. */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/executor.h"

@@ -50,7 +50,7 @@ const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg
     return params->replace_shader ? params->replace_shader(params->user, shader) : shader;
 }
 
-/* Fills a shader stage. The caller destroys its module once the pipeline is created. */
+/* Fills a shader stage. The caller destroys the shader module once the pipeline is created. */
 static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {

@@ -48,7 +48,7 @@ struct gpu_acceleration {
 MUST_USE enum status gpu_acceleration_create(struct gpu *gpu, struct gpu_acceleration **rays,
                                              const struct gpu_blas_groups *groups);
 
-/* Builds the TLAS and the BLAS of groups that are not kept. Moves the groups to *rays and zeroes
+/* Builds the TLAS, and the BLAS of each group unless is_kept. Moves the groups to *rays and zeroes
  * *groups. Waits until shaders can trace the structures; nothing may trace them meanwhile. */
 MUST_USE enum status gpu_acceleration_build(struct gpu *gpu, struct gpu_acceleration *rays,
                                             struct gpu_blas_groups *groups);

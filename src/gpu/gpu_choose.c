@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* Required device limits: bytes of push constants, colour attachments of the render graph. */
+/* Device limits that firn requires: bytes of push constants, number of colour attachments. */
 enum {
     PUSH_CONSTANTS_SIZE = 128,
     COLOR_ATTACHMENT_COUNT = 8,

@@ -67,7 +67,7 @@ static const char *name_of(const struct gpu_image_params *params)
     return params->name ? params->name : "an image";
 }
 
-/* Checks that the device can create, fill and sample the image. *limits gets the size limits. */
+/* Checks that the device can create, fill and sample the image. Writes size limits to *limits. */
 static enum status check_format(const struct gpu *gpu, const struct gpu_image_params *params,
                                 VkImageUsageFlags usage, VkImageFormatProperties *limits)
 {
@@ -239,7 +239,7 @@ static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
     return status;
 }
 
-/* Blits each mip level to the next smaller one; transitions all but the last to `halved`. */
+/* Blits each mip level to the next smaller one, after a transition from `written` to `halved`. */
 static void record_mips(VkCommandBuffer commands, const struct gpu_image *image)
 {
     const VkExtent3D size = image->extent;

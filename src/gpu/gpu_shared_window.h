@@ -35,8 +35,8 @@ struct gpu_shared_window_image {
     uint32_t row_size; /* bytes */
 };
 
-/* Creates the BGRA images of a canvas, for use as colour attachments and transfer destinations. If
- * memory or device do not allow it, returns false without logging and creates nothing. */
+/* Creates the BGRA images of a canvas, for use as colour attachments and transfer destinations.
+ * If the memory or the device is unsuitable, returns false without logging and creates nothing. */
 MUST_USE bool gpu_shared_window_create_images(
     const struct gpu *gpu, const struct gpu_shared_window *canvas, VkExtent2D extent,
     struct gpu_shared_window_image images[GPU_SHARED_WINDOW_IMAGE_COUNT]);

@@ -32,7 +32,7 @@ enum {
 
 #define GPU_SWAPCHAIN_NONE UINT32_MAX /* no image */
 
-/* Pseudo present mode: images of the canvas if possible, else FIFO. */
+/* Pseudo present mode that selects canvas images if possible, else FIFO. */
 #define GPU_SWAPCHAIN_ANY VK_PRESENT_MODE_MAX_ENUM_KHR
 
 struct gpu_swapchain {
@@ -53,8 +53,8 @@ struct gpu_swapchain {
     bool stale;         /* must be recreated */
 };
 
-/* Chooses a format of 8 bits per channel, if possible without sRGB encoding, and present mode
- * `mode` or, with a warning, FIFO. Creates no images but sets `stale`. `canvas` may be NULL. */
+/* Chooses a format of 8 bits per channel, preferably without sRGB encoding, and the present mode:
+ * `mode`, or FIFO with a warning. Sets `stale` and creates no images. `canvas` may be NULL. */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                         VkSurfaceKHR surface, VkPresentModeKHR mode,
                                         const struct gpu_shared_window *canvas);
@@ -68,7 +68,7 @@ MUST_USE enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchai
 MUST_USE enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                            uint32_t slot, uint32_t *index);
 
-/* Presents the image when drawn[index] is signalled. */
+/* Presents image `index` once the semaphore drawn[index] is signalled. */
 MUST_USE enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                            uint32_t index);
 
