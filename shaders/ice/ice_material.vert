@@ -1,8 +1,8 @@
 /* ice_material.vert: vertex shader of the G-buffer passes of textured ice. */
 #version 460
 #include "ice/ice_material.h"
-#include "lib/optics.glsl"
 #include "lib/object_pose.glsl"
+#include "lib/optics.glsl"
 #include "lib/primary_ray.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;

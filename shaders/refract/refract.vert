@@ -1,8 +1,8 @@
 /* refract.vert: vertex shader of the ice's front faces, with Fresnel reflectance by SN eq. 4. */
 #version 460
 #define HIGHLIGHT_VERTEX
-#include "lib/optics.glsl"
 #include "lib/object_pose.glsl"
+#include "lib/optics.glsl"
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"
 #include "lighting/highlight.glsl"

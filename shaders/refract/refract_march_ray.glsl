@@ -3,8 +3,8 @@
  * these faces count as inside. */
 #ifndef REFRACT_MARCH_RAY_GLSL
 #define REFRACT_MARCH_RAY_GLSL
-#include "refract/refract_exit_bracket.glsl"
 #include "refract/refract_depth_maps.glsl"
+#include "refract/refract_exit_bracket.glsl"
 #include "refract/refract_march.h"
 
 #ifndef REFRACT_MARCH /* a struct refract_march */

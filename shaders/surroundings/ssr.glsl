@@ -2,8 +2,8 @@
  * refractive objects, followed by bisection. */
 #ifndef SSR_GLSL
 #define SSR_GLSL
-#include "lib/octahedral_encoding.glsl"
 #include "lib/object_pose.glsl"
+#include "lib/octahedral_encoding.glsl"
 #include "lib/primary_ray.glsl"
 #include "material_layout.h"
 #include "surroundings/ssr.h"
