@@ -25,7 +25,7 @@ FOLDERS = ('.ci', 'assets', 'completions', 'docs', 'graph', 'man', 'shaders', 's
 # Objects with tables of a library's header that are not const there: stb_easy_font's
 THEIR_DATA = ('ladder_canvas.c.o',)
 # One that counts what a property of the process depends on: whether it is dumpable.
-PROCESS_DATA = ('reader_reader.c.o',)
+PROCESS_DATA = ('reader_reader_process.c.o',)
 C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
 CODE = (*C, *GLSL, '.css', '.js', '.py', '.sh', '.build')

@@ -1,6 +1,6 @@
 /* ice_material_back.frag: fragment shader of the G-buffer of textured ice's back faces. */
 #version 460
-#include "ice/ice_material.glsl"
+#include "ice/ice_textured.glsl"
 
 layout(location = 0) out vec4 back;          /* outward unit normal, world; w: 1 */
 layout(location = 1) out vec4 material_back; /* surface transmittance; a: roughness */

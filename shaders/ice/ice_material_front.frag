@@ -1,7 +1,7 @@
 /* ice_material_front.frag: fragment shader of the G-buffer of textured ice's front faces, which
  * also shades the opaque base. */
 #version 460
-#include "ice/ice_material.glsl"
+#include "ice/ice_textured.glsl"
 
 layout(location = 0) out vec4 front; /* outward unit normal, world; w: 1 */
 layout(location = 1) out float depth;

@@ -74,7 +74,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 #elif defined(REFRACT_NESTED)
 #include "refract/refract_nested.glsl"
 #else
-#include "refract/refract_exits.glsl"
+#include "refract/refract_gather_exits.glsl"
 #endif
 
 /* Shades a visible point of the ice; the result's `path` is that of green light. */

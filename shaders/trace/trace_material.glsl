@@ -1,4 +1,5 @@
-/* trace_material.glsl: textured surface parameters at ray hits (C: src/reference/radiance.c). */
+/* trace_material.glsl: textured surface parameters at ray hits (C:
+ * src/reference/surroundings_radiance.c). */
 #ifndef TRACE_MATERIAL_GLSL
 #define TRACE_MATERIAL_GLSL
 #include "object_material.h"

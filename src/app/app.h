@@ -10,7 +10,7 @@
 #include "src/gpu/gpu.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 #include "src/render/pixel_filter.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"

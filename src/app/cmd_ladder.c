@@ -12,7 +12,7 @@
 #include "src/image/file_io.h"
 #include "src/ladder/comparison_report.h"
 #include "src/ladder/white_furnace.h"
-#include "src/profile/text_format.h"
+#include "src/profile/text_columns.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
 #include "src/scene/material_table.h"

@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/image/png.h"
 #include "src/image/srgb.h"
-#include "src/ladder/legend.h"
+#include "src/ladder/heat_map_legend.h"
 #include "src/metric/heat_map.h"
 
 enum {

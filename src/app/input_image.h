@@ -4,7 +4,7 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 
 /* Reads an EXR, HDR or PNG file into *image, which must be {0}. Returns a status of
  * image_reader_read(), or STATUS_USAGE for other file names. */

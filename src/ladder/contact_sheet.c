@@ -7,7 +7,7 @@
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
 #include "src/ladder/comparison_report.h"
-#include "src/ladder/legend.h"
+#include "src/ladder/heat_map_legend.h"
 #include "src/metric/heat_map.h"
 
 enum {

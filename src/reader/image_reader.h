@@ -1,10 +1,11 @@
-/* image_reader.h: reads .exr, .hdr and .png images in a reader process. Errors: see reader.h. */
+/* image_reader.h: reads .exr, .hdr and .png images in a reader process. Errors: see
+ * reader_process.h. */
 #ifndef FIRN_READER_IMAGE_READER_H
 #define FIRN_READER_IMAGE_READER_H
 
 #include "src/image/image.h"
 #include "src/image/image_header.h"
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 
 /* Returns true if a path has the suffix of a supported image format. */
 bool image_reader_knows_suffix(const char *path);

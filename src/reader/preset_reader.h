@@ -1,6 +1,6 @@
 /*
  * preset_reader.h: presets: settings stored in a text file or an image, read in a reader process
- * (reader.h).
+ * (reader_process.h).
  *
  * A file with the suffix .exr or .png is an image written by firn, whose metadata holds settings.
  * Any other file is text: lines NAME=VALUE, blank lines, and comment lines that begin with '#'.
@@ -9,7 +9,7 @@
 #ifndef FIRN_READER_PRESET_READER_H
 #define FIRN_READER_PRESET_READER_H
 
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 
 enum {
     PRESET_LINE_COUNT_MAX = 1 << 16,

@@ -13,8 +13,8 @@
 #define FIRN_REFERENCE_EMBREE_SCENE_H
 
 #include "src/base/status.h"
-#include "src/reference/embree.h"
-#include "src/reference/radiance.h"
+#include "src/reference/embree_compat.h"
+#include "src/reference/surroundings_radiance.h"
 
 enum {
     EMBREE_SCENE_OBJECT,

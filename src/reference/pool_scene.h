@@ -14,7 +14,7 @@
 
 #include "shaders/water/water.h"
 #include "src/reference/nested_media.h"
-#include "src/reference/radiance.h"
+#include "src/reference/surroundings_radiance.h"
 
 enum {
     POOL_SCENE_GRID = 512

@@ -6,7 +6,7 @@
 #ifndef FIRN_REFERENCE_VOLUME_SCATTERING_H
 #define FIRN_REFERENCE_VOLUME_SCATTERING_H
 
-#include "src/reference/radiance.h"
+#include "src/reference/surroundings_radiance.h"
 #include "src/settings/settings.h"
 
 struct volume_scattering {

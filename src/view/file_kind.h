@@ -2,7 +2,7 @@
 #ifndef FIRN_VIEW_FILE_KIND_H
 #define FIRN_VIEW_FILE_KIND_H
 
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 
 enum file_kind {
     FILE_KIND_MODEL,       /* model file or scene name (default) */
@@ -15,8 +15,8 @@ enum file_kind {
 
 /* Detects the kind of a file from its extension and, for images, from the contents: a PNG file
  * without firn's settings is an image to compare, and so is an .exr or .hdr file that does not have
- * the aspect ratio of a panorama. Image files are read in a reader process (see reader.h for
- * errors); *kind is set only on success. */
+ * the aspect ratio of a panorama. Image files are read in a reader process (see reader_process.h
+ * for errors); *kind is set only on success. */
 MUST_USE enum status file_kind_detect(const char *path, const struct reader_params *reader,
                                       enum file_kind *kind);
 

@@ -114,7 +114,7 @@ static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visua
     return NULL;
 }
 
-/* Returns true if pixels of a visual are BGRX bytes, the format of gpu_shared_window.h. */
+/* Returns true if pixels of a visual are BGRX bytes, the format of gpu_host_memory_images.h. */
 static bool is_blue_first(const xcb_setup_t *setup, xcb_visualid_t visual_id)
 {
     const xcb_visualtype_t *visual = NULL;

@@ -1,13 +1,14 @@
-/* sandboxed_load.h: loads models and environments in a sandboxed reader process (reader.h). */
+/* sandboxed_load.h: loads models and environments in a sandboxed reader process (reader_process.h).
+ */
 #ifndef FIRN_SCENE_IMPORT_SANDBOXED_LOAD_H
 #define FIRN_SCENE_IMPORT_SANDBOXED_LOAD_H
 
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
 /* Loads a model like model_load_posed(), where a NULL pose is the rest pose, in a reader process
- * unless `params` is NULL. Errors are those of reader.h. */
+ * unless `params` is NULL. Errors are those of reader_process.h. */
 MUST_USE enum status sandboxed_load_model(struct model *model, const char *path,
                                           enum model_role default_role,
                                           const struct model_pose *pose,

@@ -7,8 +7,8 @@
 #include "src/scene/generate/noise.h"
 #include "src/scene/geometry/distance_field.h"
 #include "src/scene/geometry/vertex_weld.h"
-#include "src/scene/melt/melt_air_and_water.h"
 #include "src/scene/melt/melt_curvature_flow.h"
+#include "src/scene/melt/melt_inclusions_and_water.h"
 
 #define ICE_IOR_MIN   1.3f /* refractive index ranges of ice, water and air */
 #define ICE_IOR_MAX   1.32f

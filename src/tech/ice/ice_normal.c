@@ -11,7 +11,7 @@
  */
 #include "src/tech/ice/ice_normal.h"
 #include "shaders/embedded.h"
-#include "shaders/ice/ice_material.h"
+#include "shaders/ice/ice_textured.h"
 #include "src/tech/frame.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/pass_builder.h"
@@ -189,7 +189,7 @@ static void texture_pass(struct rg_pass *pass, bool is_front)
 {
     pass->color = is_front ? textured_fronts : textured_backs;
     pass->color_count = is_front ? 5 : 2;
-    pass->vert = &ice_material_vert;
+    pass->vert = &ice_textured_vert;
     pass->frag = is_front ? &ice_material_front_frag : &ice_material_back_frag;
     pass->uses = is_front ? front_uses : back_uses;
     pass->push_size = sizeof(struct ice_material_push);

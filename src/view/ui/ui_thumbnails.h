@@ -3,7 +3,7 @@
 #ifndef FIRN_VIEW_UI_UI_THUMBNAILS_H
 #define FIRN_VIEW_UI_UI_THUMBNAILS_H
 
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 #include "src/view/ui/imgui.h"
 
 #define UI_THUMBNAIL_NONE UINT32_MAX

@@ -1,5 +1,5 @@
-/* text_format.c: UTF-8 aware printing and cleaning of text. */
-#include "src/profile/text_format.h"
+/* text_columns.c: UTF-8 aware printing and cleaning of text. */
+#include "src/profile/text_columns.h"
 #include <stdbool.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
-/* legend.h: colour bar of the FLIP heat map, with numbers. */
-#ifndef FIRN_LADDER_LEGEND_H
-#define FIRN_LADDER_LEGEND_H
+/* heat_map_legend.h: colour bar of the FLIP heat map, with numbers. */
+#ifndef FIRN_LADDER_HEAT_MAP_LEGEND_H
+#define FIRN_LADDER_HEAT_MAP_LEGEND_H
 
 #include "src/ladder/canvas.h"
 

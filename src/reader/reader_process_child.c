@@ -1,4 +1,5 @@
-/* reader_child.c: child side of a reader process: arguments, resource limits, output pipe. */
+/* reader_process_child.c: child side of a reader process: arguments, resource limits, output pipe.
+ */
 #define _GNU_SOURCE /* for names of prctl.h and resource.h */
 #include <poll.h>
 #include <signal.h>
@@ -8,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 #include "src/base/log.h"
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 #include "src/reader/sandbox.h"
 
 enum {

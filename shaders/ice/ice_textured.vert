@@ -1,6 +1,6 @@
-/* ice_material.vert: vertex shader of the G-buffer passes of textured ice. */
+/* ice_textured.vert: vertex shader of the G-buffer passes of textured ice. */
 #version 460
-#include "ice/ice_material.h"
+#include "ice/ice_textured.h"
 #include "lib/object_pose.glsl"
 #include "lib/optics.glsl"
 #include "lib/primary_ray.glsl"

@@ -1,7 +1,7 @@
-/* melt_air_and_water.h: air inside melting ice, and water below it. Their meshes move as connected
- * components of welded vertices. */
-#ifndef FIRN_SCENE_MELT_MELT_AIR_AND_WATER_H
-#define FIRN_SCENE_MELT_MELT_AIR_AND_WATER_H
+/* melt_inclusions_and_water.h: air inside melting ice, and water below it. Their meshes move as
+ * connected components of welded vertices. */
+#ifndef FIRN_SCENE_MELT_MELT_INCLUSIONS_AND_WATER_H
+#define FIRN_SCENE_MELT_MELT_INCLUSIONS_AND_WATER_H
 
 #include "src/scene/geometry/distance_field.h"
 #include "src/scene/import/model.h"

@@ -1,6 +1,6 @@
-/* text_format.h: prints UTF-8 text in columns of fixed width, and removes invalid UTF-8. */
-#ifndef FIRN_PROFILE_TEXT_FORMAT_H
-#define FIRN_PROFILE_TEXT_FORMAT_H
+/* text_columns.h: prints UTF-8 text in columns of fixed width, and removes invalid UTF-8. */
+#ifndef FIRN_PROFILE_TEXT_COLUMNS_H
+#define FIRN_PROFILE_TEXT_COLUMNS_H
 
 #include <stddef.h>
 #include <stdint.h>

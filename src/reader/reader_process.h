@@ -1,5 +1,5 @@
 /*
- * reader.h: sandboxed child process that parses an untrusted file for its parent.
+ * reader_process.h: sandboxed child process that parses an untrusted file for its parent.
  *
  * Parsers of models and images are large, and a damaged or malicious file may make one crash, hang,
  * use all memory, or execute code. Therefore the program starts itself as a child process that
@@ -16,8 +16,8 @@
  * the parent lacks memory or processes, if the child cannot start, or if it reaches a limit that
  * the program was started with.
  */
-#ifndef FIRN_READER_READER_H
-#define FIRN_READER_READER_H
+#ifndef FIRN_READER_READER_PROCESS_H
+#define FIRN_READER_READER_PROCESS_H
 
 #include "src/base/status.h"
 #include "src/reader/reader_pipe.h"

@@ -1,12 +1,13 @@
 /*
- * radiance.h: radiance of surroundings and sky along a ray, as surroundings.c renders them.
+ * surroundings_radiance.h: radiance of surroundings and sky along a ray, as surroundings.c renders
+ * them.
  *
  * Formulas, constants and prefiltered environment lighting are shared with the shaders
  * (shaders/surroundings/, shaders/brdf.h), so that comparisons show errors of refraction alone.
  * Textures are filtered bilinearly without mip levels: only pixel samples antialias them.
  */
-#ifndef FIRN_REFERENCE_RADIANCE_H
-#define FIRN_REFERENCE_RADIANCE_H
+#ifndef FIRN_REFERENCE_SURROUNDINGS_RADIANCE_H
+#define FIRN_REFERENCE_SURROUNDINGS_RADIANCE_H
 
 #include "shaders/globals.h"
 #include "shaders/object_material.h"

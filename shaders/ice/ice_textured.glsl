@@ -1,7 +1,7 @@
-/* ice_material.glsl: surface parameters of textured ice for the G-buffer pass; uses uv set 0. */
-#ifndef ICE_MATERIAL_GLSL
-#define ICE_MATERIAL_GLSL
-#include "ice/ice_material.h"
+/* ice_textured.glsl: surface parameters of textured ice for the G-buffer pass; uses uv set 0. */
+#ifndef ICE_TEXTURED_GLSL
+#define ICE_TEXTURED_GLSL
+#include "ice/ice_textured.h"
 #include "lib/brdf_shading.glsl"
 #include "lib/primary_ray.glsl"
 #include "lighting/bump_normal.h"

@@ -1,9 +1,9 @@
-/* ice_material.h: varyings and push constants of the pass that draws textured ice. */
-#ifndef SHADERS_ICE_ICE_MATERIAL_H
-#define SHADERS_ICE_ICE_MATERIAL_H
+/* ice_textured.h: varyings and push constants of the pass that draws textured ice. */
+#ifndef SHADERS_ICE_ICE_TEXTURED_H
+#define SHADERS_ICE_ICE_TEXTURED_H
 #include "object_material.h"
 
-/* Varyings written by ice_material.vert. */
+/* Varyings written by ice_textured.vert. */
 #define ICE_MATERIAL_EYE_TO_POINT 0
 #define ICE_MATERIAL_NORMAL       1
 #define ICE_MATERIAL_FRESNEL      2 /* Fresnel reflectance by eq. 4 */

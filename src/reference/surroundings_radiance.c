@@ -1,5 +1,6 @@
-/* radiance.c: radiance of sky and environment map; shading of the surroundings with textures. */
-#include "src/reference/radiance.h"
+/* surroundings_radiance.c: radiance of sky and environment map; shading of the surroundings with
+ * textures. */
+#include "src/reference/surroundings_radiance.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include "shaders/brdf.h"

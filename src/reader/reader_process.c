@@ -1,6 +1,6 @@
-/* reader.c: starts a reader process, receives its data, and logs why it failed. */
+/* reader_process.c: starts a reader process, receives its data, and logs why it failed. */
 #define _GNU_SOURCE /* environ, pipe2, posix_spawn_file_actions_addclosefrom_np */
-#include "src/reader/reader.h"
+#include "src/reader/reader_process.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>

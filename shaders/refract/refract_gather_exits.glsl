@@ -1,5 +1,5 @@
 /*
- * refract_exits.glsl: gathers the light that leaves an object through several faces.
+ * refract_gather_exits.glsl: gathers the light that leaves an object through several faces.
  *
  * At each face a ray inside transmits the fraction 1 - F of its light (F: Fresnel reflectance) and
  * continues with F. The path inside never branches: it is one chain of faces, and each face without
@@ -13,8 +13,8 @@
  * Both loops test their limit at the beginning and have another exit at the end. With a single exit
  * at the end, lavapipe gives finished rays values of later iterations (Mesa 22.3).
  */
-#ifndef REFRACT_EXITS_GLSL
-#define REFRACT_EXITS_GLSL
+#ifndef REFRACT_GATHER_EXITS_GLSL
+#define REFRACT_GATHER_EXITS_GLSL
 #include "refract/refract_bounce.h"
 
 layout(push_constant, scalar) uniform Push

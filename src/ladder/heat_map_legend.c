@@ -1,5 +1,5 @@
-/* legend.c: draws the colour bar of the FLIP heat map. */
-#include "src/ladder/legend.h"
+/* heat_map_legend.c: draws the colour bar of the FLIP heat map. */
+#include "src/ladder/heat_map_legend.h"
 #include <stdio.h>
 #include "src/metric/heat_map.h"
 

@@ -1,8 +1,9 @@
 /*
- * embree.h: common interface to Embree 3 and 4; if both are installed, meson.build selects 4.
+ * embree_compat.h: common interface to Embree 3 and 4; if both are installed, meson.build selects
+ * 4.
  */
-#ifndef FIRN_REFERENCE_EMBREE_H
-#define FIRN_REFERENCE_EMBREE_H
+#ifndef FIRN_REFERENCE_EMBREE_COMPAT_H
+#define FIRN_REFERENCE_EMBREE_COMPAT_H
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

@@ -1,5 +1,5 @@
-/* melt_air_and_water.c: moves connected components of air and water with the melting ice. */
-#include "src/scene/melt/melt_air_and_water.h"
+/* melt_inclusions_and_water.c: moves connected components of air and water with the melting ice. */
+#include "src/scene/melt/melt_inclusions_and_water.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
