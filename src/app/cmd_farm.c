@@ -35,8 +35,9 @@ static enum status parse_arguments(struct app_options *o, bool is_status)
     const char *scene = o->positionals[1];
     if (is_status && is_image_option(scene)) {
         if (outputs->count) {
-            log_error("--output: conflicts with farm status %s: name a SCENE instead of this file",
-                      scene);
+            log_error(
+                "--output cannot be used with 'farm status %s'; name a SCENE instead of the file",
+                scene);
             return STATUS_USAGE;
         }
         outputs->paths[outputs->count++] = scene;

@@ -337,7 +337,7 @@ static const struct setting ground_rows[] = {
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
         .help = "trace fewer rays for ground.light=traced and denoise the result (edge-avoiding "
-                "filter); only below 32 samples, in untiled image files of refraction model trace",
+                "filter); only with --refraction trace, below 32 samples, in files without tiles",
     },
 };
 

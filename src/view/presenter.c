@@ -83,7 +83,7 @@ static enum status compile(const struct presenter *s, const struct presenter_ima
         .device = device,
     });
     if (!*plan) {
-        log_error("out of memory while compiling the window's plan");
+        log_error("out of memory while compiling the window's render graph");
         return STATUS_TRY_AGAIN;
     }
     return presenter_report_faults(*plan);
@@ -94,7 +94,7 @@ enum status presenter_report_faults(const struct rg_plan *plan)
     for (uint32_t i = 0; i < plan->fault_count; i++) {
         char text[512];
         rg_fault_text(&plan->faults[i], text, sizeof(text));
-        log_error("invalid window tables: %s", text);
+        log_error("internal error: invalid render graph of the window: %s", text);
     }
     return plan->fault_count ? STATUS_FAILED : STATUS_OK;
 }

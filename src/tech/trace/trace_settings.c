@@ -32,8 +32,8 @@ static const struct setting rows[] = {
         .initial = -1,
         .max = 1,
         .has_auto = true,
-        .help = "minimum path throughput at which an internal reflection is followed, too "
-                "(0: always; auto: 0.015 if all objects are clear and rays hit the "
+        .help = "minimum path throughput for following an internal reflection besides the "
+                "refracted ray (0: always; auto: 0.015 if all objects are clear and rays hit the "
                 "surroundings, else 0.03)",
     },
     {

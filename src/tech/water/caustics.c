@@ -313,7 +313,7 @@ static const struct frame_layer layers[] = {
         .planes = { "caustics.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "sunlight on the ground, relative to that below level water or without the ice",
+        .help = "sunlight on the ground, relative to that with level water or without the ice",
     },
     { 0 },
 };

@@ -90,7 +90,7 @@ static const struct setting pool_rows[] = {
         .type = SETTING_SWITCH,
         .offset = offsetof(struct pool_params, water),
         .max = 1,
-        .help = "pool of water instead of the object; on in the scene pool",
+        .help = "replace the object with a pool of water (on in the scene 'pool')",
     },
     POOL(size, .label = "Pool size", .initial = 4, .min = 0.1, .max = 100,
          .affects = SETTING_AFFECTS_SCENE, .help = "side length of the pool"),
