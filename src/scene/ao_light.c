@@ -7,7 +7,7 @@
 
 enum {
     RAYS = 192,        /* number of rays traced through the body */
-    RAYS_TRIED = 4096, /* maximum number of rays tried, including those that miss the body */
+    RAYS_TRIED = 4096, /* maximum number of rays tried, including rays that miss the body */
     EVENTS_MAX = 24,   /* maximum scattering and reflection events */
 };
 
@@ -35,8 +35,8 @@ static vec3s random_dir(uint32_t *seed)
     return (vec3s){ { r * cosf(angle), r * sinf(angle), z } };
 }
 
-/* Returns the Fresnel reflectance of a dielectric. `ratio` is the refractive index in front of the
- * surface divided by that behind it. */
+/* Returns the Fresnel reflectance of a dielectric surface. `ratio` is the refractive index in front
+ * divided by the index behind. */
 static float fresnel(float cosine, float ratio)
 {
     const float square = ratio * ratio * (1.0f - cosine * cosine);
@@ -48,8 +48,8 @@ static float fresnel(float cosine, float ratio)
     return 0.5f * (s * s + p * p);
 }
 
-/* Reflects or refracts a ray at random, weighted by Fresnel reflectance, at a surface whose normal
- * `n` faces it. Returns true if it is refracted. */
+/* Randomly reflects or refracts a ray, weighted by Fresnel reflectance. The surface normal `n`
+ * faces the ray. Returns true if it is refracted. */
 static bool reflect_or_refract(struct ray *ray, vec3s n, float ratio)
 {
     const float cosine = fminf(-glms_vec3_dot(ray->dir, n), 1.0f);

@@ -25,8 +25,8 @@ struct ao_light {
     float undeviated; /* fraction of sky light, almost undeviated */
 };
 
-/* Estimates the light that a body sends to the ground near its base, by tracing random rays. `up`
- * is a unit vector. The random sequence is fixed, so results are deterministic. */
+/* Estimates the light that a body sends to the ground near its base, by tracing random rays. The
+ * random sequence is fixed, so that results are deterministic. `up` is a unit vector. */
 struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium *medium, vec3s up);
 
 #endif

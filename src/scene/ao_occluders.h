@@ -25,12 +25,12 @@ struct ao_member {
         volume_fraction;
 };
 
-/* Convex body, the intersection of half-spaces: a point p is inside if dot(p, planes[i].xyz) <=
- * planes[i].w for all i, in object space. */
+/* Convex body, an intersection of half-spaces in object space. A point p is inside if dot(p,
+ * planes[i].xyz) <= planes[i].w for all i. */
 struct ao_shape {
     vec4s planes[AO_PLANES]; /* unit normals */
     struct box box;
-    /* width of a box with the body's height and volume, relative to the body's box; at most 1 */
+    /* width of a box with the body's height and volume, divided by the true box's; at most 1 */
     float relative_width;
     struct ao_member members[AO_MEMBERS];
     uint32_t member_count;
@@ -41,8 +41,8 @@ struct ao {
     uint32_t count;
 };
 
-/* Fits occluders to all objects, or one occluder to the whole mesh if there are no objects. Logs
- * and returns STATUS_TRY_AGAIN when out of memory. */
+/* Fits occluders to all objects. Without objects, fits one occluder to the whole mesh. Logs and
+ * returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status ao_find(struct ao *ao, const struct mesh *mesh, const struct object *objects,
                              uint32_t count);
 

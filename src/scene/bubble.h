@@ -1,5 +1,5 @@
-/* bubble.h: air bubble: a sphere, an ellipsoid of revolution, or a capsule (all points within its
- * radius of an axis segment). All are convex. */
+/* bubble.h: air bubble: a sphere, an ellipsoid of revolution, or a capsule. A capsule is all points
+ * within a radius of its axis segment. Bubbles are convex. */
 #ifndef FIRN_SCENE_BUBBLE_H
 #define FIRN_SCENE_BUBBLE_H
 
@@ -8,7 +8,7 @@
 struct bubble {
     vec3s center;
     float radius; /* radius across the axis, metres */
-    /* half-length along the axis minus radius, metres; negative for an oblate bubble */
+    /* half-length along the axis minus radius, metres; oblate bubbles have a negative value */
     float stretch;
     vec3s axis;      /* unit axis; may be zero for a sphere */
     bool is_capsule; /* true for a capsule (stretch >= 0) */
@@ -31,7 +31,7 @@ struct bubble_face {
     vec3s position, normal; /* `normal` is unit, outward */
 };
 
-/* Returns the exact surface point nearest to a ray's hit, which is off the surface by rounding. */
+/* Returns the surface point nearest to a ray's hit, which may be off the surface by rounding. */
 struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec3s dir, double at);
 
 #endif

@@ -61,7 +61,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* Fills values with gradient noise (Perlin 2002), about -1 to 1, one feature per cell. */
+/* Fills a field with gradient noise (Perlin 2002), about -1 to 1, with one feature per cell. */
 static void gradient_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
     const vec2s upper[2] = { corner(lattice, span->x, span->y),
@@ -80,8 +80,8 @@ static void gradient_noise(const struct lattice *lattice, const struct span *spa
     }
 }
 
-/* Fills values with smoothed cellular noise: the squared distance to the nearest feature point,
- * about 0 to 1. It looks like adjacent bowls with rounded ridges. */
+/* Fills a field with smoothed cellular noise, about 0 to 1: the squared distance to the nearest
+ * feature point. It looks like adjacent bowls with rounded ridges. */
 static void cellular_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
     memset(values, 0, span->count * sizeof(*values));
@@ -143,7 +143,7 @@ static void write_slopes(uint16_t *texels, const float *heights)
     }
 }
 
-/* Returns the value below which a fraction of a field lies, by a histogram over -2 to 2. */
+/* Returns the value below which a given fraction of a field lies, by a histogram over -2 to 2. */
 static float quantile(const float *field, float fraction)
 {
     uint32_t counts[4096] = { 0 };
@@ -161,7 +161,7 @@ static uint16_t to_unit_half(float x)
     return half_from_float(glm_clamp(x, 0, 1));
 }
 
-/* Writes smoothness, which is 1 where the field is below its quantile, with a gradual edge to 0. */
+/* Writes smoothness: 1 where the field is below a quantile, fading to 0 above. */
 static void write_smoothness(uint16_t *texels, const float *field, float fraction)
 {
     const float width = 0.25F;

@@ -1,8 +1,7 @@
 /*
- * bump_maps.h: procedural, tileable bump map of an ice surface.
- *
- * Stores the slopes of a height field: dimples, as melting leaves them, and octaves of noise.
- * Another noise selects smooth regions. Results are bit-identical on every machine.
+ * bump_maps.h: procedural, tileable bump map of an ice surface. It stores the slopes of a height
+ * field: dimples, like those of melting ice, and octaves of noise. Another noise selects smooth
+ * regions. Results are bit-identical on every machine.
  */
 #ifndef FIRN_SCENE_BUMP_MAPS_H
 #define FIRN_SCENE_BUMP_MAPS_H
@@ -15,8 +14,8 @@ enum {
 };
 
 struct bump_maps {
-    /* half RGBA texels: slopes along u and v (root mean square 1), surface smoothness, and frost
-     * thickness (0 to 1); all mip levels, in the layout of mip_levels.h */
+    /* half RGBA texels of all mip levels, in the layout of mip_levels.h: slopes along u and v (root
+     * mean square 1), surface smoothness, and frost thickness (0 to 1) */
     uint16_t *texels;
     uint32_t size; /* width and height in texels; 0 if there is no texture */
 };
@@ -24,9 +23,9 @@ struct bump_maps {
 struct bump_maps_params {
     float smooth; /* smooth fraction of the surface */
     uint32_t seed;
-    /* height map that replaces the procedural one, BUMP_MAPS_SIZE rows and columns; or NULL */
+    /* height map, BUMP_MAPS_SIZE rows and columns; NULL for the procedural one */
     const float *heights;
-    const float *smoothness; /* smoothness map, 0 to 1, that replaces the procedural one; or NULL */
+    const float *smoothness; /* smoothness map, 0 to 1; NULL for the procedural one */
 };
 
 /* Generates the bump map. Returns false when out of memory; *maps is then zeroed. */

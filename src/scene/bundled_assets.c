@@ -103,7 +103,7 @@ static void find_program_folder(char *folder, size_t size)
     folder[slash ? slash + 1 - folder : 0] = '\0';
 }
 
-/* Returns the path "AB/FILE", which the caller frees, or NULL if there is no such file. Sets
+/* Returns the path "AB/FILE", or NULL if there is no such file. The caller frees the path. Sets
  * *lacks_memory when out of memory. */
 static char *join_if_exists(const char *a, const char *b, const char *file, bool *lacks_memory)
 {
@@ -122,7 +122,7 @@ static char *join_if_exists(const char *a, const char *b, const char *file, bool
 
 static const char *const folders[] = { "../share/firn", "assets" };
 
-/* Returns the path of an asset's file, which the caller frees, or NULL if it is not found. */
+/* Returns the path of an asset's file, or NULL if it is not found. The caller frees the path. */
 static char *find_path(const struct asset *asset, const char *program, bool *lacks_memory)
 {
     const char *from_variable = getenv("FIRN_ASSETS");

@@ -21,7 +21,7 @@ enum {
 };
 
 struct asset {
-    const char *name; /* asset name without dots or slashes, so that "./NAME" always means a file */
+    const char *name; /* asset name; has no dots or slashes, so that "./NAME" always means a file */
     const char *file; /* file name in the assets folder */
     enum asset_kind kind;
     const char *environment;                   /* default environment; NULL for the sky */

@@ -38,24 +38,25 @@ mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32
 float camera_half_height(const struct camera *camera);
 
 /* Returns the matrix from world to camera space (+X right, +Y up, -Z forward), for column vectors.
- * EXR's worldToCamera is its transpose, because EXR multiplies row vectors. */
+ * EXR multiplies row vectors, so its attribute worldToCamera is the transpose. */
 mat4s camera_view_from_world(const struct camera *camera);
 
-/* Returns clip_from_world for one face of a cube map centred at `center`, with a field of view of
- * 90 degrees. Faces have Vulkan's order +X -X +Y -Y +Z -Z and orientation (Vulkan 1.3, 16.5.4 "Cube
- * Map Face Selection"). `near` is in metres. */
+/* Returns clip_from_world for one face of a cube map centred at `center`. `near` is in metres. The
+ * field of view is 90 degrees. Order (+X -X +Y -Y +Z -Z) and orientation of faces are Vulkan's
+ * (Vulkan 1.3, 16.5.4 "Cube Map Face Selection"). */
 mat4s camera_cube_clip_from_world(uint32_t face, vec3s center, float near);
 
-/* Returns the axes of a cube map face: `right` and `up` as stored in the image (+s and -t). A cube
- * map is seen from inside, so right x up is `forward`, and the screen winding is reversed. */
+/* Returns the axes of a cube map face: `right` and `up` as stored in the image (+s and -t). Faces
+ * are seen from inside, so `right` x `up` is `forward`, and the screen winding is reversed. */
 struct camera_basis camera_cube_basis(uint32_t face);
 
-/* Returns a camera at `distance` metres from `target`. Azimuth 0: +Z, 90: +X; elevation 90: +Y. */
+/* Returns a camera that looks at `target`, from `distance` metres. Azimuth 0 is +Z, 90 is +X;
+ * elevation 90 is +Y. */
 struct camera camera_orbit(float azimuth_deg, float elevation_deg, float distance, vec3s target,
                            float fov_deg);
 
-/* Returns the camera distance at which the bounding sphere of a box, `diagonal` metres across,
- * nearly fills the smaller image dimension. */
+/* Returns the camera distance at which a box's bounding sphere nearly fills the smaller image
+ * dimension. `diagonal` is the sphere's diameter, metres. */
 float camera_framing_distance(float diagonal, float fov_deg, uint32_t width, uint32_t height);
 
 #endif

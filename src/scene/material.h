@@ -22,7 +22,8 @@ enum {
     MATERIAL_IS_UNLIT = 16,     /* the base colour is emitted radiance */
     MATERIAL_IS_BLENDED = 32,   /* alpha is the fraction of light that the surface reflects */
     MATERIAL_IS_TWO_SIDED = 64,
-    MATERIAL_IS_LEGACY = 128, /* refractive index 0 (legacy): reflectance is the specular colour */
+    /* refractive index 0 (legacy): the specular colour is the reflectance */
+    MATERIAL_IS_LEGACY = 128,
     MATERIAL_IS_WATER_LAYER = 256, /* water layer on an opaque base with colour and normal map */
     MATERIAL_FLAGS = 511,
 };
@@ -64,8 +65,8 @@ struct material_texture {
 };
 
 /* Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular
- * and _emissive_strength. A transmissive material bounds a medium that transmits attenuation_color
- * ^ (length / attenuation_distance) per channel. */
+ * and _emissive_strength. The medium behind a transmissive surface transmits attenuation_color ^
+ * (length / attenuation_distance) per channel. */
 struct material {
     char name[MATERIAL_NAME_SIZE];
     uint32_t flags;
@@ -74,16 +75,16 @@ struct material {
     float transmission; /* fraction of the non-reflected light that is transmitted; 0 if opaque */
     float thickness;    /* volume thickness; 0 for a thin wall, with one medium on both sides */
     float ior;          /* refractive index, 1 to 4 */
-    float dispersion;   /* dispersion, which is 20 / Abbe number, 0 to 10 */
+    float dispersion;   /* dispersion as 20 / Abbe number, 0 to 10 */
     vec3s attenuation_color;    /* colour after attenuation_distance, 0 to 1 */
     float attenuation_distance; /* metres; 0 for a clear medium */
     float
-        /* scattering optical depth across the object, at maximum density; 0 if clear */
+        /* scattering optical depth across the object at maximum density; 0 if clear */
         scattering_optical_depth;
     int32_t priority;         /* where media overlap, the highest priority fills the space */
     float metallic;           /* metallic factor, 0 to 1; glTF's default is 1 */
     float alpha;              /* 0 to 1 */
-    float alpha_cutoff;       /* alpha below which a mask has a hole, 0 to 1 */
+    float alpha_cutoff;       /* texels with less alpha are holes in a mask, 0 to 1 */
     vec3s emission;           /* emitted radiance, strength included, 0 to 65504 */
     float normal_scale;       /* factor on the normal map's x and y, -65504 to 65504 */
     float occlusion_strength; /* 0 to 1 */
@@ -92,8 +93,8 @@ struct material {
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 
-/* Returns true if a texture affects transmission or reflection of a transmissive surface: base
- * colour, roughness, transmission or normal. */
+/* Returns true if a transmissive surface has a texture that affects transmission or reflection:
+ * base colour, roughness, transmission or normal. */
 bool material_is_textured(const struct material *material);
 
 /* Returns glTF's default material, white and opaque, with a name. */

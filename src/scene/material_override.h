@@ -6,16 +6,16 @@
 
 struct material_override {
     const char *words;             /* text of the option, "NODE=glass,ior=1.52"; borrowed */
-    char name[MATERIAL_NAME_SIZE]; /* name of a mesh node, or of a material if no node has it */
+    char name[MATERIAL_NAME_SIZE]; /* name of a mesh node; if no node has it, name of a material */
     struct material material;
 };
 
-/* Returns the names in the format of model_pose.objects, malloc'd, or NULL when out of memory. */
+/* Returns all names in the format of model_pose.objects, malloc'd, or NULL when out of memory. */
 char *material_override_names(const struct material_override *all, uint32_t count);
 
-/* Assigns materials to a model's objects by name; later overrides win. The first object's
- * refractive index becomes the model's. Names without a match are ignored. Logs and returns
- * STATUS_DATA for too many materials, or STATUS_TRY_AGAIN when out of memory. */
+/* Assigns materials to a model's objects by name. Later overrides win. The model gets the first
+ * object's refractive index. Names without a match are ignored. Logs and returns STATUS_DATA for
+ * too many materials, or STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status material_override_apply(struct model *model,
                                              const struct material_override *all, uint32_t count);
 

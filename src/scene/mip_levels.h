@@ -1,6 +1,6 @@
-/* mip_levels.h: mip levels of square images, generated on the CPU, which avoids shader compilation
- * before the first frame and rounds equally on all machines. Memory layout: levels from `side`
- * texels down to one, each with all array layers. */
+/* mip_levels.h: mip levels of square images, generated on the CPU, to get equal rounding on all
+ * machines and no shader compilation before the first frame. Levels are stored from `side` texels
+ * down to one, each with all array layers. */
 #ifndef FIRN_SCENE_MIP_LEVELS_H
 #define FIRN_SCENE_MIP_LEVELS_H
 
@@ -16,8 +16,8 @@ struct mip_levels {
 /* Returns the number of values in all levels. */
 size_t mip_levels_count(const struct mip_levels *mip_levels);
 
-/* Fills all levels after the first by box filtering, horizontally first. Half floats are rounded
- * towards zero, bytes away from zero. */
+/* Fills all levels after the first by box filtering, first horizontally, then vertically. Half
+ * floats are rounded towards zero, bytes away from zero. */
 void mip_levels_fill_halves(uint16_t *texels, const struct mip_levels *mip_levels);
 void mip_levels_fill_bytes(uint8_t *texels, const struct mip_levels *mip_levels);
 

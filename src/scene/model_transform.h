@@ -8,13 +8,13 @@
 /* Transform about the model's origin, in the order of the members. All zeros is the identity. */
 struct model_transform {
     bool is_z_up; /* converts Z-up to Y-up: +Z becomes +Y, and +Y becomes -Z */
-    /* rotation in degrees about X, then Y, then Z; counterclockwise seen from +axis */
+    /* rotation in degrees about X, then Y, then Z; each counterclockwise seen from +axis */
     vec3s rotate_deg;
     float scale; /* scale factor; 0 means 1 */
 };
 
-/* Transforms the meshes, cameras, lights (without their intensities) and the bounding box of a
- * model. Returns STATUS_DATA, and logs with `path`, if a coordinate then exceeds 1 000 000. */
+/* Transforms a model's meshes, cameras, lights (without their intensities) and bounding box. Logs
+ * with `path` and returns STATUS_DATA if a coordinate then exceeds 1 000 000 metres. */
 MUST_USE enum status model_transform_apply(struct model *model,
                                            const struct model_transform *model_transform,
                                            const char *path);

@@ -1,6 +1,6 @@
-/* object.c: medium priorities (ranks) of overlapping objects, and inside tests. Overlapping media
- * follow the priority scheme of Schmidt and Budge 2002, Simple nested dielectrics in ray traced
- * images: the object with the highest rank fills the common space. */
+/* object.c: medium priorities (ranks) of overlapping objects, and inside tests. Where objects
+ * overlap, the object with the highest rank fills the common space (Schmidt and Budge 2002, Simple
+ * nested dielectrics in ray traced images). */
 #include "src/scene/object.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -14,7 +14,7 @@ struct ranked {
     uint32_t object;
     int64_t priority;        /* priority from the file; INT64_MIN without one */
     uint32_t depth;          /* number of enclosing objects */
-    uint32_t container_rank; /* index of the innermost enclosing object, + 1; 0 for none */
+    uint32_t container_rank; /* 1 + index of the innermost enclosing object; 0 for none */
     /* like container_rank, but objects in another's cavities also count as enclosed */
     uint32_t enclosing_object;
 };
@@ -150,8 +150,8 @@ bool object_is_closed(const struct object *object, const struct mesh *mesh)
     return left <= 1e-4 * all;
 }
 
-/* Returns the signed solid angle of a triangle seen from the origin, in steradians, positive if its
- * back faces the origin (van Oosterom and Strackee 1983). */
+/* Returns the signed solid angle of a triangle seen from the origin, steradians (van Oosterom and
+ * Strackee 1983). It is positive if the triangle's back faces the origin. */
 static double solid_angle(vec3s a, vec3s b, vec3s c)
 {
     const double x = (double)glms_vec3_norm(a), y = (double)glms_vec3_norm(b),

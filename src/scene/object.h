@@ -14,9 +14,10 @@ struct object {
     uint32_t material; /* index into the model's materials */
     struct box box;    /* bounding box of the triangles; set with the rank */
     uint32_t rank;     /* unique medium priority, not 0: where objects overlap, the highest wins */
-    uint32_t container_rank; /* rank of the innermost object whose medium encloses this one; or 0 */
+    /* rank of the innermost object whose medium encloses this object; 0 for none */
+    uint32_t container_rank;
     uint32_t
-        /* 1 + index of the innermost object around this one, cavities included; 0 for none */
+        /* 1 + index of the innermost object that has this one inside or in a cavity; 0 for none */
         enclosing_object;
 };
 
@@ -27,8 +28,8 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
 /* Sets the boxes and ranks of all objects. An object with a priority from the file outranks one
- * without, and higher priorities outrank lower ones. Otherwise, an enclosed object outranks the
- * enclosing one; failing that, the later object wins. Logs and returns STATUS_TRY_AGAIN when out of
+ * without. Higher priorities outrank lower ones. Otherwise, an enclosed object outranks the
+ * enclosing one. Failing that, the later object wins. Logs and returns STATUS_TRY_AGAIN when out of
  * memory. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);
@@ -36,10 +37,10 @@ MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
 /* Returns the index of the outermost object around object `index`, or `index` itself. */
 uint32_t object_outermost(const struct object *objects, uint32_t index);
 
-/* Returns true if an object's area vectors sum to zero, as those of a closed surface do. */
+/* Returns true if an object's area vectors sum to zero, which is true of closed surfaces. */
 bool object_is_closed(const struct object *object, const struct mesh *mesh);
 
-/* Returns true if a point is inside an object, by solid angles; tolerates small holes. */
+/* Returns true if a point is inside an object, by solid angles. Tolerates small holes. */
 bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point);
 
 /* Returns the object that owns the triangle whose first index is `index`. */

@@ -78,7 +78,7 @@ const char *scene_name(uint32_t index)
     return NULL;
 }
 
-/* Adds floating ice. It must fit in the pool at any rotation, with water below it. */
+/* Adds floating ice. The ice must fit in the pool at any rotation, with water below. */
 static enum status add_floating_ice(struct scene *scene, const struct scene_params *params)
 {
     const struct generate_pool *pool = &params->pool;
@@ -200,7 +200,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
     return add_bare_object(&scene->model);
 }
 
-/* Scales the landscape, which is generated for objects 3.2 m across, to the object's size. */
+/* Scales the landscape to the object's size. It is generated for objects 3.2 m across. */
 static void fit_landscape(struct mesh *landscape, struct box box)
 {
     float scale = box_diagonal(box) / 3.2f;
@@ -343,7 +343,7 @@ static enum status allocate_bvh(struct scene *scene, const struct scene *before)
     return scene->bvh && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Moves the rest pose from the previous pose, which is itself the rest pose on the first call. */
+/* Moves the rest pose from the previous pose, which is the rest pose itself at first. */
 static void move_rest_pose(struct scene *scene, struct scene *before)
 {
     if (!before->rest || scene->rest)
@@ -353,7 +353,7 @@ static void move_rest_pose(struct scene *scene, struct scene *before)
     bvh_rest_pose_move_from(scene->rest, &before->model, &before->sorted);
 }
 
-/* Clears pointers that two scenes share, so that only one owns the environment and its lighting. */
+/* Clears the pointers to the environment and shared lighting, so that one owner is left. */
 static void release_environment(struct scene *scene, const struct scene *before)
 {
     if (scene == before || scene->prefiltered_environment == before->prefiltered_environment)
@@ -362,8 +362,8 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings that the parameters or the built-in scene name, else the landscape if
- * there is a sky and the model has no surroundings. */
+/* Loads the surroundings named by the parameters or the built-in scene. Without a name, loads the
+ * landscape if there is a sky and the model has no surroundings. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -375,7 +375,7 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
     return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
 }
 
-/* Sorts the surroundings front to back from the object's centre, since cameras are near it and the
+/* Sorts the surroundings front to back from the object's centre. Cameras are near it, and the
  * environment cube is rendered there. */
 static enum status sort_surroundings(struct scene *scene)
 {

@@ -1,5 +1,5 @@
-/* scene.h: scene of refractive objects, their surroundings and a background. A scene owns its
- * members, which scene_finish() frees; a zeroed scene is fine. */
+/* scene.h: scene of refractive objects, their surroundings and a background. scene_finish() frees
+ * all members. A zeroed scene is valid. */
 #ifndef FIRN_SCENE_SCENE_H
 #define FIRN_SCENE_SCENE_H
 
@@ -29,19 +29,19 @@ struct scene_files {
 };
 
 struct scene {
-    struct model model; /* loaded model, whose objects have ranks (medium priorities) */
+    struct model model; /* loaded model; its objects have ranks (medium priorities) */
     enum scene_background background;
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
-    bool is_hidden;         /* write alpha 0 for the background, which still lights surfaces */
+    bool is_hidden; /* write alpha 0 for background pixels; the background still lights surfaces */
     struct environment environment;
     vec4s *material_table; /* GPU table of materials; NULL if no material needs one */
     /* GPU table of punctual lights; NULL if they light no surface */
     vec4s *punctual_light_table;
     vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
-    /* GGX split-sum table (image_based_lighting.h); NULL without material_table */
+    /* GGX split-sum table (image_based_lighting.h); NULL if material_table is NULL */
     uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube; /* captured cube that replaces the rendered one; may be empty */
+    struct environment cube; /* captured cube to use instead of the rendered one; may be empty */
     struct bump_maps bump;   /* bump map of the object's surface; may be empty */
     struct box box;          /* bounding box of the object or pool */
     struct box framing_box;  /* bounding box at time 0, for the default camera */
@@ -62,7 +62,7 @@ struct scene {
     struct ao ao;           /* ambient occlusion occluders, in object space */
     struct bubbles bubbles; /* bubbles, in object space */
     struct bvh *bvh;        /* BVH of all triangles; empty before scene_build_bvh() */
-    /* rest pose (time 0) of an animated scene; NULL if the scene is static */
+    /* rest pose (time 0) of an animated scene; NULL for a static scene */
     struct bvh_rest_pose *rest;
     struct mesh_order sorted; /* triangle order of the surroundings; only in animated scenes */
     float model_ior;          /* refractive index given by the model; 0 if it has none */
@@ -81,7 +81,7 @@ struct scene_cracks {
     const char *file; /* model file of a crack, read by scene_load(); NULL for generated cracks */
 };
 
-/* Image files that replace generated bump maps and air textures; NULL for none. */
+/* Image files to use instead of generated bump maps and air textures; NULL for none. */
 struct scene_image_files {
     const char *heights, *smoothness, *air;
 };
@@ -96,11 +96,11 @@ struct scene_params {
     const char *environment;  /* name or path of a background image or environment cube; or NULL */
     float environment_turn;   /* rotation of a background image, turns */
     float environment_exposure; /* exposure of the image file, stops */
-    /* previous pose of the same scene, from which environment, lighting, `files` and `rest` are
-     * moved; NULL to load them */
+    /* previous pose of the same scene; its environment, lighting, `files` and `rest` are moved to
+     * the new scene; NULL to load them */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
-    struct model_pose pose; /* pose, whose `objects` scene_load() sets from material_overrides */
+    struct model_pose pose; /* pose; scene_load() sets its `objects` from material_overrides */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background; /* background colour; NULL for the sky */
@@ -119,9 +119,10 @@ struct scene_params {
     struct scene_image_files image_files;
     const struct reader_params *decode; /* sandboxed file reader; NULL to read in this process */
     struct generate_pool pool;          /* pool of the scene `pool` */
-    bool defers_texels; /* leave bump and air texels to scene_fill(); only set their sizes */
-    /* Called after the object is loaded; may change inclusion parameters and `bump`, which depend
-     * on the object's materials. May be NULL. */
+    /* only set the sizes of bump and air textures; scene_fill() makes their texels */
+    bool defers_texels;
+    /* Called after the object is loaded. May change the inclusion parameters and `bump` to suit the
+     * object's materials. May be NULL. */
     void (*on_object_loaded)(void *user, const struct scene *scene, struct scene_params *params);
     void *user;
 };
@@ -141,22 +142,22 @@ extern const struct scene_builtin scene_builtins[]; /* terminated by a zero entr
 /* Returns the built-in scene of this name, or NULL. */
 const struct scene_builtin *scene_find_builtin(const char *name);
 
-/* Returns true if the name is that of a built-in scene or an asset, not a file. */
+/* Returns true if a built-in scene or an asset has this name. */
 bool scene_is_known(const char *name);
 
-/* Returns true if an environment has this name, and no scene does (`valley` is also a scene). */
+/* Returns true if an environment has this name, but no scene. `valley` is also a scene. */
 bool scene_is_environment(const char *name);
 
-/* Returns the name of a scene by index, built-in ones before assets, or NULL beyond the last. */
+/* Returns the name of scene `index`: built-in ones, then assets; NULL beyond the last. */
 const char *scene_name(uint32_t index);
 
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
- * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then zeroed. */
+ * does not fit in the pool) or STATUS_TRY_AGAIN. *scene is zeroed on failure. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
 /* Generates the texels that params.defers_texels has deferred. Other threads may read the rest of
- * the scene meanwhile. Returns NULL, or the name of what ran out of memory ("air"). Does not log,
- * because the caller may prefer to report another thread's error. */
+ * the scene meanwhile. When out of memory, returns what was being generated, such as "air"; else
+ * NULL. Does not log, because the caller may prefer to report another thread's error. */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */
@@ -165,17 +166,17 @@ MUST_USE enum status scene_fill_object(struct scene *scene, const struct scene_p
 /* Replaces the cracks of a scene. Logs and returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
-/* Builds the BVH of a loaded scene, unless it exists. With `is_cached`, topologies of large static
+/* Builds the BVH of a loaded scene, unless it exists. If `is_cached`, topologies of large static
  * BVHs are cached in files. Not thread-safe. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
 MUST_USE enum status scene_build_bvh(const struct scene *scene, bool is_cached);
 
 void scene_finish(struct scene *scene);
 
-/* Returns true if an object is not fully transmissive, so that its surface itself is lit. */
+/* Returns true if an object is not fully transmissive. Its surface is then lit. */
 bool scene_has_lit_object(const struct scene *scene);
 
 /* Returns true if an object tints transmitted light, is not fully transmissive, or has textures
- * that affect transmission. The scene then has a material_table. */
+ * that affect transmission. Such a scene has a material_table. */
 bool scene_has_textured_objects(const struct scene *scene);
 
 /* Returns the distance of the near plane, metres. There is no far plane. */

@@ -52,7 +52,7 @@ static enum status add_air(struct scene *scene, const struct generate_air *air)
     return done ? STATUS_OK : log_out_of_memory("air");
 }
 
-#define CLEAR_RIM 0.12f /* relative width of the bubble-free rim; freezing pushes air inwards */
+#define CLEAR_RIM 0.12f /* relative width of the rim without bubbles; freezing pushes air inwards */
 
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {
@@ -108,7 +108,7 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     return NULL;
 }
 
-/* Sets the sizes of deferred textures, since compiling render graphs requires them. */
+/* Sets the sizes of deferred textures, which are needed to compile render graphs. */
 static void size_textures(struct scene *scene, const struct scene_params *params)
 {
     if (params->bump)

@@ -85,7 +85,7 @@ static uint32_t gap_bits(const struct bvh_part *part, uint32_t triangle, uint32_
     return (uint32_t)half_from_float(open) << 16;
 }
 
-/* Returns the rank (medium priority) of a triangle's object + BVH_OBJECT_NUMBER * object number. */
+/* Returns rank + BVH_OBJECT_NUMBER * object number of a triangle's object. */
 static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -98,7 +98,7 @@ static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
     return object->rank + BVH_OBJECT_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
-/* Returns the material of an object's triangle, or NULL if the settings define the material. */
+/* Returns the material of a triangle's object, or NULL if the settings define the material. */
 static const struct material *material_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -110,7 +110,7 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
-/* Returns the material bits of a triangle's vertices, with the index of its object's material. */
+/* Returns a triangle's material bits, with the material index of its object. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t bits = bvh_corner(part, triangle, 0)->material;
@@ -121,8 +121,8 @@ static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
     return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
 }
 
-/* Returns true if hits on a triangle need vertex colours and texture coordinates, as on opaque
- * surfaces and on objects that are textured or not fully transmissive. */
+/* Returns true if hits on a triangle need vertex colours and texture coordinates. They do on opaque
+ * surfaces, and on objects that are textured or not fully transmissive. */
 static bool has_surface(const struct bvh_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
@@ -237,8 +237,8 @@ static bool write_media(struct bvh *bvh, const struct model *model)
     return media;
 }
 
-/* Builds the BVHs of all scene parts. For an animated pose, refits the BVHs of the rest pose
- * instead, except that of the inclusions, which are generated for each pose. */
+/* Builds the BVHs of all scene parts. In an animated pose, only the BVH of the inclusions is
+ * rebuilt; the others are refitted from the rest pose. */
 static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {

@@ -28,7 +28,7 @@ struct bvh {
     uint32_t triangle_count;
     uint32_t roots[BVH_COUNT]; /* root nodes; BVH_NONE for empty parts */
     uint32_t object_count;     /* number of refractive objects, >= 1 */
-    /* number of distinct media; 0 for up to BVH_MASK_OBJECTS_MAX objects, without a medium table */
+    /* number of distinct media; 0 without a medium table */
     uint32_t medium_count;
     uint32_t media;             /* start of the medium table in `corners`; 0 if there is none */
     uint32_t grid;              /* start of the horizon grid in `corners`; 0 if there is none */
@@ -56,7 +56,7 @@ struct bvh_rest_pose {
     bool by_objects; /* true for one BVH per object; false for one per scene part, with horizons */
     struct model model; /* model in rest pose; only meshes, objects, surroundings_starts are set */
     struct mesh_order sorted; /* triangle order of the surroundings */
-    bool is_known;            /* set by the first bvh_init(), whose model is the rest pose */
+    bool is_known;            /* set by the first bvh_init(), which is given the rest pose */
     struct bvh_two_level *hierarchies; /* BVH topology of each part, set by the first bvh_init() */
 };
 
@@ -79,8 +79,8 @@ struct bvh_params {
 };
 
 /* Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA
- * for more than BVH_TRIANGLES_MAX triangles, BVH_OBJECTS_MAX objects, or BVH_MEDIA_MAX object
- * materials; *bvh is then zeroed. */
+ * if there are too many triangles (BVH_TRIANGLES_MAX), objects (BVH_OBJECTS_MAX) or materials
+ * (BVH_MEDIA_MAX). *bvh is zeroed on failure. */
 MUST_USE enum status bvh_init(struct bvh *bvh, const struct bvh_params *params);
 
 void bvh_finish(struct bvh *bvh);
@@ -107,16 +107,16 @@ struct bvh_hit {
     bool is_back;      /* the back face was hit */
 };
 
-/* Finds the nearest hit of a scene part by a ray in the part's space. Returns false for a miss. */
+/* Finds a ray's nearest hit in a part. The ray is in the part's space. Returns false for a miss. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 
 /* Returns the medium index of the object with this rank; 0 for the air outside. */
 uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank);
 
-/* Interior list of nested dielectrics (Schmidt and Budge 2002): the set of objects that enclose a
- * point. With up to BVH_MASK_OBJECTS_MAX objects, it is a bit mask in the first word, with bit
- * `rank` - 1 per object; else it has the highest ranks in descending order, 16 bits each. */
+/* Interior list of nested dielectrics (Schmidt and Budge 2002): the objects that enclose a point.
+ * Scenes with up to BVH_MASK_OBJECTS_MAX objects use only the first word, as a mask with bit `rank`
+ * - 1 per object. Other scenes store the highest ranks in descending order, 16 bits each. */
 struct bvh_interior_list {
     uint32_t words[BVH_INTERIOR_LIST_MAX / 2];
 };

@@ -90,7 +90,7 @@ static void fill_bins(struct bins *bins, const struct bvh_builder *builder,
     }
 }
 
-/* Replaces *best with the cheapest split along an axis, unless *best is cheaper. */
+/* Replaces *best with the cheapest split along an axis if that split is cheaper. */
 static void find_split(struct split *best, const struct bins *bins, int axis)
 {
     const struct bin *bin = bins->all[axis];
@@ -146,7 +146,7 @@ static bool fits_depth(const struct bvh_builder *builder, uint32_t count, uint32
     return bvh_balanced_depth(count, builder->leaf_max) + 1 < depth_left;
 }
 
-/* Splits a node's triangles. Returns the triangle count of the first child; 0 for a leaf. */
+/* Splits a node's triangles. Returns the triangle count of the first child, or 0 for a leaf. */
 static uint32_t split_node(struct bvh_builder *builder, const struct bvh_node *node,
                            uint32_t depth_left)
 {

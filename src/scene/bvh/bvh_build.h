@@ -51,15 +51,14 @@ struct bvh_two_level {
 /* Returns the depth of a balanced BVH of `count` triangles. */
 uint32_t bvh_balanced_depth(uint32_t count, uint32_t leaf_max);
 
-/* Builds the BVH of a range, with at most `left` levels; `left` must exceed bvh_balanced_depth().
- */
+/* Builds a range's BVH of at most `left` levels. `left` must exceed bvh_balanced_depth(). */
 void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t left,
                uint32_t threads);
 
 /* Refits the boxes of the subtree at node `at` to its triangles, bottom-up. */
 void bvh_refit(struct bvh_builder *builder, uint32_t at);
 
-/* Returns a subtree's SAH cost for a ray that hits its box, in units of one ray-triangle test. */
+/* Returns the SAH cost of a subtree whose box is hit, in units of one ray-triangle test. */
 double bvh_sah_cost(const struct bvh_builder *builder, uint32_t at);
 
 #endif

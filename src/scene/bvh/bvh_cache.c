@@ -54,7 +54,7 @@ static size_t words_max(const struct bvh_two_level *hierarchy)
     return 3 * (size_t)hierarchy->count;
 }
 
-/* Writes a subtree's nodes, depth first, as the triangle counts of their first children (leaf: 0).
+/* Writes a subtree depth first: for each node the triangle count of its first child, 0 for a leaf.
  */
 static void encode_node(uint32_t *words, size_t *next, const struct bvh_node *nodes, uint32_t at)
 {
@@ -80,8 +80,8 @@ struct decoder {
     size_t next, count;
 };
 
-/* Decodes a subtree, which must cover exactly the range that its parent assigned; any valid input
- * thus has each triangle in one leaf. `left` limits the depth. */
+/* Decodes a subtree. It must cover exactly the range that its parent assigned, so that each
+ * triangle is in one leaf. `left` limits the depth. */
 static bool decode_node(struct decoder *decoder, const struct bvh_range *range, uint32_t left)
 {
     if (!left || decoder->next == decoder->count)

@@ -19,7 +19,7 @@ enum {
 uint64_t bvh_cache_key(const struct bvh_part *part);
 
 /* Reads the topology with this key into a BVH whose group ranges are set. Returns false if there is
- * no valid file; nodes are then undefined, and the triangle order is unchanged. */
+ * no valid file. The nodes are then undefined, and the triangle order is unchanged. */
 bool bvh_cache_load(struct bvh_two_level *hierarchy, uint64_t key);
 
 /* Writes a BVH's topology to a cache file, evicting the least recently used files. */

@@ -131,8 +131,8 @@ static float box_elevation(const struct receiver *from, const struct bvh_box *bo
     return nearest > 0.0f ? (up + half_height) * sqrtf(square) / nearest : FLT_MAX;
 }
 
-/* Returns the tangent of a triangle's elevation angle, with distances measured along the in-plane
- * direction `dir`. Corners shared with the receiver have distance 0 and height 0. */
+/* Returns the tangent of a triangle's elevation angle. Distances are measured along `dir`, in the
+ * receiver's plane. Corners shared with the receiver have distance 0 and height 0. */
 static float elevation_along(const struct receiver *from, float corners[static 3][3],
                              const float dir[static 3], float epsilon)
 {
@@ -149,7 +149,7 @@ static float elevation_along(const struct receiver *from, float corners[static 3
     return most;
 }
 
-/* Returns the lowest elevation tangent of several directions, or the first that is <= `enough`. */
+/* Returns the minimum elevation tangent over several directions. Stops at the first <= `enough`. */
 static float triangle_elevation(const struct receiver *from, const struct search *search,
                                 uint32_t at, float enough)
 {
@@ -176,8 +176,8 @@ struct candidate {
     uint32_t node;
 };
 
-/* Returns the tangent of a triangle's horizon angle, or a value above `steepest` if it is unknown.
- * *highest is the first occluder to test, and receives the triangle's highest occluder. */
+/* Returns the tangent of a triangle's horizon angle, or a value above `steepest` if unknown. The
+ * search starts at occluder *highest, and sets *highest to the triangle's highest occluder. */
 static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
     const struct bvh_node *nodes = search->hierarchy->builder.nodes;

@@ -15,13 +15,14 @@ enum {
     BVH_HORIZON_TRIANGLES_MAX = 1 << 16, /* maximum triangle count of a part with horizons */
 };
 
-/* Computes the sine of each triangle's horizon angle in leaf order, in steps of 1 /
- * BVH_HORIZON_STEPS, rounded up, or BVH_HORIZON_UNKNOWN where the search takes too long. The caller
- * frees the array. Returns NULL for a part with too many triangles or when out of memory. */
+/* Computes the sine of each triangle's horizon angle, in leaf order. Sines are rounded up to steps
+ * of 1 / BVH_HORIZON_STEPS. If a search takes too long, the value is BVH_HORIZON_UNKNOWN. The
+ * caller frees the array. Returns NULL if the part has too many triangles, or when out of memory.
+ */
 uint8_t *bvh_horizons_compute(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                               uint32_t threads);
 
-/* Returns true if the BVH gets a horizon grid, which needs a single object with known horizons. */
+/* Returns true if the BVH gets a horizon grid: there is a single object, with known horizons. */
 bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *objects);
 
 /* Writes the horizon grid (shaders/trace/bvh_layout.h) to the reserved end of the corner array. */

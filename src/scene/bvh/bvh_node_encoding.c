@@ -1,9 +1,8 @@
 /*
- * bvh_node_encoding.c: encodes BVH nodes for the GPU: quantised child boxes and normal cones.
- *
- * Child boxes are rounded outwards to a fixed-point grid of the scene part, which halves their
- * size. The remaining bits hold normal cones: a ray that is known to enter or leave an object skips
- * subtrees that face the other way.
+ * bvh_node_encoding.c: encodes BVH nodes for the GPU: quantised child boxes and normal cones. Child
+ * boxes are rounded outwards to a fixed-point grid of the scene part, which halves their size in
+ * memory. Normal cones let a ray that enters or leaves an object skip subtrees that face the other
+ * way.
  */
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include <math.h>
@@ -26,7 +25,7 @@ static float number(uint32_t word)
     return x;
 }
 
-/* Cone of normals: unit axis, and half-angle in radians, which is negative for an empty cone. */
+/* Cone of normals: a unit axis, and a half-angle in radians. An empty cone has a negative angle. */
 struct cone {
     double axis[3], angle;
 };
@@ -81,8 +80,9 @@ struct packed_cone {
     uint32_t sine;
 };
 
-/* Quantises a normal cone. A subtree is back-facing for a direction whose cosine with the axis
- * exceeds the sine of the half-angle, which is enlarged by the axis's rounding error. */
+/* Quantises a normal cone. The half-angle is enlarged by the rounding error of the axis. A subtree
+ * is back-facing for a direction if the cosine between direction and axis exceeds the half-angle's
+ * sine. */
 static struct packed_cone pack(const struct cone *cone)
 {
     struct packed_cone packed = { .sine = BVH_CONE_OPEN };

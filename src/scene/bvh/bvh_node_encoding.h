@@ -7,8 +7,8 @@
 /* Returns the number of 16-byte words that a non-empty part's nodes and grid occupy. */
 uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy);
 
-/* Encodes a part's nodes, and returns the root's index. Triangles must be written before; `first`
- * is the index of the part's first one. Normal cones make child boxes less precise. */
+/* Encodes a part's nodes, and returns the root's index. The part's triangles must be written
+ * before, starting at index `first`. Normal cones make child boxes less precise. */
 uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones);
 

@@ -41,7 +41,7 @@ struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle)
     return box;
 }
 
-/* Returns triangle indices in file order (the inverse of `sorted`), or NULL when out of memory. */
+/* Returns the triangle indices in file order, or NULL when out of memory. Inverts `sorted`. */
 static uint32_t *inverse_order(const struct bvh_part *part, const struct mesh_order *sorted)
 {
     const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
@@ -53,7 +53,7 @@ static uint32_t *inverse_order(const struct bvh_part *part, const struct mesh_or
     return inverse;
 }
 
-/* Returns the index of the object that owns a triangle, or 0 for inclusions or without objects. */
+/* Returns the index of a triangle's object, or 0 for inclusions and scenes without objects. */
 static uint32_t owner_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;

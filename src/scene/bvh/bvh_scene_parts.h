@@ -16,8 +16,8 @@ struct bvh_part {
     bool is_object, is_inclusion;
 };
 
-/* Lists the triangles of all parts: one group per object if `by_objects`, else one group per part.
- * Returns false when out of memory; call bvh_parts_finish() in any case. */
+/* Lists the triangles of all parts. Each object is a group if `by_objects`, else each part is one.
+ * Returns false when out of memory. Call bvh_parts_finish() in any case. */
 MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT],
                              const struct bvh_params *params, bool by_objects);
 void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT]);
@@ -29,8 +29,8 @@ const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t trian
 
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
-/* Returns true if no bounding box of a surroundings triangle overlaps the objects' bounding box. If
- * `rotates`, the latter covers all rotations about +Y, and moving surroundings count as overlap. */
+/* Returns true if no surroundings triangle's box overlaps the objects' box. If `rotates`, the
+ * objects' box covers all rotations about +Y, and moving surroundings count as overlap. */
 bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */

@@ -150,7 +150,7 @@ static bool build_top_level(struct bvh_two_level *hierarchy)
     return done;
 }
 
-/* Returns the maximum depth of a group's BVH. *group_count receives the number of groups, or 1 if
+/* Returns the maximum depth of a group's BVH. Sets *group_count to the number of groups, or to 1 if
  * separate BVHs of the groups would make the whole BVH too deep. */
 static uint32_t decide_depth(const struct bvh_part *part, uint32_t *group_count)
 {
@@ -227,7 +227,7 @@ static void build_groups(struct bvh_two_level *hierarchy, const struct bvh_part 
     }
 }
 
-/* Loads the BVHs of all groups of a large part from the cache, or builds and caches them. */
+/* Loads all group BVHs of a large part from the cache. If that fails, builds and caches them. */
 static void load_groups(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                         struct bvh_build_stats *work)
 {

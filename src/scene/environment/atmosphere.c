@@ -79,7 +79,7 @@ static float distance_to_ground(float radius, float cosine)
     return cosine < 0.0F && d >= 0.0F ? fmaxf(0.0F, -radius * cosine - sqrtf(d)) : -1.0F;
 }
 
-/* Maps (u, v) of the transmittance table to radius and cosine, by Bruneton's parametrisation: u is
+/* Maps texture coordinates (u, v) of the transmittance table to radius and cosine (Bruneton). u is
  * the distance to the top of the atmosphere, normalised to its range at this height. */
 static void transmittance_params(float u, float v, float *radius, float *cosine)
 {
@@ -188,8 +188,8 @@ static vec3s integrate_step(vec3s source, vec3s extinction, float step)
     return glms_vec3_div(glms_vec3_sub(source, glms_vec3_mul(source, kept)), extinction);
 }
 
-/* Adds a ray's contribution to second-order scattering, and to the fraction of light that each
- * order transfers to the next (Hillaire 2020, equations 5 and 7). */
+/* Adds a ray's contribution to two sums: second-order scattering, and the fraction of light that
+ * each order transfers to the next (Hillaire 2020, equations 5 and 7). */
 static void add_orders(const struct atmosphere *a, const struct ray *ray, vec3s sun, vec3s *second,
                        vec3s *transfer)
 {

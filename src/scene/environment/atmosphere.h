@@ -27,16 +27,16 @@ struct atmosphere {
                              [ATMOSPHERE_MULTIPLE_SCATTERING_SIZE];
 };
 
-/* Computes the tables. `turbidity` is the ratio of extinction by air and haze to that by air alone:
- * 1 without haze, 2 in the mountains, 3 in summer, 5 when hazy. `albedo` is 0 to 1. */
+/* Computes the tables. `turbidity` is the extinction by air and haze, relative to air alone: 1
+ * without haze, 2 in the mountains, 3 in summer, 5 when hazy. `albedo` is 0 to 1. */
 void atmosphere_make(struct atmosphere *atmosphere, float turbidity, float albedo);
 
-/* Returns the transmittance from `height` (kilometres above the ground) to the top of the
- * atmosphere, along a ray with this cosine of the zenith angle; 0 if the ground occludes it. */
+/* Returns the transmittance from `height` kilometres above the ground to the top of the atmosphere.
+ * `cosine` is that of the ray's zenith angle. Returns 0 if the ground occludes the ray. */
 vec3s atmosphere_transmittance(const struct atmosphere *atmosphere, float height, float cosine);
 
-/* Returns the radiance of the atmosphere, and of the ground below the horizon, from the unit
- * direction `dir` at `height` kilometres. `sun` is the unit direction to the sun. */
+/* Returns the radiance that arrives from the unit direction `dir` at `height` kilometres. Below the
+ * horizon, the ground is included. `sun` is the unit direction to the sun. */
 vec3s atmosphere_radiance(const struct atmosphere *atmosphere, float height, vec3s dir, vec3s sun);
 
 #endif

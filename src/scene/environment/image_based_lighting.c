@@ -1,7 +1,6 @@
 /*
- * image_based_lighting.c: prefilters an environment for image-based lighting (split-sum).
- *
- * Glossy lobes are importance-sampled with GGX; each sample reads a mip level that matches its
+ * image_based_lighting.c: prefilters an environment for image-based lighting (split-sum). Glossy
+ * lobes are importance-sampled with GGX. Each sample reads a mip level that matches the sample
  * density, so that few samples suffice without fireflies (Krivanek and Colbert 2008, "Real-time
  * shading with filtered importance sampling"). The diffuse lobe sums all texels of a small level.
  */
@@ -238,7 +237,7 @@ static float smith_masking(float cosine, float square)
     return 2.0f * cosine / (cosine + sqrtf(square + (1.0f - square) * cosine * cosine));
 }
 
-/* Returns scale and bias of F0 (split-sum approximation) by GGX importance sampling. */
+/* Returns scale and bias of F0 in the split-sum approximation, by GGX importance sampling. */
 static vec2s integrate_brdf(float roughness, float cosine)
 {
     const float square = powf(roughness, 4.0f);
@@ -278,8 +277,8 @@ uint16_t *image_based_lighting_brdf_table(void)
     return texels;
 }
 
-/* A dominant light consists of texels with at least DOMINANT_FRACTION of the maximum brightness,
- * which must be at least DOMINANT_RATIO times the mean. */
+/* Texels belong to a dominant light if they have at least DOMINANT_FRACTION of the maximum
+ * brightness. The maximum must be at least DOMINANT_RATIO times the mean. */
 #define DOMINANT_FRACTION 0.35f
 #define DOMINANT_RATIO    4.0f
 #define DOMINANT_COSINE   0.75f /* minimum cosine of the angle to the brightest texel */

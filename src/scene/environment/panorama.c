@@ -1,5 +1,5 @@
-/* panorama.c: converts cube maps to equirectangular images. OpenEXR's face orientation is that of
- * ImfEnvmap.cpp, whose +Z is in the centre of an equirectangular image. */
+/* panorama.c: converts cube maps to equirectangular images. OpenEXR's cube faces are oriented as in
+ * ImfEnvmap.cpp, where +Z is in the centre of an equirectangular image. */
 #include "src/scene/environment/panorama.h"
 #include <cglm/struct.h>
 #include <math.h>

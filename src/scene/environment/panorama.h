@@ -15,13 +15,13 @@ enum panorama {
     PANORAMA_TALL_CROSS /* 3:4 cross: the back face is below the down face, upside down */
 };
 
-/* Returns the cube map layout of an image by its aspect ratio. A cross must be black outside its
- * faces, to tell it from ordinary images. */
+/* Returns the cube map layout of an image, by aspect ratio. A cross must also be black outside the
+ * faces, since ordinary images may have its aspect ratio. */
 enum panorama panorama_detect_cube(const struct image *image);
 
-/* Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it), four faces
- * wide, at most 8192 texels. Each texel is the mean of four bilinear samples. Logs with `path` and
- * returns STATUS_TRY_AGAIN when out of memory; the image is then unchanged. */
+/* Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it). The new
+ * width is four faces, at most 8192 texels. Each texel is the mean of four bilinear samples. Logs
+ * with `path` and returns STATUS_TRY_AGAIN when out of memory; the image is then unchanged. */
 MUST_USE enum status panorama_from_cube(struct image *image, enum panorama kind, const char *path);
 
 #endif

@@ -44,8 +44,8 @@ static bool spans_zero(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* A ray from inside a closed surface hits it an odd number of times. A ray through an edge may miss
- * both triangles, so that rays along all three axes must agree. */
+/* A ray from inside a closed surface hits it an odd number of times. The rays along all three axes
+ * must agree, since a ray through an edge may miss both triangles. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
     uint32_t exits[3] = { 0 };
@@ -105,7 +105,8 @@ static struct bubble shape_bubble(struct bubble bubble, const struct generate_bu
 }
 
 /* Adds a bubble at a random free position. Returns false if none is found. A convex object contains
- * the octahedron whose half diagonals are the clearance, and thus also its inscribed sphere. */
+ * the octahedron with the clearance as half diagonal, and thus the octahedron's inscribed sphere.
+ */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        const struct generate_bubbles *params, struct box box, float radius,
                        struct random *random)

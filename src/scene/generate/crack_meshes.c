@@ -1,9 +1,7 @@
 /*
- * crack_meshes.c: generates crack sheets inside an object.
- *
- * Seipel and Nivfors 2006, section 3.3: instances of a few generic sheets, scaled to the object's
- * box, randomly rotated, and placed near the centre. Calls no C library functions except floor and
- * square root, since others may differ between machines.
+ * crack_meshes.c: generates crack sheets inside an object (Seipel and Nivfors 2006, section 3.3). A
+ * few generic sheets are scaled to the object's box, randomly rotated, and placed near the centre.
+ * The only C library functions used are floor and square root; others may differ between machines.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -27,7 +27,7 @@ enum {
     GENERATE_AIR_MAX = 64,
 };
 
-/* Generates a UV sphere with the unit sphere's volume, so that its vertices are slightly outside
+/* Generates a UV sphere with the volume of the unit sphere. Vertices are therefore slightly outside
  * the unit sphere. Normals are exact. */
 bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 
@@ -35,16 +35,16 @@ bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 bool generate_ice_cube(struct mesh *mesh, uint32_t triangles);
 
 /* Generates the Utah teapot from its 32 Bezier patches (Newell 1975), about 2 m wide, upright (+Y),
- * spout towards +X. It is one solid without inner walls: the gap between lid and rim and the
- * spout's mouth are closed, and handle and spout are joined to the body. */
+ * spout towards +X. It is one solid without inner walls: the gap around the lid and the spout's
+ * mouth are closed, and handle and spout are joined to the body. */
 bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 
-/* Generates a valley surrounded by hills, 60 m wide, and 1.35 m below the origin at its centre. The
+/* Generates a valley surrounded by hills, 60 m wide. Its centre is 1.35 m below the origin. The
  * open surface faces up, is lit (not MESH_UNLIT), and is coloured by height and slope. */
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
-/* Generates a level floor of pale tiles under the object, up to the horizon, on which transmitted
- * light is visible. The floor is lit and faces up. */
+/* Generates a level floor of pale tiles that shows the light transmitted by the object above. The
+ * floor reaches the horizon, is lit, and faces up. */
 bool generate_floor(struct mesh *mesh, struct box object);
 
 /* Generates a closed room, 11.7 x 6.3 x 9.9 m, with an off-centre table under the object. Walls,
@@ -52,8 +52,8 @@ bool generate_floor(struct mesh *mesh, struct box object);
  * are baked radiances (MESH_UNLIT), with shadows of the furniture. */
 bool generate_room(struct mesh *mesh, struct box object);
 
-/* Generates coloured balls (MESH_ORBITS) in a ring around a box, outside its bounding sphere, so
- * that the box can rotate about +Y. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
+/* Generates coloured balls (MESH_ORBITS) in a ring around a box. The box can rotate about +Y
+ * without touching them. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
 bool generate_orbiting_balls(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
@@ -72,8 +72,8 @@ struct generate_air {
     uint32_t count, seed; /* number of planes, 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in box diagonals */
     float frequency;      /* number of the largest bubbles along the box diagonal */
-    /* image of bubble opacities, 0 to 1, that replaces the procedural one in all layers, with
-     * GENERATE_AIR_LAYER_SIZE rows and columns; or NULL */
+    /* bubble opacities, 0 to 1, GENERATE_AIR_LAYER_SIZE rows and columns, used in all layers; NULL
+     * to generate them */
     const float *opacity;
 };
 
@@ -98,9 +98,9 @@ bool generate_air_planes(struct mesh *mesh, struct box box, const struct generat
  * unchanged. */
 bool generate_air_clip(struct mesh *planes, const struct mesh *object);
 
-/* Generates the textures of air planes: bubbles of three sizes, each half as large and twice as
- * frequent as the previous one, and haze that fades towards the edges. Returns false when out of
- * memory; *layers is then zeroed. */
+/* Generates the textures of air planes: haze that fades towards the edges, and bubbles of three
+ * sizes. Each size is half as large and twice as frequent as the previous one. Returns false when
+ * out of memory; *layers is then zeroed. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
 
 enum generate_bubbles_shape {

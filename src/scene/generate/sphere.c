@@ -4,7 +4,8 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* Latitude-longitude grid: `rows` bands of `columns` quads, which are triangles at the poles. */
+/* Grid of `rows` bands between latitudes, each of `columns` quads. Quads at the poles are
+ * triangles. */
 struct grid {
     uint32_t rows, columns;
 };
@@ -49,9 +50,9 @@ static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
     return 1 + (row - 1) * grid.columns + column % grid.columns;
 }
 
-/* Scales the sphere until its facets enclose the unit sphere's volume. They are then about as far
- * outside the unit sphere as inside, instead of entirely inside, which reduces the error of
- * refracted directions to a third. */
+/* Scales the sphere until its facets enclose the unit sphere's volume. Facets are then partly
+ * inside and partly outside the unit sphere. This reduces the error of refracted directions to a
+ * third. */
 static void fill_volume(struct mesh *mesh)
 {
     double volume = 0;

@@ -101,7 +101,7 @@ static vec2s quarter_circle(float t)
     return (vec2s){ { w[0] + w[1] + 0.56F * w[2], 0.56F * w[1] + w[2] + w[3] } };
 }
 
-/* Returns a point of a tube: `side` (1 or -1) selects a half, v is 0 to 1 along its cross-section,
+/* Returns a point of a tube. `side` (1 or -1) selects a half. v is 0 to 1 along the cross-section,
  * and u is about 0 to 2 along the tube. */
 static vec3s tube_point(const float (*sections)[5], float u, float v, float side)
 {
@@ -122,7 +122,7 @@ static vec3s tube_point(const float (*sections)[5], float u, float v, float side
     } };
 }
 
-/* Returns the horizontal distance of a point from the body at its height; negative inside. */
+/* Returns a point's horizontal distance from the body; negative inside. */
 static float outside_body(vec3s p)
 {
     const int steps = 24; /* bisections, for float precision */
@@ -151,7 +151,7 @@ static float outside_body(vec3s p)
     return hypotf(p.x, p.z) - radius * glms_vec2_norm(direction);
 }
 
-/* Returns the u at which a tube leaves the body, by bisection between u values inside and outside.
+/* Returns the u at which a tube leaves the body. Bisects between two u values, inside and outside.
  */
 static float find_joint(const float (*sections)[5], float inside, float outside, float v)
 {
@@ -185,9 +185,9 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
     return (n * percent + 99) / 100;
 }
 
-/* Plans the grid. Hole sizes, in percent of a patch, include a margin around the joints. Measured
- * in patches below the rim, the spout joins the body at 0.62..1.20, and the handle at 0.10..0.24
- * and 1.00..1.24. The joints' half widths are 0.153, 0.085 and 0.070 patches. */
+/* Plans the grid. Hole sizes, in percent of a patch, include a margin around the joints. The spout
+ * joins the body at 0.62..1.20 patches below the rim, the handle at 0.10..0.24 and 1.00..1.24. The
+ * joints' half widths are 0.153, 0.085 and 0.070 patches. */
 static struct teapot plan(uint32_t n)
 {
     struct teapot t = { .n = n, .columns = 4 * n, .lines = PROFILE_PIECES * n + 2 };
@@ -335,7 +335,7 @@ static void add_body(struct teapot *t)
 }
 
 /* Lists the vertices around a hole, the half with +Z first. Starts at the centre of the hole's
- * upper edge, or, if `from_bottom`, of its lower edge. */
+ * upper edge, or of the lower edge if `from_bottom`. */
 static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bottom, uint32_t *loop)
 {
     uint32_t size = loop_size(hole);
@@ -356,7 +356,7 @@ static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bott
     }
 }
 
-/* Joins two loops of vertices with triangles; `to` is farther along the tube. */
+/* Joins two vertex loops by triangles. The loop `to` is farther along the tube. */
 static void bridge(struct teapot *t, const uint32_t *from, const uint32_t *to, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
@@ -394,7 +394,7 @@ static uint32_t add_tube_vertices(struct teapot *t, const struct tube *tube)
     return first;
 }
 
-/* Joins t->loop to t->next_loop with triangles, and makes the latter the current loop. */
+/* Joins t->loop to t->next_loop with triangles. t->next_loop then becomes t->loop. */
 static void advance(struct teapot *t, uint32_t size)
 {
     bridge(t, t->loop, t->next_loop, size);
@@ -413,8 +413,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
     }
 }
 
-/* Adds a ring on the body's surface just outside a tube's first ring, so that normal smoothing
- * affects the body only near the joint. Stores its vertices in t->next_loop. */
+/* Adds a ring on the body's surface just outside a tube's first ring. It limits smoothed normals to
+ * the surroundings of the joint. Stores its vertices in t->next_loop. */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {

@@ -39,8 +39,8 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts the triangles that overlap each column. On a second call, when s->triangles is allocated,
- * stores the triangles instead, filling each column from its end. */
+/* Counts the triangles that overlap each column. If s->triangles is allocated, as on the second
+ * call, stores the triangles instead. Each column is filled from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
@@ -91,7 +91,7 @@ void closed_mesh_finish(struct closed_mesh *closed_mesh)
 }
 
 /* Returns twice the signed area of the triangle a, b, p in the xz plane. The two triangles at an
- * edge get exactly opposite values, never 0, because both start at the same end of the edge. A
+ * edge get exactly opposite values, never 0, because each starts at the same end of the edge. A
  * vertical line through an edge therefore hits exactly one of the two triangles. */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {

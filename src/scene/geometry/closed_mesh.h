@@ -1,9 +1,7 @@
 /*
- * closed_mesh.h: tests whether points are inside a closed mesh.
- *
- * Ownership: closed_mesh_init() borrows the mesh, which must stay unchanged; closed_mesh_finish()
- * frees the rest. A zeroed struct is valid and empty. Thread-safety: several threads may call
- * functions with a const struct at the same time.
+ * closed_mesh.h: tests whether points are inside a closed mesh. closed_mesh_init() borrows the
+ * mesh, which must stay unchanged. closed_mesh_finish() does not free the mesh. A zeroed struct is
+ * valid and empty. Several threads may call functions with a const struct at the same time.
  */
 #ifndef FIRN_SCENE_GEOMETRY_CLOSED_MESH_H
 #define FIRN_SCENE_GEOMETRY_CLOSED_MESH_H
@@ -35,9 +33,9 @@ bool closed_mesh_surrounds(const struct closed_mesh *closed_mesh, vec3s point);
 bool closed_mesh_may_overlap(const struct closed_mesh *closed_mesh, struct box box);
 
 /* Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are
- * bisected until no side is longer than `step` metres, then cut where their sides cross the
- * surface; smaller features are missed. The new triangles share no vertices. Returns false when out
- * of memory; *sheet is then unchanged. */
+ * bisected until no side exceeds `step` metres, then cut where sides cross the surface. Details
+ * smaller than `step` are missed. The new triangles share no vertices. Returns false when out of
+ * memory; *sheet is then unchanged. */
 bool closed_mesh_clip(const struct closed_mesh *closed_mesh, struct mesh *sheet, float step);
 
 #endif

@@ -121,8 +121,8 @@ static void test_near(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Tests the nearest triangles of the 13 neighbours that precede or follow a texel in scan order.
- * Skips duplicates, which are common, and neighbours that have not changed since sweep `since`. */
+/* Tests the nearest triangles of 13 neighbours: those before or after a texel in scan order. Skips
+ * duplicates, which are common, and neighbours that have not changed since sweep `since`. */
 static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
@@ -171,8 +171,8 @@ static double area(vec3s a, vec3s b, double y, double z)
            ((double)b.z - (double)a.z) * (y - (double)a.y);
 }
 
-/* Adds a triangle's winding to all texels behind it along x. Rows of texels are shifted by an
- * epsilon, so that they hit no edge of a mesh that is aligned with the grid. */
+/* Adds a triangle's winding to all texels behind it along x. Texel rows are shifted by an epsilon,
+ * so that they do not hit the edges of grid-aligned meshes. */
 static void add_winding(const struct work *work, uint32_t triangle)
 {
     vec3s c[3];

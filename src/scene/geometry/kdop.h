@@ -1,6 +1,6 @@
-/* kdop.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it. Its
- * normals point from a cube's centre to the faces, edges and corners (Klosowski et al. 1998); the
- * mesh touches each plane. */
+/* kdop.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it. The
+ * plane normals are the directions from a cube's centre to its faces, edges and corners (Klosowski
+ * et al. 1998). Each plane touches the mesh. */
 #ifndef FIRN_SCENE_GEOMETRY_KDOP_H
 #define FIRN_SCENE_GEOMETRY_KDOP_H
 
@@ -20,8 +20,8 @@ struct kdop {
 struct kdop kdop_of(const struct mesh *mesh);
 
 /* Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, 0 or 3 to
- * `count` + KDOP_PLANE_COUNT, for which `corners` must have room. New vertices interpolate the
- * texture coordinates and copy the other attributes of the first vertex. */
+ * `count` + KDOP_PLANE_COUNT. `corners` must have room for the maximum. New vertices get
+ * interpolated texture coordinates, and copy other attributes from the first vertex. */
 uint32_t kdop_clip(const struct kdop *kdop, struct mesh_vertex *corners, uint32_t count);
 
 #endif

@@ -181,7 +181,7 @@ void mesh_make_normals(struct mesh *mesh)
     }
 }
 
-/* Returns a triangle's area vector: along the outward normal, with twice the area as its length. */
+/* Returns a triangle's area vector: the outward normal times twice the area. */
 static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
 {
     const vec3s a = mesh->vertices[corners[0]].position;
@@ -221,8 +221,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* Returns the index of the spherical shell around a point that contains a triangle: exponent and
- * top mantissa bit of the squared distance. There are thus four shells per octave of distance. */
+/* Returns the index of the shell around a point that contains a triangle. There are four shells
+ * per octave of distance: the exponent and top mantissa bit of the squared distance. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;

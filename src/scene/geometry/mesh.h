@@ -1,8 +1,7 @@
 /*
- * mesh.h: indexed triangle mesh in memory, with the vertex layout of all passes.
- *
- * Scenes' meshes are in world space (right-handed, +Y up, metres), others in their owner's space.
- * Triangles are counter-clockwise seen from outside. mesh_finish() frees the malloc'd arrays.
+ * mesh.h: indexed triangle mesh in memory, with the vertex layout of all passes. The meshes of a
+ * scene are in world space (right-handed, +Y up, metres). Triangles are counter-clockwise seen from
+ * outside. mesh_finish() frees the malloc'd arrays.
  */
 #ifndef FIRN_SCENE_GEOMETRY_MESH_H
 #define FIRN_SCENE_GEOMETRY_MESH_H
@@ -69,18 +68,18 @@ bool box_contains(const struct box *outer, const struct box *inner);
 
 float box_diagonal(struct box box);
 
-/* Centres the mesh at the origin, and scales it uniformly to `width` along x; its extent along x
- * must not be 0. Normals are unchanged. */
+/* Centres the mesh at the origin, and scales it uniformly to `width` along x. The mesh must not be
+ * flat along x. Normals are unchanged. */
 void mesh_fit(struct mesh *mesh, float width);
 
-/* Computes each vertex normal as the mean of the adjacent triangles' normals, weighted by angle at
- * the vertex to be independent of triangulation (Thuermer and Wuethrich 1998). Vertices without a
- * non-degenerate triangle get +Y. */
+/* Computes each vertex normal as the mean of the adjacent triangles' normals. The weight is the
+ * angle at the vertex, which makes the mean independent of triangulation (Thuermer and Wuethrich
+ * 1998). Vertices with only degenerate triangles, or none, get +Y. */
 void mesh_make_normals(struct mesh *mesh);
 
 #define MESH_CONVEX_MAX (1u << 24)
-/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal. A ray is
- * then inside at most once. Returns false above MESH_CONVEX_MAX triangle-vertex pairs. */
+/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal. Also
+ * returns false if vertices times triangles exceed MESH_CONVEX_MAX. */
 bool mesh_is_convex(const struct mesh *mesh);
 
 /* Original index of each triangle of a sorted mesh. */

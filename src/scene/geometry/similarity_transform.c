@@ -40,7 +40,7 @@ static double normalise(double *v)
     return length;
 }
 
-/* Picks corner 0, the corner farthest from it, and the one farthest from the line through both. */
+/* Picks corner 0, the corner farthest from it, and the one farthest from the line between them. */
 struct similarity_transform_anchor
 similarity_transform_anchor_find(const struct similarity_transform_corners *corners)
 {

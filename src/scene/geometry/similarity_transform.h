@@ -1,6 +1,6 @@
-/* similarity_transform.h: instancing detection: finds a similarity transform that maps triangles to
- * others. The transform is computed from an anchor (three corners that are far apart) without a
- * search; the caller then checks that all corners match. */
+/* similarity_transform.h: instancing detection: finds the similarity transform between two sets of
+ * triangles. It is computed without a search, from an anchor of three corners that are far apart.
+ * The caller then checks that all corners match. */
 #ifndef FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 #define FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 

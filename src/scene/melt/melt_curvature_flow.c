@@ -144,8 +144,8 @@ static void measure_points(struct work *work)
     }
 }
 
-/* Marks the points of triangles that the step has inverted, since two faces have collided there.
- * Returns the number of such triangles. */
+/* Marks the points of triangles that the step has inverted, where two faces have collided. Returns
+ * the number of such triangles. */
 static uint32_t mark_collisions(struct work *work)
 {
     const struct melt_curvature_flow *flow = work->flow;
@@ -190,9 +190,9 @@ static double multiply(const struct work *work, double t, point *x, point *to)
     return product;
 }
 
-/* Applies the Jacobi preconditioner to the residual. Optionally sets the search direction to the
- * result plus `beta` times the previous direction. Returns the dot product of result and residual.
- */
+/* Applies the Jacobi preconditioner to the residual. Returns the dot product of result and
+ * residual. Optionally sets the search direction to the result plus `beta` times the last
+ * direction. */
 static double precondition(struct work *work, double t, double beta, bool updates_direction)
 {
     double product = 0;

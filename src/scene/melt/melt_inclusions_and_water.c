@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include "src/scene/geometry/vertex_weld.h"
 
-/* Maximum depth of a component's centre, in half widths of the ice, at which the component shrinks.
- * The depth is also limited to half the component's radius. */
+/* A component of air shrinks if its centre is at most this deep below the surface, in half widths
+ * of the ice, and at most half the component's radius deep. */
 #define SHRINKS_AT 0.06f
 
 #define SCALE_MIN 1e-3f /* minimum scale of a component, to keep its normals valid */
@@ -216,8 +216,8 @@ static struct outline outline_of(const struct object *object, const struct mesh 
     return outline;
 }
 
-/* Returns the new radius of a water vertex. Water that touches the ice moves with the ice's
- * outline; farther out, the displacement blends quadratically to that of the outer edge. */
+/* Returns the new radius of a water vertex. Water that touches the ice moves with its outline.
+ * Farther out, the displacement blends quadratically to the displacement of the outer edge. */
 static float spread_radius(float out, float before, float after, float edge, float scale)
 {
     if (!(before > 0.0f && edge > 0.0f))
@@ -379,9 +379,9 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
     }
 }
 
-/* Moves the texture coordinates of water layers with the moved vertices, and lowers vertices over
- * deep hollows; elsewhere the surface stays level. `level` is the ground height below the ice, used
- * where stone protrudes above it, so that the layer does not get thinner elsewhere. */
+/* Moves the texture coordinates of water layers with the moved vertices. Lowers vertices over deep
+ * hollows; elsewhere the surface stays level. `level` is the ground height below the ice. It
+ * replaces the true height under protruding stone, so that the rest of the layer stays as thick. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

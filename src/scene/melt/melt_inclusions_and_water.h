@@ -17,8 +17,8 @@ struct melt_air_and_water_ice {
     struct distance_field depth, depth_before;
 };
 
-/* Moves air inside the ice along with it, shrinks connected components near the ice's surface, and
- * collapses those outside. Returns false when out of memory. */
+/* Moves air inside the ice along with it. Shrinks components of air near the ice's surface, and
+ * collapses components outside the ice. Returns false when out of memory. */
 bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);
 
@@ -26,9 +26,9 @@ bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
 bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
                                           const struct melt_air_and_water_ice *ice);
 
-/* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. Layers follow
- * the ground downwards, but stay level where the ground rises and emerges from them. Textures stay
- * in place. Returns false when out of memory. */
+/* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. Layers sink
+ * where the ground falls, but stay level where the ground rises through them. Textures stay in
+ * place. Returns false when out of memory. */
 bool melt_air_and_water_spread_layers(struct model *model,
                                       const struct melt_air_and_water_ice *ice);
 
