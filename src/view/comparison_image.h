@@ -1,5 +1,5 @@
-/* comparison_image.h: fixed image for the A/B comparison: an image file, the path-traced reference
- * or an error map. Errors are logged before they are returned. */
+/* comparison_image.h: fixed image in an A/B comparison. It comes from an image file, the path
+ * tracer or an error map. Errors are logged before they are returned. */
 #ifndef FIRN_VIEW_COMPARISON_IMAGE_H
 #define FIRN_VIEW_COMPARISON_IMAGE_H
 
@@ -16,7 +16,7 @@ struct comparison_image {
     uint32_t curve;
 };
 
-/* Updates an outdated `image` from `linear`, tone-mapped in the same way as by tonemap_encode(). */
+/* Updates an outdated `image` from `linear` with the tone mapping of tonemap_encode(). */
 MUST_USE enum status comparison_image_show(struct comparison_image *comparison, struct gpu *gpu,
                                            float gain, uint32_t curve);
 

@@ -88,7 +88,7 @@ static enum status fit_all(struct draft_renderer *q, const struct draft_renderer
     return status;
 }
 
-/* Recomputes the draft settings. Returns true if their change requires recompiled plans. */
+/* Recomputes the draft settings. Returns true if the plans must be recompiled for them. */
 static bool take_settings(struct draft_renderer *q, const struct draft_renderer_params *p)
 {
     const struct settings left = q->settings;
@@ -107,7 +107,7 @@ static enum status give_up(struct draft_renderer *q, enum status status)
     return status == STATUS_TRY_AGAIN ? STATUS_OK : status;
 }
 
-/* Draws a frame that is not displayed and stores its time in q->seconds. */
+/* Draws a frame that is not displayed and stores the seconds it took in q->seconds. */
 static enum status draw_timed(struct draft_renderer *q, const struct renderer_shot *shot,
                               VkExtent2D view)
 {

@@ -15,14 +15,14 @@
 
 #include "src/render/renderer.h"
 
-/* Parameters of the full renderers, from which those of the draft renderers are derived. */
+/* Parameters of the full renderers. Those of the draft renderers are derived from them. */
 struct draft_renderer_params {
     struct renderer_params left, right;
     bool is_split;    /* there is a right side (B) */
     uint64_t version; /* version of the viewport's renderers */
 };
 
-/* Simplifications of a draft; each level includes those of all levels before it. */
+/* Simplifications of a draft. Each level adds to those of the levels before it. */
 enum draft_renderer_level {
     DRAFT_RENDERER_FULL,          /* nothing that is easily noticed */
     DRAFT_RENDERER_COARSE_MESH,   /* uses coarser meshes */
@@ -41,13 +41,13 @@ struct draft_renderer {
     bool failed;    /* there was not enough memory */
 };
 
-/* Returns the settings of a draft: those set to the value of some quality level get that of quality
- * `draft`; then the upper limits of `level` apply to all settings. */
+/* Returns the settings of a draft. First, settings that have the value of some quality level get
+ * the value of quality `draft`. Then the upper limits of `level` are applied to all settings. */
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level);
 
-/* Creates the draft renderers and draws hidden frames, so that the driver compiles the shaders and
- * the frame time is measured. If memory runs out, succeeds without draft renderers. */
+/* Creates the draft renderers. Draws hidden frames to compile the shaders and to measure the frame
+ * time. If memory runs out, succeeds without draft renderers. */
 MUST_USE enum status draft_renderer_create(struct draft_renderer *draft,
                                            const struct draft_renderer_params *params,
                                            const struct renderer_shot *shot);

@@ -6,7 +6,7 @@
 #include "src/scene/environment/panorama.h"
 #include "src/scene/scene.h"
 
-/* Returns true for the aspect ratio of a panorama (2:1) or of six cube faces in a strip. */
+/* Returns true if the aspect ratio is 2:1 (panorama), 6:1 or 1:6 (strip of cube faces). */
 static bool has_panorama_shape(const struct image *image)
 {
     const uint64_t width = image->width;
@@ -35,7 +35,7 @@ static enum status detect_cross(const char *path, const struct reader_params *re
     return status;
 }
 
-/* Classifies a PNG file as a preset if it contains settings written by firn, else as an image. */
+/* Classifies a PNG file: a preset if it contains settings written by firn, otherwise an image. */
 static enum status classify_png(const char *path, const struct reader_params *reader,
                                 enum file_kind *kind)
 {

@@ -1,6 +1,6 @@
 /* flip_error_map.h: per-pixel FLIP error of two images, computed on a worker thread. FLIP compares
- * displayed colours, so both images are tone-mapped first. The result equals that of `firn diff`
- * for PNG files. */
+ * displayed colours, so the images are tone-mapped first. For PNG files, `firn diff` computes the
+ * same error. */
 #ifndef FIRN_VIEW_FLIP_ERROR_MAP_H
 #define FIRN_VIEW_FLIP_ERROR_MAP_H
 
@@ -35,8 +35,8 @@ struct flip_error_map {
 void flip_error_map_finish(struct flip_error_map *map); /* waits for the thread; {0} works */
 
 /* Starts to compute the error of the first image relative to the second. Copies the images, which
- * must have the same size. `gain` and `curve` are those of tonemap_apply(). No other run may be in
- * progress. Returns false if out of memory. */
+ * must have the same size. `gain` and `curve` are as for tonemap_apply(). Must not be called while
+ * a computation is running. Returns false if out of memory. */
 bool flip_error_map_begin(struct flip_error_map *map,
                           const struct flip_error_map_image sides[static 2], float gain,
                           uint32_t curve);

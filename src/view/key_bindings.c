@@ -9,8 +9,8 @@ enum {
     KEYS_MAX = 2, /* maximum keys of an action */
 };
 
-/* Letters and signs are matched by the typed character, not by key code, because their position
- * depends on the keyboard layout. */
+/* Keys for letters and signs are compared by the typed character, not by key code, because key
+ * codes depend on the keyboard layout. */
 static const struct {
     int keys[KEYS_MAX];             /* GLFW key codes; 0 if unused */
     const char *characters;         /* typed characters, or NULL */
@@ -398,7 +398,7 @@ const char *key_bindings_button(enum view_action action)
     return actions[action].button ? actions[action].button : actions[action].label;
 }
 
-/* Finds entry i of the shortcut list. *help is its label or, if `all`, its full help text. */
+/* Finds entry i of the shortcut list. *help is the full help text if `all`, otherwise the label. */
 static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;

@@ -96,7 +96,7 @@ const char *key_bindings_button(enum view_action action); /* one word if possibl
 /* Finds shortcut i of the F1 list and its description. Returns false after the last shortcut. */
 bool key_bindings_row(uint32_t i, const char **name, const char **help);
 
-/* Prints one line per shortcut or mouse gesture, with its help; docs/view.md has a copy. */
+/* Prints one line for each shortcut and mouse gesture. The list in docs/view.md is a copy. */
 void key_bindings_print(FILE *out);
 
 #endif

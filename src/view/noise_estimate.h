@@ -1,6 +1,6 @@
 /* noise_estimate.h: standard error of a progressively refined image. Each sample gives a mean for
- * every block of 8x8 pixels; the variance of these means gives the block's standard error, as if
- * samples were independent. The estimate is the mean over all blocks. */
+ * every block of 8x8 pixels. A block's standard error follows from the variance of its means. The
+ * estimate is the mean error of all blocks, with samples assumed to be independent. */
 #ifndef FIRN_VIEW_NOISE_ESTIMATE_H
 #define FIRN_VIEW_NOISE_ESTIMATE_H
 
@@ -18,11 +18,11 @@ struct noise_estimate {
 
 void noise_estimate_finish(struct noise_estimate *noise); /* {0} is fine */
 
-/* Updates the estimate after sample `sample`, counted from 0; `sums` contains the accumulated
- * planes R, G and B. Sample 0 restarts the estimate. If out of memory, there is no estimate. */
+/* Updates the estimate after a sample. `sample` counts from 0, and 0 restarts the estimate. `sums`
+ * contains the accumulated planes R, G and B. If out of memory, there is no estimate. */
 void noise_estimate_add(struct noise_estimate *noise, const struct image *sums, uint32_t sample);
 
-/* Returns the standard error in the image's units; negative with fewer than two samples. */
+/* Returns the standard error in the image's units. It is negative with fewer than two samples. */
 double noise_estimate_now(const struct noise_estimate *noise);
 
 #endif

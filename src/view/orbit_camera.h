@@ -1,6 +1,6 @@
-/* orbit_camera.h: orbit camera: rotates, pans and zooms around a target, without inertia. Equal
- * movements give equal cameras, and a camera that is not moved stays bit-identical. Rotation is
- * about +Y, so it also removes roll. */
+/* orbit_camera.h: rotates, pans and zooms a camera around a target, without inertia. Equal
+ * movements give equal cameras. A camera that is not moved stays equal in all bits. Rotation is
+ * about +Y and also removes roll. */
 #ifndef FIRN_VIEW_ORBIT_CAMERA_H
 #define FIRN_VIEW_ORBIT_CAMERA_H
 
@@ -9,18 +9,18 @@
 /* Orbits the target by angles to the right and up, stopping just short of the poles. */
 void orbit_camera_rotate(struct camera *camera, float azimuth_deg, float elevation_deg);
 
-/* Moves the camera to azimuth and elevation around the target, keeping its distance. */
+/* Moves the camera to an azimuth and elevation around the target, at the same distance. */
 void orbit_camera_look_from(struct camera *camera, float azimuth_deg, float elevation_deg);
 
-/* Toggles between perspective and orthographic projection; objects at the target's distance keep
+/* Toggles between perspective and orthographic projection. Objects at the target's distance keep
  * their size. An orthographic camera shows objects up to `depth` metres away. */
 void orbit_camera_toggle_projection(struct camera *camera, float depth);
 
 /* Pans camera and target by fractions of the image height, measured at the target's distance. */
 void orbit_camera_pan(struct camera *camera, float right, float up);
 
-/* Moves towards the target (steps > 0) or away, by a tenth of the distance per step, but stays at
- * `nearest` to `farthest` metres. An orthographic camera changes its height instead. */
+/* Moves towards the target (steps > 0) or away, by a tenth of the distance per step. The distance
+ * stays in `nearest` to `farthest`, metres. An orthographic camera changes its height instead. */
 void orbit_camera_zoom(struct camera *camera, float steps, float nearest, float farthest);
 
 #endif

@@ -1,6 +1,6 @@
-/* overlay.c: passes that draw the user interface over the swapchain image: textured, alpha-blended
- * triangles. Blending is in sRGB encoding, as user interfaces are designed for; a swapchain format
- * that encodes on write makes it linear, and half-transparent panels look slightly lighter. */
+/* overlay.c: passes that draw the user interface over the swapchain image as textured triangles.
+ * Alpha blending is intended for sRGB-encoded values. If the swapchain format encodes on write,
+ * blending is linear instead, and half-transparent panels look slightly lighter. */
 #include "src/view/overlay.h"
 #include <string.h>
 #include "shaders/embedded.h"

@@ -1,7 +1,7 @@
 /* overlay.h: technique that draws the user interface over the image, after `present`. Triangles and
  * font atlas come from rg_frame.overlay and the buffers below, filled before each frame. Docked
- * panels are redrawn only when their draw list changes (window_frame.panels_are_outdated); their
- * cached image is copied into each frame, which is much cheaper than drawing them. */
+ * panels are cached as an image, which is copied into each frame. They are redrawn only when
+ * window_frame.panels_are_outdated is set. */
 #ifndef FIRN_VIEW_OVERLAY_H
 #define FIRN_VIEW_OVERLAY_H
 #include "src/tech/technique.h"
@@ -13,7 +13,7 @@ enum {
     OVERLAY_PASS_COUNT,
 };
 
-/* Render-graph tables for one window format. The struct must not move, as it points into itself. */
+/* Render-graph tables for one window format. Must not be moved: contains pointers to itself. */
 struct overlay_tables {
     struct rg_image panels;
     struct rg_use copy_uses[3];
@@ -22,8 +22,8 @@ struct overlay_tables {
     struct rg_technique technique;
 };
 
-/* Initialises the tables. `copies` is true if window images support transfer writes, so that docked
- * panels can be cached; otherwise all panels are drawn in each frame. */
+/* Initialises the tables. `copies` is true if window images support transfer writes. Docked panels
+ * are then cached; otherwise all panels are drawn in each frame. */
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies);
 
 extern const struct rg_image overlay_font;      /* font atlas and thumbnails */

@@ -15,8 +15,8 @@ static const char *const always[] = { "Z", "N", "P", "object", NULL };
 static const float darkest_stops = -12.0f; /* histogram range, stops */
 static const float brightest_stops = 8.0f;
 
-/* Retires the current image but keeps it alive until the next change, so that the next image gets
- * another handle, by which the window's plan detects the change. */
+/* Retires the current image but does not free it before the next change. The next image thus has a
+ * different handle, which tells the window's plan that the image has changed. */
 static void forget(struct pixel_inspector *inspector, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &inspector->previous);
@@ -130,7 +130,7 @@ static void find_range(struct pixel_inspector *inspector, const struct planes *p
         inspector->min = inspector->max = 0.0f;
 }
 
-/* Fills the histogram. Its axis is in stops for the rendered image, or a layer's value range. */
+/* Fills the histogram. The axis is in stops for the image, a value range for layers. */
 static void count_bins(struct pixel_inspector *inspector, const struct planes *planes)
 {
     const bool is_log = !inspector->choice.layer;
@@ -260,7 +260,7 @@ static uint32_t take(const struct image *image, const struct frame_layer *layer,
     return count;
 }
 
-/* Sets `name` to the object's name, from a line "NUMBER NAME" of `names`; "" if there is none. */
+/* Finds an object's name in `names`, which has lines "NUMBER NAME". Sets `name` to "" if none. */
 static void find_name(const char *names, uint32_t number, char *name, size_t size)
 {
     const char *line = names;

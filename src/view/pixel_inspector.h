@@ -1,6 +1,6 @@
-/* pixel_inspector.h: pixel inspector: shows layers of a converging image and reads values of its
- * pixels. Layers are rendered on demand, with one sample at each pixel's centre, and kept in host
- * memory until the image changes. Errors are logged before they are returned. */
+/* pixel_inspector.h: shows layers of a converging image and reads values of single pixels. A layer
+ * is rendered on demand, with one sample at each pixel's centre, and stays in host memory until the
+ * image changes. Errors are logged before they are returned. */
 #ifndef FIRN_VIEW_PIXEL_INSPECTOR_H
 #define FIRN_VIEW_PIXEL_INSPECTOR_H
 
@@ -36,7 +36,7 @@ struct pixel_inspector {
 
 void pixel_inspector_finish(struct pixel_inspector *inspector, struct gpu *gpu); /* {0} is fine */
 
-/* Returns selectable layer i, from 1; NULL for 0 (the rendered image) and after the last. */
+/* Returns selectable layer i, counted from 1. Returns NULL for 0 and after the last layer. */
 const struct frame_layer *pixel_inspector_layer(uint32_t i);
 
 /* Returns true if the choice shows something other than the unmodified rendered image. */
@@ -48,7 +48,7 @@ MUST_USE enum status pixel_inspector_draw(struct pixel_inspector *inspector,
                                           const struct renderer_shot *shot);
 
 /* Computes `rgba`, `image` and the histogram for an image of `sample_count` samples. Call
- * presenter_wait() first. The previous `image` stays valid until the next call. */
+ * presenter_wait() first. The old `image` is valid until pixel_inspector_show() is called again. */
 MUST_USE enum status pixel_inspector_show(struct pixel_inspector *inspector,
                                           const struct viewport *viewport, uint32_t sample_count);
 

@@ -105,7 +105,7 @@ static void draw(struct rg_cmd *cmd, const struct present_area *area, VkRect2D p
     rg_cmd_draw(cmd, 3);
 }
 
-/* Fills a rectangle of the window with a colour 0xRRGGBB, which is sRGB-encoded. */
+/* Fills a rectangle of the window with an sRGB-encoded colour, 0xRRGGBB. */
 static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part, uint32_t color)
 {
     VkClearAttachment clear = { .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT };
@@ -127,7 +127,7 @@ static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, area, columns(area, 0, area->line));
 }
 
-/* Fills the margins that remain around the image if its aspect ratio differs from the area's. */
+/* Fills the margins beside an image whose aspect ratio differs from that of its area. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_area *p = &frame->window->present;
@@ -146,8 +146,8 @@ static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
         fill(cmd, frame, parts[i], p->surround);
 }
 
-/* Draws the margins, and the left image if it is scaled. One pass does both, because on llvmpipe
- * each pass over a window-sized image costs time even if it draws nothing. */
+/* Draws the margins and, if scaled, the left image. They share a pass because on llvmpipe every
+ * pass over a window-sized image costs time, even if nothing is drawn. */
 static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     surround(cmd, frame);

@@ -35,7 +35,7 @@ enum {
     PRESENT_PASS_COUNT = 4,
 };
 
-/* Tables for one window format. The struct must not move, as it points into itself. */
+/* Tables for one window format. The struct contains pointers to itself and must not be moved. */
 struct present_tables {
     struct rg_image window;
     struct rg_target targets[PRESENT_PASS_COUNT];
@@ -44,7 +44,7 @@ struct present_tables {
 };
 
 /* Fits an image of size `image` into the non-empty rectangle `view`, keeping its aspect ratio.
- * `divider` is a fraction of the image width, or negative if the view is not split. */
+ * `divider` is a fraction of the image width, negative if there is no split view. */
 struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);

@@ -41,21 +41,21 @@ struct presenter {
     double wait_seconds;  /* seconds the host waited to acquire and present this frame's image */
 };
 
-/* Initialises a presenter, which must not move. Borrows `surface` and, unless NULL, `canvas`. */
+/* Initialises a presenter, which must not move. Borrows `surface` and `canvas` (may be NULL). */
 MUST_USE enum status presenter_init(struct presenter *presenter, struct gpu *gpu,
                                     VkSurfaceKHR surface, VkPresentModeKHR mode,
                                     const struct gpu_shared_window *canvas);
 void presenter_finish(struct presenter *presenter); /* {0} and half-built are fine */
 
-/* Recreates the swapchain if it is stale or has another size; *remade is then true and the
- * presenter is disconnected. If swapchain.stale is still true, nothing can be presented. */
+/* Recreates a swapchain that is stale or has another size. *remade is then true, and the presenter
+ * is disconnected. If swapchain.stale is still true afterwards, nothing can be presented. */
 MUST_USE enum status presenter_fit(struct presenter *presenter, VkExtent2D size, bool *remade);
 
-/* Sets the font atlas of the user interface; NULL if there is none. Disconnects the presenter. */
+/* Sets the user interface's font atlas (may be NULL). Disconnects the presenter. */
 void presenter_set_font(struct presenter *presenter, const struct gpu_image *font);
 
-/* Sets the images to present, which must be ready for sampling. Without a divider, `right` equals
- * `left`. Must not be called between presenter_begin() and presenter_end(). */
+/* Sets the images to present, which must be ready for sampling. Without a split view, `right` must
+ * equal `left`. Must not be called between presenter_begin() and presenter_end(). */
 MUST_USE enum status presenter_connect(struct presenter *presenter,
                                        const struct presenter_images *images);
 
@@ -65,8 +65,8 @@ void presenter_disconnect(struct presenter *presenter);
 /* Acquires a swapchain image. If *ready is false, call presenter_fit() and try again. */
 MUST_USE enum status presenter_begin(struct presenter *presenter, bool *ready);
 
-/* Draws and presents a frame. `frame->overlay` indexes the presenter's buffers overlay_vertices and
- * overlay_indices. The members of `frame` that follow `overlay` need not be set. */
+/* Draws and presents a frame. `frame->overlay` refers to the presenter's buffers overlay_vertices
+ * and overlay_indices. Members of window_frame after `overlay` need not be set. */
 MUST_USE enum status presenter_end(struct presenter *presenter, const struct window_frame *frame);
 
 /* Waits until no frame reads the source images. */

@@ -18,7 +18,7 @@ static char *file_name(bool make)
     return path;
 }
 
-/* Returns the next line without its newline; NULL at the end. The caller frees it. */
+/* Returns the next line without newline, NULL at the end. The caller frees the line. */
 static char *take_line(FILE *file)
 {
     char *line = NULL;
@@ -33,7 +33,7 @@ static char *take_line(FILE *file)
     return line;
 }
 
-/* Prints `first`, then the entries of the file `before` except `first`. */
+/* Prints `first`, then all lines of the file `before` that differ from `first`. */
 static void print(FILE *out, const char *first, FILE *before)
 {
     char *line;

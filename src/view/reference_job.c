@@ -9,7 +9,7 @@
 
 static const char *const names[] = { "R", "G", "B" };
 
-/* Returns the accumulated sums of a plane; NULL if it is not accumulated. */
+/* Returns the accumulated sums of a plane; NULL if there are none. */
 static const double *find_sum(const struct reference_sums *sums, const char *plane)
 {
     const size_t value = reference_layers_find(plane);
@@ -90,7 +90,7 @@ static void *run(void *user)
     return NULL;
 }
 
-/* Returns the number of threads to use; leaves one core to the window's thread. */
+/* Returns the number of threads to use: one core is left for the window's thread. */
 static uint32_t thread_count(void)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);

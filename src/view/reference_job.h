@@ -24,12 +24,12 @@ struct reference_job {
     double taken_noise;
 };
 
-/* Starts to trace a view of a scene, which must not change until reference_job_stop(). No run may
- * be in progress. Returns false if no thread can be started, which is logged. */
+/* Starts to trace a view of a scene. The scene must not change before reference_job_stop(). Must
+ * not be called while a job is running. If no thread can be started, logs and returns false. */
 bool reference_job_begin(struct reference_job *job, const struct reference_request *request,
                          const struct renderer_shot *shot);
 
-/* Stops the thread, if one is running, and discards its result. */
+/* Stops a running job and discards its result. */
 void reference_job_stop(struct reference_job *job);
 
 /* Replaces *mean by the newest mean image. Returns false if there is no new one. */

@@ -122,7 +122,7 @@ static bool parse_side_b(const char *value, enum view_side_b *other)
     return false;
 }
 
-/* Numeric entries, with their largest magnitude and the range named in error messages. */
+/* Numeric entries: name, largest magnitude, and description of the range for error messages. */
 static const struct {
     const char *name;
     size_t offset; /* in struct session_file */
@@ -163,8 +163,8 @@ static bool parse_transform(struct session_file *s, const char *name, const char
     return true;
 }
 
-/* Parses an entry other than a setting. Returns false if `name` is unknown. If the value is
- * invalid, *expected describes valid values; otherwise *expected is NULL. */
+/* Parses an entry that is not a setting. Returns false if `name` is unknown. *expected describes
+ * the valid values if `value` is invalid, otherwise it is NULL. */
 static bool parse_own(struct session_file *s, const char *name, char *value, const char **expected)
 {
     *expected = NULL;

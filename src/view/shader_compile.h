@@ -21,13 +21,13 @@ bool shader_compile_is_possible(void);
 
 struct embedded_origin; /* shaders/embedded.h */
 
-/* Compiles a shader; include files are searched in `folder`. On failure, zeroes *code and writes a
- * one-line reason to `message`. */
+/* Compiles a shader. `folder` is searched for include files. On failure, returns false, zeroes
+ * *code and writes a one-line reason to `message`. */
 bool shader_compile(struct shader_compile_code *code, const char *folder,
                     const struct embedded_origin *origin,
                     char message[static SHADER_COMPILE_MESSAGE_SIZE]);
 
-/* Returns the first descriptor binding of `code` that is not in `allowed`; -1 if there is none. */
+/* Returns a descriptor binding that `code` uses but `allowed` lacks; -1 if there is none. */
 int shader_compile_new_binding(const struct shader_compile_code *code, const uint32_t *allowed,
                                size_t allowed_count);
 

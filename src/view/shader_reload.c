@@ -60,8 +60,8 @@ static uint64_t mix(uint64_t stamp, const void *data, size_t size)
     return stamp;
 }
 
-/* Hashes the metadata of a file and all its includes, so that saving any of them changes the
- * result. Returns 0 if the file does not exist. */
+/* Hashes the metadata of a file and of all files it includes. Saving any of them changes the hash.
+ * Returns 0 if the file does not exist. */
 static uint64_t find_stamp(const char *folder, const char *name, int depth)
 {
     char path[PATH_SIZE];
@@ -88,8 +88,8 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
     return stamp;
 }
 
-/* Polls all files. Returns true if some have changed since they were compiled, but none since the
- * previous poll, which means that no editor is still writing. */
+/* Polls all files. Returns true if files have changed since the last compilation but not since the
+ * previous poll: an editor may still be writing a file that has just changed. */
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;
@@ -141,7 +141,7 @@ static void compile(struct shader_reload *w, size_t index,
     f->ready = code;
 }
 
-/* Hands all new shaders to shader_reload_take() at once, but only if every one was compiled. */
+/* If every changed shader was compiled, makes all of them available to shader_reload_take(). */
 static void offer(struct shader_reload *w, const char *message, bool sound)
 {
     size_t count = 0;
@@ -206,7 +206,7 @@ static void *run(void *data)
     return NULL;
 }
 
-/* Finds the source files; several shaders may share one. Returns true if at least one exists. */
+/* Finds the source files, which shaders may share. Returns true if at least one exists. */
 static bool find_files(struct shader_reload *w)
 {
     bool found = false;

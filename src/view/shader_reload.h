@@ -13,23 +13,23 @@
 
 struct shader_reload;
 
-/* Starts to watch `folder`, which must have the layout of the source tree. Logs errors; returns
- * STATUS_NO_INPUT if no shader is found, STATUS_FAILED if glslc cannot be run. `quiet` disables
- * messages about compiled shaders. */
+/* Starts to watch `folder`, which must have the layout of the source tree. Logs errors. Returns
+ * STATUS_NO_INPUT if there are no shaders, STATUS_FAILED if glslc cannot be run. With `quiet`,
+ * successful compilations are not logged. */
 MUST_USE enum status shader_reload_create(struct shader_reload **reload, const char *folder,
                                           bool quiet);
 void shader_reload_destroy(struct shader_reload *reload); /* may be NULL */
 
-/* Makes shader_reload_replace() use newly compiled shaders. Returns true if there are any. */
+/* Makes shader_reload_replace() use the newly compiled shaders. Returns false if there are none. */
 bool shader_reload_take(struct shader_reload *reload);
 
-/* Undoes shader_reload_take() after pipelines could not be created. */
+/* Restores the shaders before shader_reload_take(), for use if pipelines cannot be created. */
 void shader_reload_revert(struct shader_reload *reload);
 
-/* Returns a one-line compilation error, or "" if none; valid until shader_reload_take(). */
+/* Returns a one-line compilation error, or "". The text is valid until shader_reload_take(). */
 const char *shader_reload_message(const struct shader_reload *reload);
 
-/* Callback that gives executors the reloaded shaders; `user` is a struct shader_reload. */
+/* Callback by which executors get reloaded shaders. `user` must be a struct shader_reload. */
 rg_replace_shader_fn shader_reload_replace;
 
 #endif

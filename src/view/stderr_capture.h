@@ -1,5 +1,5 @@
-/* stderr_capture.h: captures error messages written to stderr, so that the window can show them.
- * Other threads may log at any time. */
+/* stderr_capture.h: captures error messages written to stderr, to be shown in the window. All
+ * threads may log during the capture. */
 #ifndef FIRN_VIEW_STDERR_CAPTURE_H
 #define FIRN_VIEW_STDERR_CAPTURE_H
 
@@ -17,8 +17,8 @@ struct stderr_capture {
     char line[STDERR_CAPTURE_SIZE]; /* last error, without "firn: " */
 };
 
-/* Starts capturing text written to stderr; the text is still printed. Does nothing on failure. The
- * struct must not move until stderr_capture_end(). */
+/* Starts to capture text written to stderr, which is still printed. On failure, nothing is
+ * captured. The struct must not move until stderr_capture_end(). */
 void stderr_capture_begin(struct stderr_capture *capture);
 void stderr_capture_end(struct stderr_capture *capture); /* restores stderr; {0} is fine */
 

@@ -1,5 +1,5 @@
 /*
- * undo_scenes.h: scenes that the viewer has shown and left, kept so that undo can return to them.
+ * undo_scenes.h: scenes shown earlier in the viewer, kept so that undo can show them again.
  */
 #ifndef FIRN_VIEW_UNDO_SCENES_H
 #define FIRN_VIEW_UNDO_SCENES_H
@@ -15,15 +15,15 @@ struct undo_scene {
     char *name, *environment; /* strings of `state`, owned */
 };
 
-/* Saves the viewport's scene under a number, replacing an older scene with that number. Logs and
- * returns STATUS_TRY_AGAIN when out of memory. */
+/* Saves the viewport's scene under a number. Replaces an older scene with that number. If out of
+ * memory, logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status undo_scenes_add(struct undo_scene **list, uint32_t number,
                                      const struct viewport *now);
 
 /* Returns the scene saved under this number; NULL if there is none. */
 const struct undo_scene *undo_scenes_find(const struct undo_scene *list, uint32_t number);
 
-/* Frees the scenes that no state of the undo stack refers to; all scenes if `stack` is NULL. */
+/* Frees the scenes to which no state of `stack` refers. If `stack` is NULL, frees all scenes. */
 void undo_scenes_prune(struct undo_scene **list, const struct undo_stack *stack);
 
 #endif

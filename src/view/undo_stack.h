@@ -1,6 +1,6 @@
-/* undo_stack.h: undo stack of the viewer's settings, refraction model and comparison. Each state is
- * stored whole. Panels are not part of a state; a camera is restored only when undo returns to
- * another scene (undo_scenes.h). */
+/* undo_stack.h: undo stack of the viewer's settings, refraction model and comparison. Each entry is
+ * a whole state. States do not include panels. A camera is restored only if undo returns to another
+ * scene (undo_scenes.h). */
 #ifndef FIRN_VIEW_UNDO_STACK_H
 #define FIRN_VIEW_UNDO_STACK_H
 
@@ -46,8 +46,8 @@ struct undo_stack {
 
 bool undo_stack_same_state(const struct view_state *a, const struct view_state *b);
 
-/* Pushes a state and drops all states that could be redone. States pushed with the same `gesture`,
- * unless it is 0, replace each other, so that a slider drag is undone in one step. */
+/* Pushes a state and drops all states that could be redone. If `gesture` is not 0 and is that of
+ * the newest state, replaces that state: undo then reverts a whole slider drag in one step. */
 void undo_stack_push(struct undo_stack *stack, const struct view_state *state, uint32_t gesture);
 
 /* Makes the previous or next state current and returns it; NULL if there is none. */

@@ -44,7 +44,7 @@ static bool make_folder(char *path)
     return mkdir(path, 0700) == 0 || errno == EEXIST;
 }
 
-/* Returns firn's folder `name` in the XDG base directory that `variable` names, or below HOME. */
+/* Returns firn's folder `name` in the folder given by the XDG variable, or else below HOME. */
 static char *firn_folder(const char *variable, const char *below_home, const char *name, bool make)
 {
     const char *given = getenv(variable);

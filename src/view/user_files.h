@@ -5,23 +5,23 @@
 
 #include <stdbool.h>
 
-/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets", and creates it if `make`. Returns
+/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets". With `make`, creates it. Returns
  * NULL, without logging, if HOME is not set, creation fails or memory runs out. */
 char *user_files_presets(bool make);
 
 char *user_files_sessions(bool make); /* folder of session files, "$XDG_DATA_HOME/firn/sessions" */
 
-/* Returns the folder of persistent state such as recent files, "$XDG_STATE_HOME/firn". */
+/* Returns the folder for state such as recent files, "$XDG_STATE_HOME/firn". */
 char *user_files_state(bool make);
 
 /* Returns the first unused file name "STEM-0001.ENDING" in a folder; NULL on failure. */
 char *user_files_new(const char *folder, const char *stem, const char *ending);
 
-/* Returns the path of file i, sorted by name, with one of the extensions; NULL after the last. */
+/* Returns the path of file i with one of the extensions, in order of names; NULL after the last. */
 char *user_files_at(const char *folder, const char *const *endings, unsigned i);
 
-/* Returns the built-in scene or, for a file, the model in the same folder that follows `path` by
- * name (`step` 1) or precedes it (`step` -1), wrapping around. NULL if there is no other. */
+/* Returns the next (`step` 1) or previous (-1) model in the folder of `path`, by name, wrapping
+ * around. For a built-in name, returns a built-in scene. Returns NULL if there is no other. */
 char *user_files_next_model(const char *path, int step);
 
 #endif

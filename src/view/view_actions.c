@@ -72,7 +72,7 @@ void view_move_divider(struct view *v, double to)
     v->viewport->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
-/* Sets the camera. A change of projection replaces the renderers, which support only one kind. */
+/* Sets the camera. If the projection changes, replaces the renderers. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {
     struct viewport *p = v->viewport;
@@ -162,7 +162,7 @@ static void set_theme(struct view *v, uint32_t theme)
     window_set_background(&v->window, theme_at(v->theme)->surround);
 }
 
-/* Handles the actions of the window and its panels. Returns true if `action` is one of these. */
+/* Handles actions that concern the window or its panels. Returns false for other actions. */
 static bool change_window(struct view *v, enum view_action action)
 {
     if (action == VIEW_FULLSCREEN)

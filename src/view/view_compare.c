@@ -27,7 +27,7 @@ static struct comparison_image *side_b_image(struct view *v)
                                                         : NULL;
 }
 
-/* Returns true if samples of the current renderers are displayed; new renderers have none yet. */
+/* Returns true if samples of the current renderers are displayed, false if there are none yet. */
 static bool is_at_rest(const struct view *v)
 {
     return v->progressive.shown_count &&
@@ -36,8 +36,8 @@ static bool is_at_rest(const struct view *v)
 
 /* ---- choice of side B ---- */
 
-/* Returns the default refraction model of side B: that of --split; otherwise the last (most exact)
- * one or, if side A uses that one, the first. */
+/* Returns the default refraction model of side B. This is the model of --split, if given. Otherwise
+ * it is the last (most exact) model; if side A uses that, the first one. */
 static const struct technique *side_b_refraction(const struct view *v)
 {
     const struct technique *last = NULL, *next;
@@ -212,7 +212,7 @@ static void begin_reference_job(struct view *v)
     c->reference_failed = !reference_job_begin(&c->reference_job, &request, &shot);
 }
 
-/* Runs the reference while the image is still, and stops it when the view or scene changes. */
+/* Runs the reference job while the image is at rest. Stops it if the view or scene changes. */
 static void follow_reference_job(struct view *v)
 {
     struct view_compare *c = &v->compare;
@@ -247,7 +247,7 @@ static uint32_t count_of(const struct view *v)
     return v->progressive.shown_count + (other << 16);
 }
 
-/* Fills in the two images to compare. Returns false if one is missing or if their sizes differ. */
+/* Fills in the two images to compare. Returns false if one is missing or their sizes differ. */
 static bool find_sides(struct view *v, struct flip_error_map_image sides[static 2])
 {
     const struct viewport *p = v->viewport;
@@ -275,7 +275,7 @@ static bool is_compared(const struct view *v)
            !(gain < c->flip_map_gain || gain > c->flip_map_gain);
 }
 
-/* Returns true if the error map is outdated and the sample count is 2^n or the last one. */
+/* Returns true if the error map is outdated and the sample count is the last or a power of 2. */
 static bool is_due(const struct view *v)
 {
     const uint32_t shown = v->progressive.shown_count;

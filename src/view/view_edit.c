@@ -106,8 +106,8 @@ static enum status return_to_scene(void *user)
     return viewport_apply_state(&v->viewport, &state);
 }
 
-/* Reopens the scene of a state if another scene is open. The camera is restored only if the model
- * differs, not if only the environment does. */
+/* Reopens the scene of a state if another scene is open. Restores the camera if the state has
+ * another model; another environment does not affect the camera. */
 static enum status return_to(struct view *v, const struct view_state *state)
 {
     struct change change = { v, state };
@@ -155,7 +155,7 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     return status == STATUS_OK;
 }
 
-/* Writes to `words` why a change took longer than a frame; "" if it did not. */
+/* Writes to `words` why a change took longer than a frame. Writes "" if it was faster. */
 static void print_cost(const struct view_state *before, const struct view_state *after,
                        double seconds, char *words, size_t size)
 {
@@ -170,8 +170,8 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-/* Marks the settings that the user has set: those in `marked` (may be NULL), and those that differ
- * from `before` unless the new value is the scene's own. */
+/* Marks the settings that the user has set. These are the settings in `marked` (may be NULL) and
+ * the settings that differ from both `before` and the scene's value. */
 static void state_settings(const struct view *v, struct view_state *state,
                            const struct settings *before, const bool *marked)
 {
@@ -272,7 +272,7 @@ void view_load_preset(struct view *v, const char *path)
     ui_show_message(v->ui, words);
 }
 
-/* Prints settings that have their default value although the scene would set another one. */
+/* Prints the settings that have default values where the scene would set other values. */
 static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
 {
     const struct settings scene_settings = view_scene_settings(v);
@@ -377,7 +377,7 @@ static void load(struct view *v, struct opening *opening)
     view_frame_stats_exclude(&v->frame_stats, start);
 }
 
-/* Opens any kind of file. On failure, which is logged, the current scene stays. */
+/* Opens any kind of file. On failure, logs an error and leaves the current scene open. */
 void view_open(struct view *v, const char *path)
 {
     struct opening opening = { .view = v, .path = path };

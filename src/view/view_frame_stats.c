@@ -91,7 +91,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns a quantile of the recorded times, in milliseconds; `fraction` 0.5 is the median. */
+/* Returns a quantile of the recorded times, in milliseconds. For the median, `fraction` is 0.5. */
 static double quantile(const struct view_time_ring *times, double fraction)
 {
     struct view_time_ring sorted = *times;

@@ -27,7 +27,7 @@ struct view_time_ring {
     uint32_t count; /* measurements in total */
 };
 
-/* Frame times in seconds. The sums omit the first frames, in which shaders are compiled. */
+/* Frame times in seconds. The sums omit the first frames, because shaders are compiled in them. */
 struct view_frame_stats {
     uint32_t frame_count;
     double last_end;                          /* 0 if there is none */
@@ -50,11 +50,11 @@ void view_frame_stats_limit(struct view_frame_stats *stats, double start);
 /* Excludes the time until the next frame, since nothing was drawn for a while. */
 void view_frame_stats_pause(struct view_frame_stats *stats);
 
-/* Ends a frame; takes the newest GPU times of each plan and the presentation time in seconds. */
+/* Ends a frame. Records the newest GPU times of each plan, and the presentation time in seconds. */
 void view_frame_stats_end(struct view_frame_stats *stats, const struct rg_times *times,
                           uint32_t time_count, double presentation);
 
-/* Starts latency measurements at the times of mouse movement and release, seconds; 0 if none. */
+/* Starts latency measurements at the last mouse movement and release, seconds; 0 if none. */
 void view_frame_stats_input(struct view_frame_stats *stats, double moved, double released);
 
 /* Records that the ended frame shows a new image: interactive if `is_moving`, else in full size. */

@@ -14,7 +14,7 @@ static bool has_moved(const struct window_drag *drag)
     return drag->x != 0.0 || drag->y != 0.0;
 }
 
-/* Counts a mouse drag as one action per button press, however often the mouse moves. */
+/* Counts a mouse drag as one action, even if the mouse moves many times until it is released. */
 static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
 {
     uint32_t *hold = &v->counted_presses[gesture - VIEW_DRAG];
@@ -85,7 +85,7 @@ static void open_dropped(struct view *v)
     free(path);
 }
 
-/* Switches to recompiled shaders; keeps the previous ones if no pipelines can be created. */
+/* Switches to recompiled shaders. If pipelines cannot be created, keeps the previous shaders. */
 static void take_shaders(struct view *v)
 {
     const double start = clock_seconds();

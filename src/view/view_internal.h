@@ -90,7 +90,7 @@ void view_fail(struct view *view, const char *what);
 void view_show_ui(struct view *view, bool shown);
 void view_update_layout(struct view *view, VkExtent2D size); /* `size` of the window, pixels */
 
-/* Returns the frame data of the window. `list` is the draw list of the user interface, or NULL. */
+/* Returns the frame data of the window. `list` is the user interface's draw list (may be NULL). */
 struct window_frame view_window(const struct view *view, const struct overlay_draw_list *list);
 
 /* ---- view_actions.c: actions ---- */
@@ -104,13 +104,13 @@ void view_move_divider(struct view *view, double to); /* `to`: fraction of the i
 
 struct view_state view_state_now(const struct view *view);
 
-/* Records that another scene has been opened; undo can then return to the state `before`. */
+/* Records that another scene was opened, so that undo can return to the state `before`. */
 void view_enter_scene(struct view *view, const struct view_state *before);
 
 /* Returns the settings of the scene without changes by the user. */
 struct settings view_scene_settings(const struct view *view);
 
-/* Applies a state. Returns false if that fails, which is reported; the previous state is kept. */
+/* Applies a state. On failure, reports it, keeps the previous state and returns false. */
 bool view_apply_state(struct view *view, const struct view_state *state);
 
 /* Applies a state and pushes it to the undo stack. Returns false on failure. */
@@ -121,7 +121,7 @@ void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` 
 void view_load_preset(struct view *view, const char *path);
 void view_save_preset(struct view *view);
 
-/* Opens a model, environment, preset, session or image, depending on the kind of the file. */
+/* Opens a model, environment, preset, session or image. The kind of file is detected. */
 void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
@@ -129,7 +129,7 @@ void view_open(struct view *view, const char *path);
 /* Sets side B in `state`. Selects a refraction model if VIEW_SIDE_B_STATE has no stored state. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
-/* Shows side B of a state. On failure, which is logged, nothing changes. */
+/* Shows side B of a state. On failure, logs an error and changes nothing. */
 MUST_USE enum status view_compare_use(struct view *view, const struct view_state *state);
 
 /* Stops the reference job. Must be called before the scene or the settings change. */
@@ -152,7 +152,7 @@ void view_compare_follow(struct view *view);
 /* Shows new results of the comparison's jobs in the viewport. */
 MUST_USE enum status view_compare_show(struct view *view);
 
-/* Writes a label for each side; `right` is empty without a comparison. */
+/* Writes labels for the left and right sides. Without a comparison, `right` is set to "". */
 void view_compare_print(const struct view *view, char left[static VIEW_SIDE_SIZE],
                         char right[static VIEW_SIDE_SIZE]);
 
@@ -161,13 +161,13 @@ void view_compare_print(const struct view *view, char left[static VIEW_SIDE_SIZE
 /* Handles all input since the last call. */
 void view_handle_input(struct view *view);
 
-/* Runs the panels if they are shown, and carries out what the user chose in them. */
+/* Runs the panels if they are shown, and does what the user chose in them. */
 void view_run_ui(struct view *view, VkExtent2D size);
 
 /* ---- view_light_drag.c: light ---- */
 
-/* Rotates the lighting about the vertical axis or, if `is_sun`, moves the sun alone. `right` and
- * `down` are fractions of the window height. Shows the reason if the light cannot be rotated. */
+/* Rotates the lighting about the vertical axis. If `is_sun`, moves only the sun. `right` and `down`
+ * are fractions of the window height. If the light cannot be rotated, shows why. */
 void view_rotate_light(struct view *view, double right, double down, bool is_sun);
 
 void view_add_exposure(struct view *view, double stops); /* adds stops to the exposure */
@@ -178,8 +178,8 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
-/* Copies scene, settings and refraction model of a session to a state, which borrows the strings.
- * view_resume_session() restores the rest once the viewport shows that state. */
+/* Copies scene, settings and refraction model of a session to a state. The state borrows the
+ * strings. After the viewport shows that state, view_resume_session() restores the rest. */
 void view_apply_session(const struct session_file *session, struct app_image *state);
 MUST_USE enum status view_resume_session(struct view *view, const struct session_file *session);
 
@@ -191,13 +191,13 @@ void view_save_session(struct view *view);
 /* Creates draft renderers if they are needed. Call after drawing the first image. */
 MUST_USE enum status view_progressive_begin(struct view *view);
 
-/* Draws a changed view as a frame of an interaction, at reduced size. */
+/* Draws a view that has changed, at the reduced size for interaction. */
 MUST_USE enum status view_progressive_draw(struct view *view, const struct renderer_shot *shot);
 
-/* If the view is at rest, draws or prepares the next sample. *drew is false if nothing was done. */
+/* If the view is at rest, prepares or draws the next sample. *drew is false if nothing was done. */
 MUST_USE enum status view_progressive_step(struct view *view, bool *drew);
 
-/* Returns the seconds until samples may be drawn; negative if all samples have been drawn. */
+/* Returns the seconds until the next sample may be drawn. Negative if no samples remain. */
 double view_progressive_wait(const struct view *view);
 
 /* Estimates the seconds until all samples are drawn; 0 if done or unknown. */
@@ -213,10 +213,10 @@ void view_inspect(struct view *view);
 
 /* ---- view_screenshot.c: screenshots ---- */
 
-/* Saves or copies the image as requested. Logs failures and continues. */
+/* Saves the image or copies it to the clipboard, as requested. Failures are only logged. */
 void view_take_screenshot(struct view *view);
 
-/* Writes the files of --screenshot at exit; PNG files include the panels with --overlay on. */
+/* Writes the files of --screenshot at exit. With --overlay on, PNG files include the panels. */
 MUST_USE enum status view_write_outputs(struct view *view);
 
 #endif

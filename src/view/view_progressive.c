@@ -158,7 +158,7 @@ static enum status draw_full_draft(struct view *v)
 }
 
 /* Prepares the next sample: creates draft renderers, replaces renderers if viewport_is_outgrown(),
- * or draws a full-size draft. *drew is false if none of these was necessary. */
+ * or draws a full-size draft. If nothing was necessary, *drew is false. */
 static enum status prepare(struct view *v, bool *drew)
 {
     struct view_progressive *r = &v->progressive;

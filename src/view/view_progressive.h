@@ -1,6 +1,6 @@
-/* view_progressive.h: progressive refinement: fast frames during interaction, samples at rest. The
- * view is identified by value (camera, time, settings, renderers), so samples accumulate until one
- * of these really changes. */
+/* view_progressive.h: progressive refinement: fast frames during interaction, samples at rest.
+ * Samples accumulate until camera, time, settings or renderers change. Changes are detected by
+ * value. */
 #ifndef FIRN_VIEW_VIEW_PROGRESSIVE_H
 #define FIRN_VIEW_VIEW_PROGRESSIVE_H
 

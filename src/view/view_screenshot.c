@@ -66,7 +66,7 @@ static void copy_image_to_clipboard(struct view *v)
                         "the image was not copied: install xclip or wl-clipboard, or save it (P)");
 }
 
-/* Renders and saves the image in the requested size, or in its size in the window if none is. */
+/* Renders and saves the image in the requested size. By default, this is the size in the window. */
 static enum status save_screenshot(struct view *v, const char *const *paths, uint32_t path_count)
 {
     struct app_image *state = &v->viewport->state;
@@ -82,7 +82,7 @@ static enum status save_screenshot(struct view *v, const char *const *paths, uin
     return status;
 }
 
-/* Saves a screenshot or copies the image, as requested. Never overwrites existing files. */
+/* Saves or copies the image as requested. Never overwrites existing files. */
 void view_take_screenshot(struct view *v)
 {
     char png[NAME_SIZE];

@@ -47,7 +47,7 @@ static bool shows_panels(const struct app_options *o)
            (is_interactive && o->view.overlay == APP_OVERLAY_AUTO);
 }
 
-/* Returns the window size for an image of --size; a window with panels is limited to `room`. */
+/* Returns the window size for an image of --size. With panels, the size is limited to `room`. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;
@@ -141,7 +141,7 @@ static enum status open_ui(struct view *v)
     return STATUS_OK;
 }
 
-/* Frees everything that belongs to the device; window, scene, settings and camera stay. */
+/* Frees everything that belongs to the device. Window, scene, settings and camera remain. */
 static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
@@ -212,8 +212,8 @@ static enum status resize(void *user)
     return viewport_resize(v->viewport, v->requested_size);
 }
 
-/* Resizes the renderer to the image area. While the user drags the window's edge, the last image is
- * shown scaled, because replacing the renderer takes longer than a frame. */
+/* Resizes the renderer to the image area. While the window's edge is dragged, scales the last image
+ * instead, because replacing the renderer takes longer than a frame. */
 static enum status fit_image(struct view *v, bool window_changed)
 {
     const struct viewport *p = v->viewport;
@@ -294,7 +294,7 @@ static struct renderer_shot shot_now(const struct view *v)
     return (struct renderer_shot){ .camera = v->viewport->camera, .time = view_time(v) };
 }
 
-/* Poses an animated model for the current time; pauses if its file cannot be read any more. */
+/* Poses an animated model for the current time. Pauses if the model cannot be read any more. */
 static void pose(struct view *v)
 {
     const double start = clock_seconds();
@@ -367,7 +367,7 @@ static enum status draw(struct view *v, bool *ready)
     return presenter_end(&v->presenter, &window);
 }
 
-/* Adds the files named by options to the recent files, except in scripted runs with --frames. */
+/* Adds files named in options to the recent files, unless --frames is given (scripted runs). */
 static void remember(const struct view *v)
 {
     const char *environment = v->initial_state.scene.environment;
@@ -449,8 +449,8 @@ static enum status run_frame(struct view *v)
     return v->frame_stats.frame_count == 1 ? view_progressive_begin(v) : STATUS_OK;
 }
 
-/* Performs the slow part of the first frame on the worker thread: creates the renderers and draws
- * once, so that the driver compiles the shaders. */
+/* Performs the slow part of the first frame on the worker thread. Creates the renderers and draws
+ * once to compile the shaders. */
 static enum status warm_up(void *user)
 {
     struct view *v = user;
@@ -500,7 +500,7 @@ static enum status begin(struct view *v)
     return status == STATUS_OK ? begin_device(v) : status;
 }
 
-/* Reopens the device once after it was lost; any other error is passed on. */
+/* After a lost device, reopens the device once. Returns other errors unchanged. */
 static enum status recover(struct view *v, enum status status)
 {
     const bool has_ui = v->ui;

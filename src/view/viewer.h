@@ -4,7 +4,7 @@
 
 #include "src/app/app.h"
 
-/* Runs until the user closes the window, or for the options' number of frames. Logs errors. */
+/* Runs the viewer until its window is closed or the frames of --frames are drawn. Logs errors. */
 enum status viewer_run(const struct app_options *options);
 
 #endif

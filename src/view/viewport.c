@@ -126,8 +126,8 @@ struct renderer_params viewport_right_params(struct viewport *p)
     return params;
 }
 
-/* If side B's settings require another scene, loads it into p->side_b_scene, in side A's pose;
- * otherwise sets p->side_b_scene to NULL. Does not free the previous scene. */
+/* Sets p->side_b_scene to NULL or, if side B's settings require another scene, to a scene loaded in
+ * the pose of side A. Does not free the previous scene. */
 static enum status make_right_scene(struct viewport *p)
 {
     struct app_scene given = p->state.scene;
@@ -153,8 +153,8 @@ static enum status make_right_scene(struct viewport *p)
     return status;
 }
 
-/* Updates a renderer to new parameters. Creates a new one if there is none, or if there is not
- * enough memory for the old and the new plan at once. */
+/* Updates a renderer to new parameters. Creates a new renderer if there is none, or if memory is
+ * too small for the old and the new plan at once. */
 static enum status fit_renderer(const struct viewport *p, struct renderer_params params,
                                 struct renderer **renderer)
 {
@@ -218,7 +218,7 @@ enum status viewport_rebuild(struct viewport *p)
     return p->renderer ? fit_renderers(p) : STATUS_OK;
 }
 
-/* Recreates the renderers of the restored state; if that fails, viewport_resize() tries again. */
+/* Recreates the renderers of the restored state. If this fails, viewport_resize() retries. */
 static enum status restore(struct viewport *p, enum status status)
 {
     (void)fit_renderers(p);
@@ -439,7 +439,7 @@ bool viewport_is_posed(const struct viewport *p, float time)
     return !(requested < p->scene.time || requested > p->scene.time);
 }
 
-/* Applies the file's camera of the current pose, unless the user has moved the camera. */
+/* Applies the file's camera for the current pose, unless the user has moved the camera. */
 static enum status follow_camera(struct viewport *p)
 {
     struct camera camera;
@@ -468,7 +468,7 @@ enum status viewport_pose(struct viewport *p, float time)
 
 /* ---- changes ---- */
 
-/* Replaces *viewport by a new viewport with renderers of the same size; destroys the old one. */
+/* Replaces *viewport by a new one with renderers of the same size. Destroys the old viewport. */
 static enum status replace(struct viewport **viewport, const struct app_image *state,
                            bool keep_camera)
 {
@@ -524,7 +524,7 @@ static bool same_frame(const struct viewport *p, const struct app_image *a,
     const struct settings other = viewport_with_exposure(&a->scene.settings, &b->scene.settings);
     if (!memcmp(&other, &b->scene.settings, sizeof(other)))
         return true;
-    /* the environment cube keeps the lighting of the old settings unless it is redrawn */
+    /* an environment cube that is not redrawn has the old lighting */
     return frame_draws_cube(&a->scene.settings, &p->scene) &&
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
@@ -548,7 +548,7 @@ enum status viewport_change(struct viewport **viewport, const struct app_scene *
     if (!p->renderer || same_frame(p, &before, &requested))
         return STATUS_OK;
     const enum status status = viewport_rebuild(p);
-    *remade = true; /* true even on failure, as renderers may have been replaced */
+    *remade = true; /* renderers may have been replaced even on failure */
     if (status == STATUS_OK)
         return status;
     p->state = before;

@@ -54,22 +54,22 @@ struct viewport {
 };
 
 struct shader_reload;
-/* Creates a viewport and loads its scene. `reload` and the strings of `state` must outlive it. */
+/* Creates a viewport and loads the scene. Borrows `reload` and the strings of `state`. */
 MUST_USE enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
                                      const struct app_image *state, struct shader_reload *reload,
                                      bool quiet, bool refines);
 void viewport_destroy(struct viewport *viewport); /* may be NULL; waits for frames */
 
-/* Frees all device resources; viewport_upload() then uploads the scene to a reopened device. Until
- * an upload succeeds, only viewport_upload() and viewport_destroy() are allowed. */
+/* Frees all device resources. When the device is reopened, call viewport_upload(). Until that
+ * succeeds, only viewport_upload() and viewport_destroy() are allowed. */
 void viewport_leave_device(struct viewport *viewport); /* may be NULL */
 MUST_USE enum status viewport_upload(struct viewport *viewport);
 
-/* Creates the renderers or changes them to this size. On failure, there are no renderers. */
+/* Creates the renderers, or resizes them. On failure, there are no renderers. */
 MUST_USE enum status viewport_resize(struct viewport *viewport, VkExtent2D size);
 
-/* Applies other settings and another refraction model. *remade is true if the renderer, and so
- * renderer_display_image(), was replaced. A reloaded scene keeps the camera. */
+/* Applies settings and refraction model. *remade is true if the renderer was replaced; old results
+ * of renderer_display_image() are then invalid. A reloaded scene keeps the camera. */
 MUST_USE enum status viewport_change(struct viewport **viewport, const struct app_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
@@ -79,15 +79,15 @@ MUST_USE enum status viewport_change(struct viewport **viewport, const struct ap
  * are dropped, unless the user has changed them. */
 MUST_USE enum status viewport_load(struct viewport **viewport, const char *path, bool *remade);
 
-/* Applies a whole state with its camera at the current size. On failure, nothing changes. */
+/* Applies a whole state, including the camera, at the current size. On failure, nothing changes. */
 MUST_USE enum status viewport_apply_state(struct viewport **viewport,
                                           const struct app_image *state);
 
 /* Returns `settings` with the exposure of `of`, to compare settings regardless of exposure. */
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);
 
-/* Shows another refraction model as side B, or ends the split if `refraction` is NULL. Copies
- * `settings`; without them, side B uses those of side A. On failure nothing changes. */
+/* Shows another refraction model as side B; NULL ends the split. Copies `settings`. If `settings`
+ * is NULL, side B uses the settings of side A. On failure, nothing changes. */
 MUST_USE enum status viewport_split(struct viewport *viewport, const struct technique *refraction,
                                     const struct settings *settings);
 
@@ -99,15 +99,15 @@ MUST_USE enum status viewport_rotate_panorama(struct viewport *viewport, float d
 /* Returns true if a camera movement has changed the result of renderer_draws_beyond_image(). */
 bool viewport_is_outgrown(struct viewport *viewport);
 
-/* Updates the renderers after shaders, projection or viewport_is_outgrown() have changed. On
+/* Updates the renderers after a change of shaders, projection or viewport_is_outgrown(). On
  * failure, there are no renderers until viewport_resize() creates them. */
 MUST_USE enum status viewport_rebuild(struct viewport *viewport);
 
-/* Returns true if the model has the pose of this time, seconds, or is not animated. */
+/* Returns true if the model is not animated or has the pose of `time`, seconds. */
 bool viewport_is_posed(const struct viewport *viewport, float time);
 
-/* Poses an animated model and frees the renderers, which viewport_resize() recreates. If the file
- * cannot be read, nothing changes. An animated camera is followed unless the user moved it. */
+/* Poses an animated model and frees the renderers; call viewport_resize() next. If the file cannot
+ * be read, nothing changes. The file's camera animation applies until the user moves the camera. */
 MUST_USE enum status viewport_pose(struct viewport *viewport, float time);
 
 /* Call renderer_draw() or renderer_wait() for the renderers of both sides. */
@@ -118,7 +118,7 @@ MUST_USE enum status viewport_wait(struct viewport *viewport);
 MUST_USE enum status viewport_draw_interactive(struct viewport *viewport,
                                                const struct renderer_shot *shot, VkExtent2D view);
 
-/* Returns true if draft renderers are missing but needed; viewport_create_draft() creates them. */
+/* Returns true if draft renderers are needed but missing. viewport_create_draft() creates them. */
 bool viewport_wants_draft(const struct viewport *viewport);
 MUST_USE enum status viewport_create_draft(struct viewport *viewport,
                                            const struct renderer_shot *shot);
@@ -128,7 +128,7 @@ MUST_USE enum status viewport_refine(struct viewport *viewport, const struct ren
                                      uint32_t sample);
 MUST_USE enum status viewport_resolve(struct viewport *viewport, uint32_t sample_count);
 
-/* Returns the renderer of the displayed left or right image; NULL for `right` if not split. */
+/* Returns the renderer of the left or right image. Without a split, the right one is NULL. */
 const struct renderer *viewport_renderer(const struct viewport *viewport, bool right);
 
 /* Returns the GPU time of the last frame's passes, in seconds. */
@@ -138,20 +138,20 @@ VkImage viewport_right(const struct viewport *viewport);     /* as on the left u
 VkExtent2D viewport_extent(const struct viewport *viewport); /* size of the left image, pixels */
 VkExtent2D viewport_right_extent(const struct viewport *viewport); /* size of the right image */
 
-/* Returns the first column of the divider, or PRESENT_NO_LINE if not split. */
+/* Returns the pixel column where the divider begins; PRESENT_NO_LINE without a split. */
 uint32_t viewport_divider_column(const struct viewport *viewport);
 
 /* Returns the allowed range of the camera's distance from its target, metres. */
 void viewport_camera_range(const struct viewport *viewport, float *nearest, float *farthest);
 
 struct signals;
-/* Renders the image as `firn render` does, with all samples and layers of the state, and writes it
- * to each path with firn's metadata; the extension selects the format. Of a split view, a PNG file
- * shows both sides with the divider, and NAME.exr becomes NAME-left.exr and NAME-right.exr. */
+/* Renders the image with all samples and layers, as `firn render` does, and writes it with metadata
+ * to each path. The extension selects the format. Of a split view, PNG files show both sides with
+ * the divider; EXR files are written per side, as NAME-left.exr and NAME-right.exr. */
 MUST_USE enum status viewport_save(struct viewport *viewport, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes `drawn`, which must have `rgba` and one sample, to a PNG file with firn's metadata. */
+/* Writes an image with `rgba` and one sample to a PNG file with firn's metadata. */
 MUST_USE enum status viewport_save_drawn(struct viewport *viewport, float time, const char *path,
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);

@@ -1,4 +1,4 @@
-/* viewport_save.c: writes the viewport's image to files: PNG, or EXR per side of a split view. */
+/* viewport_save.c: writes the viewport's image to PNG files, or to one EXR file per side. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,7 +62,7 @@ static enum status write_file(struct viewport *p, const struct output *output, c
     return status;
 }
 
-/* Writes one side to a file with its suffix: NAME.exr becomes NAME-left.exr. */
+/* Writes one side to a file. The side's suffix changes NAME.exr to, for example, NAME-left.exr. */
 static enum status write_side(struct viewport *p, const struct side *side, const char *path,
                               struct signals *stop)
 {
@@ -111,7 +111,7 @@ static enum status draw_side(struct viewport *p, struct side *side,
     return status;
 }
 
-/* Copies the part right of the divider from `right`, and draws the divider as present.frag does. */
+/* Copies the pixels right of the divider from `right`. Draws the divider like present.frag. */
 static void copy_right_side(uint8_t *rgba, const uint8_t *right, uint32_t width, uint32_t height,
                             uint32_t line)
 {

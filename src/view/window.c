@@ -32,8 +32,8 @@ static void add_action(struct window *w, enum view_action action)
         w->input.actions[w->input.action_count++] = action;
 }
 
-/* Returns the character that a key types without modifiers on this keyboard layout; GLFW reports no
- * characters while Ctrl is held. */
+/* Returns the character that a key types without modifiers on this keyboard layout. While Ctrl is
+ * held, GLFW reports no characters. */
 static unsigned typed_character(int key, int code)
 {
     const char *name = glfwGetKeyName(key, code);
@@ -82,7 +82,7 @@ static bool holds(GLFWwindow *handle, int left, int right)
     return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
 }
 
-/* Returns the drag that mouse movement counts for; this depends on the button, Ctrl and Shift. */
+/* Returns the drag to which mouse movement is added, given the button, Ctrl and Shift. */
 static struct window_drag *current_drag(struct window *w)
 {
     const bool shift = holds(w->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
@@ -177,7 +177,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->drags_divider) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
-    w->cursor_x = x; /* not from glfwGetCursorPos(), which may be newer than this event */
+    w->cursor_x = x; /* glfwGetCursorPos() may be newer than this event */
     w->cursor_y = y;
     const double pixels = scale * window_size(w).height;
     if (notify(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
@@ -200,7 +200,7 @@ static void on_wheel(GLFWwindow *handle, double x, double y)
         w->input.wheel += y;
 }
 
-/* Keeps the first of the dropped files; the viewer opens one file at a time. */
+/* Keeps only the first dropped file, because the viewer opens one file at a time. */
 static void on_drop(GLFWwindow *handle, int count, const char **paths)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
@@ -235,8 +235,8 @@ static void on_minimise(GLFWwindow *handle, int minimised)
     on_refresh(handle);
 }
 
-/* Queries the size from the window system. This waits until all earlier requests are processed, so
- * it is too slow to do in every frame. */
+/* Queries the size from the window system. Too slow for every frame, because the reply comes only
+ * after all earlier requests are processed. */
 static void query_size(struct window *w)
 {
     int width;
@@ -260,7 +260,7 @@ static void listen(struct window *w)
     glfwSetWindowRefreshCallback(w->handle, on_refresh);
 }
 
-/* Resizes the window to a framebuffer size; screen coordinates may be coarser than pixels. */
+/* Resizes the window to a framebuffer size. Screen coordinates may be coarser than pixels. */
 static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
 {
     const VkExtent2D size = window_size(w);
@@ -273,7 +273,7 @@ static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
                       (int)((double)height * window_height / size.height + 0.5));
 }
 
-/* Returns the work area of a monitor, without the desktop's panels and docks; 0x0 if not known. */
+/* Returns a monitor's area without the desktop's panels and docks; 0x0 if unknown. */
 static VkExtent2D find_work_area(GLFWmonitor *monitor)
 {
     int work_area[4] = { 0 };
@@ -292,7 +292,7 @@ static VkExtent2D choose_size(const struct window_params *params, VkExtent2D roo
     return params->fit(params->user, fmaxf(scale[0], scale[1]), room);
 }
 
-/* Subtracts title bar and borders, which window managers report before the window is shown. */
+/* Subtracts title bar and borders. Window managers report these before the window is shown. */
 static VkExtent2D without_frame(struct window *w, VkExtent2D room)
 {
     int left, top, right, bottom;
@@ -304,8 +304,8 @@ static VkExtent2D without_frame(struct window *w, VkExtent2D room)
                : room;
 }
 
-/* Connects to the window system. Without a Wayland session, requests X11, because GLFW 3.4 also
- * tries Wayland, whose library would then print an error. */
+/* Connects to the window system. Without a Wayland session, requests X11. Otherwise GLFW 3.4 would
+ * also try Wayland, and the Wayland library would print an error. */
 static bool connect_system(void)
 {
 #ifdef GLFW_PLATFORM

@@ -1,8 +1,7 @@
 /*
  * window.h: platform window on GLFW: creation, input events, full screen, Vulkan surface. Only
- * window.c and window_x11.c call GLFW functions.
- *
- * Errors are logged on one line with GLFW's description and returned as STATUS_NO_DEVICE.
+ * window.c and window_x11.c call GLFW. Errors are logged with GLFW's description and returned as
+ * STATUS_NO_DEVICE.
  */
 #ifndef FIRN_VIEW_WINDOW_H
 #define FIRN_VIEW_WINDOW_H
@@ -17,7 +16,7 @@ enum {
     WINDOW_ACTION_COUNT = 32, /* maximum between two calls of window_take_input() */
 };
 
-/* Distance of a mouse drag to the right and down, as fractions of the window height. */
+/* Distance of a mouse drag to the right and down, in window heights. */
 struct window_drag {
     double x, y;
 };
@@ -78,8 +77,8 @@ struct window {
     int left, top, width, height; /* rectangle to restore after full screen */
 };
 
-/* Returns the window size in pixels. `scale` is that of the user interface; `room` is the available
- * work area, 0x0 if not known. */
+/* Returns the window size in pixels. `scale` is the scale of the user interface. `room` is the
+ * available work area, 0x0 if unknown. */
 typedef VkExtent2D window_fit_fn(void *user, float scale, VkExtent2D room);
 
 struct window_params {
@@ -89,19 +88,19 @@ struct window_params {
     uint32_t background; /* colour of undrawn areas, 0xRRGGBB */
 };
 
-/* Opens the window and shows it empty at once; `fit` chooses its framebuffer size, which the
- * desktop may change. *window must not move afterwards. */
+/* Opens the window and shows it empty at once. `fit` chooses the framebuffer size, but the desktop
+ * may change the size. *window must not be moved afterwards. */
 MUST_USE enum status window_init(struct window *window, const struct window_params *params);
 
 void window_set_background(struct window *window, uint32_t color);
 
-/* Closes the window; also works if *window is zeroed or partly initialised. */
+/* Closes the window. *window may be zeroed or partly initialised. */
 void window_finish(struct window *window);
 
-/* Returns the desktop's content scale: 2 if everything is drawn twice as large. */
+/* Returns the desktop's content scale. At 2, everything is drawn twice as large. */
 float window_scale(const struct window *window);
 
-/* Copies text to the clipboard, where it stays at least as long as the window exists. */
+/* Copies text to the clipboard. The text stays there at least until the window is closed. */
 void window_copy(struct window *window, const char *text);
 
 void window_title(struct window *window, const char *title);
@@ -115,13 +114,13 @@ void window_wait(struct window *window, double seconds);
 /* Makes window_wait() return; may be called from any thread. */
 void window_wake(void);
 
-/* Sets the event listener, which immediately gets the current cursor position. */
+/* Sets the event listener and immediately sends it the current cursor position. */
 void window_set_listener(struct window *window, window_listen_fn *function, void *listener);
 
 /* Returns the accumulated input and clears it. */
 struct window_input window_take_input(struct window *window);
 
-/* Returns the last dropped file and forgets it; NULL if none. The caller frees the path. */
+/* Returns the path of the last dropped file, once; NULL if none. The caller frees the path. */
 char *window_take_dropped(struct window *window);
 
 /* Returns true once the user has requested to close the window. */
@@ -132,7 +131,7 @@ VkExtent2D window_size(const struct window *window);
 
 void window_toggle_fullscreen(struct window *window);
 
-/* Returns the extensions and callbacks that gpu_create() needs; valid while the window exists. */
+/* Returns the extensions and callbacks for gpu_create(). They are valid until window_finish(). */
 MUST_USE enum status window_system(const struct window *window, struct gpu_window_system *system);
 MUST_USE enum status window_surface(const struct window *window, const struct gpu *gpu,
                                     VkSurfaceKHR *surface);

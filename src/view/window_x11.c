@@ -1,6 +1,6 @@
-/* window_x11.c: sets background and gravity of GLFW's X11 windows, and handles X errors. GLFW sets
- * neither, so newly exposed areas flash in the window manager's colour, often white. X11 symbols
- * are looked up at run time, because GLFW may be built without X11. */
+/* window_x11.c: sets background and gravity of GLFW's X11 windows, and handles X errors. Without a
+ * background, newly exposed areas flash in the window manager's colour. X11 symbols are looked up
+ * at run time, because GLFW may be built without X11. */
 #include "src/view/window_x11.h"
 #ifdef WINDOW_X11
 #include <X11/Xlib.h>
@@ -13,7 +13,7 @@ typedef Window get_window_fn(struct GLFWwindow *window);
 typedef int change_fn(Display *, Window, unsigned long, XSetWindowAttributes *);
 typedef XErrorHandler set_handler_fn(XErrorHandler handler);
 
-/* Converts between object and function pointers, which ISO C does not allow by a cast. */
+/* Converts object pointers to function pointers. ISO C does not allow a cast for that. */
 union symbol {
     void *address;
     get_display_fn *get_display;
@@ -22,7 +22,7 @@ union symbol {
     set_handler_fn *set_handler;
 };
 
-/* Returns GLFW's X display and the window's id; NULL and 0 if GLFW does not use X11. */
+/* Returns GLFW's X display and the window's id. Returns NULL and 0 if GLFW does not use X11. */
 static Display *find(struct GLFWwindow *window, Window *id)
 {
     void *program = dlopen(NULL, RTLD_LAZY);

@@ -48,7 +48,7 @@ static void *map(void *user, uint32_t index, size_t size)
     return s->memory;
 }
 
-/* Discards queued errors, such as of a closed window, and events that every X client gets. */
+/* Discards queued errors and events. X sends some events to every client. */
 static void forget_events(struct window_x11_shm *c)
 {
     xcb_generic_event_t *event;
@@ -100,7 +100,7 @@ static bool has_extension(xcb_connection_t *x, const char *name)
     return is_there;
 }
 
-/* Returns the visual with this id; NULL if the screen has none. */
+/* Returns the visual with this id; NULL if the screen does not have it. */
 static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visualid_t visual_id)
 {
     xcb_depth_iterator_t depth = xcb_screen_allowed_depths_iterator(screen);

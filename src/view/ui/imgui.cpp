@@ -89,8 +89,8 @@ static void set_theme(float scale, const theme &theme)
     style.WindowMinSize = ImVec2(1.0f, 1.0f); /* Dear ImGui rejects less */
 }
 
-/* Runs one empty frame, so that Dear ImGui gives the initial focus to its fallback window instead
- * of the first panel, then clears the focus. */
+/* Runs one empty frame, then clears the focus. Dear ImGui gives the first focus to the fallback
+ * window of that frame; otherwise the first panel would get it. */
 static void lose_first_focus()
 {
     ImGui::GetIO().DisplaySize = ImVec2(1.0f, 1.0f);
@@ -265,7 +265,7 @@ static overlay_draw_command clip(const ImDrawCmd &command, const ImDrawData *dat
     return part;
 }
 
-/* Appends a draw list, adding `base` to its vertex indices. Returns false if `list` is full. */
+/* Appends a draw list, with `base` added to each vertex index. Returns false if `list` is full. */
 static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index_count,
                           uint32_t *indices, overlay_draw_list *list)
 {

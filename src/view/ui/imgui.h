@@ -67,8 +67,8 @@ struct imgui_input {
 
 struct imgui;
 
-/* Creates the only Dear ImGui context. An empty font path selects the built-in bitmap font. Call
- * imgui_rescale() next. Returns NULL when out of memory. */
+/* Creates the only Dear ImGui context. An empty font path selects the built-in bitmap font. Returns
+ * NULL if out of memory. Next, call imgui_rescale(). */
 struct imgui *imgui_create(const struct system_font *font);
 
 /* Thumbnails for imgui_thumbnail_button() buttons. */
@@ -81,21 +81,21 @@ struct imgui_thumbnails {
 /* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
 void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails);
 
-/* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Not allowed
- * within a frame. Returns false if the font cannot be read; the built-in font is then used. */
+/* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Must not be
+ * called within a frame. If the font cannot be read, uses the built-in font and returns false. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
 void imgui_destroy(struct imgui *ui);                              /* may be NULL */
 
-/* Returns the font atlas, RGBA: white letters with coverage in alpha, and opaque thumbnails. Valid
- * until imgui_rescale() or imgui_destroy(). */
+/* Returns the font atlas as RGBA. Letters are white with coverage in alpha; thumbnails are opaque.
+ * The atlas is valid until imgui_rescale() or imgui_destroy(). */
 const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
 
 void imgui_begin(struct imgui *ui, const struct imgui_input *input);
 void imgui_end(struct imgui *ui);
 
-/* Writes the draw list of the last frame to buffers of OVERLAY_*_COUNT elements. Returns false if
- * they are too small; the rest is then omitted. */
+/* Writes the last frame's draw list to buffers of OVERLAY_*_COUNT elements. If these are too small,
+ * omits the rest of the list and returns false. */
 bool imgui_copy_draw_list(const struct imgui *ui, struct overlay_vertex *vertices,
                           uint32_t *indices, struct overlay_draw_list *list);
 
@@ -171,8 +171,8 @@ bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, 
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 
-/* Widgets that edit a value; they return true if the user has changed it. `format` is a printf
- * format for one float or unsigned. */
+/* Widgets that edit a value. They return true if the user has changed the value. `format` is a
+ * printf format for one float or unsigned. */
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);

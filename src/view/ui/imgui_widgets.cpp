@@ -70,7 +70,7 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Records the last item by its label, or by the text after "##" if the label is at most 2 bytes. */
+/* Records the last item. Its name is the label; for short labels, the text after "##". */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -145,8 +145,8 @@ void imgui_next_width(float width)
     ImGui::SetNextItemWidth(width);
 }
 
-/* Focuses the next text field. In Dear ImGui 1.90, SetKeyboardFocusHere() fails if another panel
- * has the focus, so focus() sets it after the widget is drawn. */
+/* Gives the next text field the focus. The focus is set after the field is drawn, by focus(): in
+ * Dear ImGui 1.90, SetKeyboardFocusHere() fails if another panel has the focus. */
 void imgui_next_focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900
@@ -247,7 +247,7 @@ static bool is_within_character(const char *at)
     return (*at & 0xc0) == 0x80;
 }
 
-/* Shortens a text in the middle, because names mostly differ near their start or end. */
+/* Shortens a text in the middle. Names mostly differ near the start or the end. */
 void imgui_text_elided(const char *text, float width)
 {
     const char *end = text + strlen(text);

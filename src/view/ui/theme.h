@@ -1,6 +1,6 @@
 /* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. The contrast
- * with the surface below is at least 4.5 for text, and 3 for marks and borders (WCAG 2.1, 1.4.3 and
- * 1.4.11); a test verifies the contrasts. */
+ * with the background is at least 4.5 for text, and at least 3 for marks and borders. These are the
+ * limits of WCAG 2.1 (1.4.3, 1.4.11). */
 #ifndef FIRN_VIEW_UI_THEME_H
 #define FIRN_VIEW_UI_THEME_H
 

@@ -224,8 +224,8 @@ bool ui_toggle(struct ui *ui, enum view_action action)
 
 /* ---- input ---- */
 
-/* Handles a click on the image. With the inspector open, a click without a drag pins the pixel
- * under the cursor or unpins it. */
+/* Handles a click on the image. If the inspector is open, a click without a drag pins the pixel
+ * under the cursor, or unpins a pinned pixel. */
 static void handle_click(struct ui *ui, bool down)
 {
     const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);
@@ -274,7 +274,7 @@ static bool handle_palette_key(struct ui *ui, const struct window_event *event)
     return true;
 }
 
-/* Returns true for Ctrl shortcuts of text fields; all other Ctrl shortcuts stay viewer actions. */
+/* Returns true for the Ctrl shortcuts of text fields. Other Ctrl shortcuts are viewer actions. */
 static bool is_for_text(const struct window_event *event)
 {
     return event->code == GLFW_KEY_A || event->code == GLFW_KEY_C || event->code == GLFW_KEY_V ||
@@ -283,7 +283,7 @@ static bool is_for_text(const struct window_event *event)
            event->code == GLFW_KEY_BACKSPACE || event->code == GLFW_KEY_DELETE;
 }
 
-/* Handles a key. Returns true if the focused panel uses it; other keys control the viewer. */
+/* Handles a key. Returns true if the focused panel uses the key, false if the viewer should. */
 static bool handle_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;

@@ -1,6 +1,6 @@
 /* ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
- * shortcuts. It receives input events first (ui_handle_event) and consumes those meant for panels.
- * While hidden, it costs no time and consumes no events. */
+ * shortcuts. Input events go to ui_handle_event() first, which consumes those meant for panels.
+ * Hidden panels cost no time and consume no events. */
 #ifndef FIRN_VIEW_UI_UI_H
 #define FIRN_VIEW_UI_UI_H
 
@@ -18,8 +18,8 @@
 
 struct ui;
 
-/* Creates the user interface. `scale` multiplies all sizes; `thumbnails` must outlive it. Logs
- * errors and, unless `quiet`, a note if only the built-in font is available. */
+/* Creates the user interface. `scale` multiplies all sizes. `thumbnails` must outlive the ui. Logs
+ * errors. Unless `quiet`, also logs if only the built-in font is available. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
                                const struct theme *theme, const struct ui_thumbnails *thumbnails,
                                bool quiet);
@@ -34,8 +34,8 @@ bool ui_is_shown(const struct ui *ui);
 bool ui_is_busy(const struct ui *ui);
 
 bool ui_drags_image(const struct ui *ui); /* the user drags the image */
-/* Returns true if a frame of an image drag need not update the panels, because they were updated
- * recently. Only the frame times that panels show change during a drag. */
+/* Returns true if the panels need not be updated in this frame, because an image is being dragged
+ * and the last update was recent. During a drag, only the displayed frame times change. */
 bool ui_can_skip_frame(const struct ui *ui, double now);
 
 /* Changes the scale and replaces ui_font(). No frame may still use the old font. */
@@ -43,8 +43,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets a text file from which scripts read the panels. Each line has left, top, width, height
- * (pixels) and label of an item; a line that begins with four zeros counts an action instead. */
+/* Sets a text file that describes the panels to scripts. A line has left, top, width and height in
+ * pixels and the label of an item. Lines that begin with four zeros count actions instead. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -95,7 +95,7 @@ struct ui_request {
     const struct technique *split; /* model of side B, or NULL */
 };
 
-/* Shows or hides the panel that belongs to an action. Returns true if it is now shown. */
+/* Shows or hides the panel that belongs to an action. Returns true if the panel is now shown. */
 bool ui_toggle(struct ui *ui, enum view_action action);
 
 /* Requests a frame although there was no input. */
@@ -103,20 +103,20 @@ void ui_wake(struct ui *ui);
 
 void ui_close_inspector(struct ui *ui);
 
-/* Shows a message in the status bar until the next one; messages that do not fit are truncated. */
+/* Shows a message in the status bar until the next message. Text that does not fit is cut off. */
 void ui_show_message(struct ui *ui, const char *message);
 
-/* Shows an error message in red in the status bar; the message should include advice. */
+/* Shows an error in red in the status bar. The message should advise the user what to do. */
 void ui_show_failure(struct ui *ui, const char *message);
 
-/* Shows an error in red until the next call; "" removes it. */
+/* Shows an error in red until the next call of ui_set_error(). "" removes the error. */
 void ui_set_error(struct ui *ui, const char *message);
 
 /* Runs the panels for one frame; call it before drawing that frame. */
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
-/* Fills the buffers of OVERLAY_*_COUNT elements and returns the draw list, owned by the ui. The
- * list is empty while the panels are hidden. */
+/* Fills the buffers of OVERLAY_*_COUNT elements. Returns the draw list, which the ui owns. It is
+ * empty while the panels are hidden. */
 const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_vertex *vertices,
                                                   uint32_t *indices);
 

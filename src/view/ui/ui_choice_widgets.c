@@ -10,7 +10,7 @@ enum {
 static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
 
-/* Draws the label of a control on the left; the control itself starts at `x`. */
+/* Draws the label on the left of a control that starts at `x`. */
 static void head(const char *name, float x, const char *tip)
 {
     imgui_indent(8.0f * imgui_scale());

@@ -87,7 +87,7 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     p->count += e->distance != UI_FUZZY_MATCH_NONE;
 }
 
-/* Compares by distance; entries of equal distance keep their order. */
+/* Compares the match distances of two entries; if equal, their original positions. */
 static int compare(const void *a, const void *b)
 {
     const struct entry *x = *(const struct entry *const *)a;
@@ -112,7 +112,7 @@ static void collect_files(struct palette *p)
     }
 }
 
-/* Adds entries that save the image in common sizes, or in the size that the user has typed. */
+/* Adds entries that save the image in a common size or in a size that the user typed. */
 static void collect_sizes(struct palette *p)
 {
     static const VkExtent2D sizes[] = { { 1920, 1080 }, { 3840, 2160 }, { 2048, 2048 } };

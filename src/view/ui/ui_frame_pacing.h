@@ -2,7 +2,7 @@
 #ifndef FIRN_VIEW_UI_UI_FRAME_PACING_H
 #define FIRN_VIEW_UI_UI_FRAME_PACING_H
 
-/* Times of one frame, or running means, in seconds. device, screen and limit may overlap. */
+/* Times of one frame, or running means, in seconds. The intervals may overlap. */
 struct ui_frame_pacing {
     double frame;  /* between the starts of two frames */
     double device; /* device time, or waiting for it */

@@ -62,7 +62,7 @@ static uint32_t whole(const char *text, const char *word, size_t length)
     return distance;
 }
 
-/* Counts the letters of `text` between matched letters of `word`; word[wrong] is not compared. */
+/* Counts the skipped letters of `text` between matched letters of `word`. Ignores word[wrong]. */
 static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t count = 0;
@@ -82,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Returns the match distance if the letters of `word` occur in order, beginning at the start of a
- * word of `text`; UI_FUZZY_MATCH_NONE if not, or if too many letters lie between them. */
+/* Returns the match distance if `text` contains the letters of `word` in order and the first one
+ * begins a word. Returns UI_FUZZY_MATCH_NONE otherwise, or if too many letters are skipped. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;

@@ -85,7 +85,7 @@ bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip);
 
-/* Returns the name of built-in environment i, of which 0 is "sky"; NULL after the last. */
+/* Returns the name of built-in environment i, NULL after the last. The first is "sky". */
 const char *ui_environment(uint32_t i);
 
 struct imgui_rect ui_rect_of(VkRect2D rectangle);

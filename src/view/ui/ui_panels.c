@@ -113,7 +113,7 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-/* Returns the thumbnail, or UI_THUMBNAIL_NONE if the panel is not high enough for thumbnails. */
+/* Returns the thumbnail; UI_THUMBNAIL_NONE if the panel is too low for thumbnails. */
 static uint32_t thumbnail_if_high(const struct ui *ui, const struct ui_view *view,
                                   uint32_t thumbnail)
 {
@@ -145,7 +145,7 @@ static void refraction_lists(const struct ui *ui, const struct ui_view *view,
     list_side_b(view, request, names, count + 1);
 }
 
-/* Draws the material presets; the current one is recognised by its refractive index alone. */
+/* Draws a button for each material preset. The refractive index tells which one is current. */
 static void material_buttons(const struct ui *ui, const struct ui_view *view,
                              struct ui_request *request)
 {
@@ -236,7 +236,7 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     imgui_scroll_end();
 }
 
-/* Shows the memory used by the image's plan, and the log of slow changes with their reasons. */
+/* Shows the memory used by the image's plan, and a log of slow changes and their causes. */
 static void show_costs(const struct ui_view *view)
 {
     const struct renderer *renderer = viewport_renderer(view->viewport, false);
@@ -308,8 +308,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
     ui->focus_search = false;
 }
 
-/* Draws the shortcut list in the middle of the window, in two columns if it is wide enough. Row
- * spacing adapts to the window's height; if that is not enough, the list scrolls. */
+/* Draws the shortcut list in the middle of the window, in two columns if these fit. In low windows,
+ * rows are closer together, and the list scrolls if necessary. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
     const char *name;

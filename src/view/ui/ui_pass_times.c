@@ -149,7 +149,7 @@ static void bar(const struct ui_pass_times_row *row, double most)
     imgui_text(text);
 }
 
-/* Returns the name of a frame's longest pass, or a note if the newest plan lacks that pass. */
+/* Returns the name of a frame's longest pass. If the newest plan lacks it, returns a note. */
 static const char *name_longest(const struct ui_pass_times *times,
                                 const struct ui_pass_times_frame *frame)
 {
@@ -191,8 +191,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the frame time at the top of the chart, in milliseconds: the longest, but at most 3 times
- * the median, so that a frame in which shaders were compiled does not flatten all others. */
+/* Returns the time at the top of the chart in milliseconds: the longest frame time, but at most 3
+ * times the median. Shader compilation may make a single frame extremely long. */
 static double height_of(const struct ui_pass_times *times, uint32_t count, double most)
 {
     double sums[UI_PASS_TIMES_FRAME_COUNT];

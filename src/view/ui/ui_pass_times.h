@@ -32,17 +32,17 @@ struct ui_pass_times {
     uint32_t frame_count; /* frames recorded in total */
 };
 
-/* Returns a hash of a pass name, which gives the pass the same colour in all plans. */
+/* Returns a hash of a pass name. A pass has the same hash, and thus colour, in all plans. */
 uint32_t ui_pass_times_key(const char *name);
 
-/* Adds the pass times of a frame, unless they were not measured or have already been added. If the
- * plan changes, the means restart, but the history stays. */
+/* Adds the pass times of a frame. Times that are missing or already added are ignored. If the plan
+ * has changed, the means restart; the history remains. */
 void ui_pass_times_add(struct ui_pass_times *times, const struct rg_plan *plan,
                        const struct rg_times *frame);
 
 double ui_pass_times_sum(const struct ui_pass_times *times); /* milliseconds */
 
-/* Returns the GPU milliseconds of the frame `ago` frames before the newest; negative if none. */
+/* Returns the GPU time of the frame `ago` frames before the newest, ms; negative if none. */
 double ui_pass_times_frame(const struct ui_pass_times *times, uint32_t ago);
 
 /* Draws the panel; `what` names the measured plan. */

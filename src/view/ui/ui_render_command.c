@@ -102,7 +102,7 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Returns true if effects that only ice has are on by default; --material would turn them off. */
+/* Returns true if ice-only effects are on by default. The option --material turns them off. */
 static bool has_default_inclusions(const struct settings *settings)
 {
     const struct settings defaults = settings_default();
@@ -116,7 +116,7 @@ static bool has_default_inclusions(const struct settings *settings)
 }
 
 /* Prints --material or refract.ior, unless the refractive index is the default or the model's. For
- * a file, a given --material is always printed, as it also decides which parts are refractive. */
+ * files, a given --material is always printed, because it also selects the refractive parts. */
 static void print_ior(FILE *out, const struct ui_render_command *c)
 {
     const struct setting *row =

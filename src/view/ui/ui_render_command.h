@@ -1,6 +1,6 @@
-/* ui_render_command.h: prints the `firn render` command that reproduces the viewer's image (side A
- * of a split view), quoted for a shell and without default options. With env_cube.dynamic=off, the
- * environment cube may differ, as it is rendered at the command's scene time. */
+/* ui_render_command.h: prints the `firn render` command that reproduces the viewer's image. Of a
+ * split view, that is side A. The command is quoted for a shell; default options are omitted. With
+ * env_cube.dynamic=off, the environment cube may differ: it depends on the scene time. */
 #ifndef FIRN_VIEW_UI_UI_RENDER_COMMAND_H
 #define FIRN_VIEW_UI_UI_RENDER_COMMAND_H
 
@@ -13,8 +13,8 @@ struct ui_render_command {
     float time; /* scene time, seconds */
 };
 
-/* Returns one line, malloc'd, without newline; NULL if out of memory, which is logged. A camera
- * with roll is levelled, with a warning, because no option describes roll. */
+/* Returns one line, malloc'd, without newline. If out of memory, logs and returns NULL. Warns if
+ * the camera has roll, which no option can describe. The printed camera is level. */
 char *ui_render_command_print(const struct ui_render_command *command);
 
 #endif

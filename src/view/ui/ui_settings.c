@@ -98,7 +98,7 @@ static uint32_t choice_count(const struct setting *row)
     return count;
 }
 
-/* Draws the widget of a setting. Returns true if it was changed; *value is then in range. */
+/* Draws the widget of a setting. Returns true if the user has set *value to another valid value. */
 static bool widget(const struct setting *row, const char *label, double *value)
 {
     const enum ui_widget kind = ui_settings_widget(row);
@@ -150,7 +150,7 @@ static void describe(const struct setting *row, char *text, size_t size)
         snprintf(text, size, "%s: %s%s", row->name, row->help, effects[row->affects]);
 }
 
-/* Draws a setting's label, with a mark if its value was changed; the widget starts at `x`. */
+/* Draws a setting's label on the left of a widget that starts at `x`. Marks changed settings. */
 static void head(const struct setting *row, bool changed, float x)
 {
     const struct theme *theme = imgui_theme();

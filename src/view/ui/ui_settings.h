@@ -1,5 +1,5 @@
-/* ui_settings.h: settings panel: generates a widget for every setting from its table row. All
- * drawing functions return true if the user has changed a setting. */
+/* ui_settings.h: settings panel with a widget for every setting. All drawing functions return true
+ * if the user has changed a setting. */
 #ifndef FIRN_VIEW_UI_UI_SETTINGS_H
 #define FIRN_VIEW_UI_UI_SETTINGS_H
 
@@ -17,7 +17,7 @@ enum ui_widget {
 /* Returns the kind of widget for a setting. */
 enum ui_widget ui_settings_widget(const struct setting *row);
 
-/* Settings edited by the user, and the scene's original settings, to which they can be reset. */
+/* Settings edited by the user, and the scene's original settings for the reset buttons. */
 struct ui_settings {
     struct settings *current;
     const struct settings *defaults;
@@ -30,10 +30,10 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
 bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_group group,
                          bool *open);
 
-/* Draws the settings of a group. A button toggles *more, which also shows the less useful ones. */
+/* Draws the settings of a group. A button toggles *more, which shows less useful settings. */
 bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
-/* Returns true if each word of `query` occurs in name, label, help, group or synonyms. */
+/* Returns true if each word of `query` occurs in the setting's name, texts, group or synonyms. */
 bool ui_settings_match(const struct setting *row, const char *query);
 
 /* Draws the settings of all groups that match `query`. */

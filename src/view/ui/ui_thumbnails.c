@@ -9,7 +9,7 @@
 #include "src/scene/material.h"
 #include "src/tech/techniques.h"
 
-/* Thumbnails in both sheets have this size in texels, twice their size on screen at scale 1. */
+/* Size of the thumbnails in both sheets, in texels: twice the size on screen at scale 1. */
 static const struct sheet_grid grid = { .columns = SHEET_COLUMNS, .width = 128, .height = 96 };
 
 static size_t texel_count(uint32_t count)

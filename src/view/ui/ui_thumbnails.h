@@ -1,5 +1,5 @@
-/* ui_thumbnails.h: thumbnails of materials and refraction models for their buttons, installed as
- * sheets drawn by `firn sheet`; see assets/README.md. */
+/* ui_thumbnails.h: thumbnails of materials and refraction models for buttons. They are installed as
+ * sheets, which `firn sheet` draws; see assets/README.md. */
 #ifndef FIRN_VIEW_UI_UI_THUMBNAILS_H
 #define FIRN_VIEW_UI_UI_THUMBNAILS_H
 
@@ -8,15 +8,15 @@
 
 #define UI_THUMBNAIL_NONE UINT32_MAX
 
-/* Thumbnails of all material presets, followed by all refraction models, in the order of their
- * tables. All zero if there are none; buttons then show labels only. */
+/* Thumbnails of all material presets, followed by those of all refraction models, in table order.
+ * All members are 0 if there are none; buttons then show labels only. */
 struct ui_thumbnails {
     struct imgui_thumbnails list;
     uint8_t *rgba; /* texels of `list` */
     uint32_t material_count;
 };
 
-/* Reads the sheets. On failure, which is logged, there are no thumbnails. */
+/* Reads the sheets. On failure, logs and leaves the thumbnails empty. */
 void ui_thumbnails_load(struct ui_thumbnails *thumbnails, const struct reader_params *reader);
 void ui_thumbnails_finish(struct ui_thumbnails *thumbnails); /* {0} is fine */
 
