@@ -79,8 +79,8 @@ static inline bool example_write(const char *path, const unsigned char *rgba, Vk
     return fclose(file) == 0;
 }
 
-/* Renders `frame_count` frames, then writes the buffer `pixels` of the last one to an image file.
- * Calls `advance` with `frame` before each submit, unless `advance` is NULL. */
+/* Renders `frame_count` frames and writes the buffer `pixels` of the last one to an image file.
+ * Before each submit, calls `advance` with `frame`. `advance` may be NULL. */
 static inline bool example_draw(struct rg_exec *exec, struct rg_frame *frame, uint32_t frame_count,
                                 void (*advance)(struct rg_frame *frame),
                                 const struct rg_buffer *pixels, VkExtent2D view, const char *path)

@@ -35,7 +35,7 @@
 extern "C" {
 #endif
 
-/* Limits of pass tables, supported by every device, or every desktop device (RG_COLOR_COUNT). */
+/* Limits of pass tables. Every device supports them; RG_COLOR_COUNT, every desktop device. */
 enum {
     RG_COLOR_COUNT = 8,        /* maximum colour attachments per pass */
     RG_ALL_MIPS = UINT16_MAX,  /* full mip chain, for rg_image.mips */
@@ -177,7 +177,7 @@ struct rg_use {
     uint16_t element;
     bool texels;  /* storage texel buffer, of rg_buffer.format */
     bool partial; /* write preserves some earlier content */
-    /* for RG_SAMPLED: fragments read only their own texel, so rg_exec_set_region() can draw less */
+    /* each fragment reads only its own texel (RG_SAMPLED); rg_exec_set_region() then draws less */
     bool same_texel;
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     /* placeholder for a missing single-sample image; if NULL, a missing image is a fault */
@@ -192,13 +192,13 @@ struct rg_target {
     const struct rg_image *image; /* NULL: no attachment */
     enum rg_load load;            /* content when the pass begins */
     VkClearValue clear;           /* for RG_LOAD_CLEAR; depth 0 to 1 */
-    /* mip level and layer to draw to; in a repeated pass, those of the first repetition. Later
-     * ones advance one of the two if the image has several */
+    /* mip level and layer to draw to, in a repeated pass for the first repetition. Later
+     * repetitions advance one of the two if the image has several */
     uint32_t mip, layer;
     enum rg_blend blend; /* blend mode of a colour target */
     /* custom blend state instead of `blend`, which must be 0; no dual-source blending */
     const VkPipelineColorBlendAttachmentState *blend_state;
-    /* image that receives the averaged samples of a colour target; of the same format and size */
+    /* image of the same format and size that receives the averaged samples of a colour target */
     const struct rg_image *resolve;
     uint32_t resolve_mip, resolve_layer; /* as `mip` and `layer`, of `resolve` */
 };
@@ -217,7 +217,7 @@ struct rg_set {
     const char *name; /* required; for messages and dumps */
 };
 
-/* Element of a linked list of vertex buffer layouts, which are those of bindings 0, 1 and so on. */
+/* Layout of one vertex buffer, in a linked list in the order of bindings, which start at 0. */
 struct rg_vertex_layout {
     uint32_t stride;          /* bytes, at most RG_MAX_STRIDE */
     uint32_t attribute_count; /* number of `attributes` */
@@ -316,7 +316,7 @@ struct rg_import {
     VkDeviceSize size;              /* actual bytes; 0 means as declared */
 };
 
-/* A resource whose content is needed after the frame, which leaves it in the state for `access`. */
+/* A resource that is needed after the frame. The frame leaves it in the state for `access`. */
 struct rg_output {
     const struct rg_image *image;   /* set either this or `buffer` */
     const struct rg_buffer *buffer; /* set either this or `image` */
@@ -362,8 +362,8 @@ struct rg_size {
     VkExtent2D extent; /* texels */
 };
 
-/* Input of rg_compile(), all borrowed. `memory` and the tables must outlive the plan; the arrays of
- * techniques, outputs, imports and sizes, and the device, are only read by rg_compile(). */
+/* Input of rg_compile(), all borrowed. `memory` and the tables must outlive the plan. The device
+ * and the arrays of techniques, outputs, imports and sizes are not read after the call. */
 struct rg_compile_params {
     const struct rg_technique *const *techniques; /* in execution order */
     size_t technique_count;

@@ -64,10 +64,10 @@ RG_API void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle);
 /* Dispatches x * y * z workgroups of the pass's compute shader. */
 RG_API void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 
-/* Draw or dispatch with parameters from a buffer that the pass declares as RG_INDIRECT. At byte
- * `offset`, a multiple of 4, it holds one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand
- * (overrides the mesh's index_count) or VkDispatchIndirectCommand. `firstInstance` must be 0 unless
- * the device feature drawIndirectFirstInstance is enabled. */
+/* Draw or dispatch with parameters from a buffer that the pass declares as RG_INDIRECT. The buffer
+ * has one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand (overrides the mesh's index_count) or
+ * VkDispatchIndirectCommand at byte `offset`, a multiple of 4. `firstInstance` must be 0 unless the
+ * device feature drawIndirectFirstInstance is enabled. */
 RG_API void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                  VkDeviceSize offset);
 RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
@@ -107,8 +107,8 @@ RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buff
 
 /* ---- acceleration structures ---- */
 
-/* Return a buffer's acceleration structure, owned by the executor, or (rg_cmd_address) the device
- * address of a buffer for a structure, build input or scratch. The pass must declare the buffer. */
+/* Return the acceleration structure in a buffer (owned by the executor), and the device address of
+ * a buffer for structures, build input or scratch. The pass must declare the buffer. */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
@@ -118,8 +118,8 @@ RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_
 /* Returns the command buffer being recorded, for direct Vulkan calls. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
-/* Return the VkImage or VkBuffer (that of the frame slot) of a resource that the pass declares,
- * owned by the executor. A use that is bound to its fallback has no image. */
+/* Return the VkImage, or the frame slot's VkBuffer, of a resource that the pass declares. The
+ * executor owns it. A use that is bound to its fallback has no image. */
 RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
 RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 

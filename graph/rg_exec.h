@@ -102,7 +102,7 @@ struct rg_exec_params {
 
 struct rg_exec; /* an executor of one plan */
 
-/* Creates an executor, which the caller destroys; NULL on failure, with *result (optional) set. */
+/* Creates an executor, which the caller destroys. Returns NULL on failure; `result` may be NULL. */
 RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
 
 /*
@@ -153,7 +153,7 @@ RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer
 /* A region of the view, for tiled rendering of images that are too large to draw at once. */
 struct rg_exec_region {
     VkRect2D region; /* nonempty; at most max_region texels */
-    /* area of the view, of any size, from which fragments sample texels other than their own */
+    /* area of the view, of any size, in which fragments may sample texels of other fragments */
     VkRect2D reach;
 };
 

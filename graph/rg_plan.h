@@ -43,7 +43,7 @@ struct rg_plan_buffer {
     VkDeviceSize offset, memory_size; /* bytes; 0 in host memory */
 };
 
-/* A memory allocation in which transient images, or transient buffers, alias. */
+/* A memory allocation that transient images share, or that transient buffers share. */
 struct rg_block {
     VkDeviceSize size, alignment; /* bytes */
     uint32_t type_bits;           /* mask of allowed memory types */
@@ -113,8 +113,8 @@ struct rg_plan {
     const struct rg_plan_buffer *buffers;
     const struct rg_barrier *barriers;                 /* per frame, followed by initial ones */
     uint32_t first_final_barrier, final_barrier_count; /* one batch, after the last pass */
-    /* Barriers to record once, before the first frame and after zero-filling persistent resources
-     * (in TRANSFER_DST_OPTIMAL). Not counted in batch_count. */
+    /* Barriers to record once, after zero-filling persistent resources (images in
+     * TRANSFER_DST_OPTIMAL layout) and before the first frame. Not counted in batch_count. */
     uint32_t first_initial_barrier, initial_barrier_count;
     const struct rg_plan_use *uses;        /* contiguous for each pass */
     const struct rg_use *const *fallbacks; /* uses bound to their placeholder */

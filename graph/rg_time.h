@@ -62,7 +62,7 @@ struct rg_times {
     uint64_t whole;  /* from start to end */
 };
 
-/* Returns true if a clock works. All need `measured`; those with timestamps need queue support. */
+/* Returns true if a clock works. Clocks need `measured`; timestamps also need queue support. */
 RG_API bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock);
 
 /* Sets what frames measure, from the next rg_exec_begin() on. A clock that cannot be used counts as

@@ -179,7 +179,7 @@ static const VkPipelineStageFlags2 stages_of_kind[] = {
     [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
 };
 
-/* Returns the kind of a pass; an invalid value counts as compute. */
+/* Returns the kind of a pass. Invalid kinds are treated as compute. */
 static enum rg_kind kind_of(const struct rg_pass *pass)
 {
     return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;

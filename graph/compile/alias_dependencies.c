@@ -1,6 +1,6 @@
-/* alias_dependencies.c: finds the accesses that must finish before a transient resource may reuse
- * memory: those of earlier owners of the same bytes in this frame, and of all owners in the
- * previous frame. Earlier barriers do not help, since each covers only one resource. */
+/* alias_dependencies.c: finds which accesses must finish before a transient resource may reuse
+ * memory. In this frame, these are accesses of earlier owners of the same bytes. In the previous
+ * frame, they are those of all owners. Earlier barriers cover only one resource each. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
@@ -9,7 +9,7 @@ enum {
     MAX_SEGMENTS = 256
 };
 
-/* Byte range of a memory block, up to the next segment's `begin`, and the last accesses to it. */
+/* Part of a memory block, with the last accesses. Extends up to the next segment's `begin`. */
 struct segment {
     VkDeviceSize begin;
     struct previous_owner pending;
@@ -50,7 +50,7 @@ static bool covers(const struct previous_owner *a, const struct previous_owner *
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Splits segments at the ends of an item, and records the item's last accesses in its segments. */
+/* Splits segments where an item begins and ends. Records the item's last accesses in its range. */
 static void record_accesses(struct segments *s, const struct pack_item *item,
                             const struct previous_owner *pending)
 {
@@ -82,7 +82,7 @@ static struct previous_owner *owner_of(const struct compiler *c, const struct pa
     return &c->owners[item->resource->item];
 }
 
-/* Finds, for each item of a block, the last earlier pass that used any of the same bytes. */
+/* For each item of a block, finds the last earlier pass that used any of the item's bytes. */
 static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
                       uint32_t count)
 {
@@ -120,7 +120,7 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
         common.stages &= owner->stages;
         common.writes &= owner->writes;
     }
-    /* without aliasing each item is its own previous owner */
+    /* without aliasing, the previous owner of an item's memory is the item itself */
     if (c->params->sharing == RG_SHARE_NOTHING)
         return;
     s->items[0].pending = common;

@@ -25,11 +25,11 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* Returns a copy of `array` with doubled capacity, at least `min_room`, or `array` on failure. */
+/* Copies an array to one of twice the capacity, at least `min_room`. Returns `array` on failure. */
 void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t min_room,
                     size_t element_size);
 
-/* Ensures room for one more element at array[count]; false if out of memory. */
+/* Ensures room for an element at array[count]. Evaluates to false if out of memory. */
 #define ARENA_ROOM(arena, array, count, room, min_room) \
     ((count) < (room) || \
      ((array) = rg_arena_grow((arena), (array), &(room), (min_room), sizeof(*(array))), \

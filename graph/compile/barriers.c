@@ -13,7 +13,7 @@
 #include <assert.h>
 #include "graph/compile/subresource_state.h"
 
-/* Stores the newest batch's barrier range in its pass, or in the plan if it follows all passes. */
+/* Stores the newest batch's range of barriers in its pass or, after the last pass, in the plan. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -69,7 +69,7 @@ static bool merge(struct compiler *c, uint32_t before)
     return true;
 }
 
-/* Merges the barriers of a resource from index `start` on, newest first, as far as possible. */
+/* Merges a resource's barriers with indices from `start` on where possible, newest first. */
 static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
 {
     while (c->barrier_count >= start + 2 && merge(c, c->barrier_count - 2))
@@ -98,7 +98,7 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
-/* Adds the barrier at c->barrier_count to the newest batch, or begins one at pass `deadline`. */
+/* Adds the barrier at c->barrier_count to the newest batch, or to a new one at pass `deadline`. */
 static void append_barrier(struct compiler *c, const struct cell_walk *w, struct resource *r,
                            uint32_t release, uint32_t deadline)
 {

@@ -1,7 +1,7 @@
 /* check_params.c: validates rg_compile_params, images and buffers. */
 #include "graph/compile/compiler.h"
 
-/* Returns true if an import or output supports an access. `image` is NULL for a buffer. */
+/* Returns true if an access is allowed for an import or output. `image` is NULL for a buffer. */
 static bool supports_access(const struct rg_image *image, enum rg_access access)
 {
     const struct rg_access_info *info = &rg_access_table[access];
@@ -130,7 +130,7 @@ static const char *buffer_problem(const struct resource *r, enum rg_error *error
     return NULL;
 }
 
-/* Checks a resource. If it is faulty, later stages see only one layer and mip level of it. */
+/* Checks a resource. A faulty one has only one layer and one mip level in later stages. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     enum rg_error error;

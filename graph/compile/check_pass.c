@@ -76,7 +76,7 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    /* a raster pass without targets, a fault reported already, is treated as writing */
+    /* a raster pass without targets is treated as writing, since that fault is reported already */
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool ascending = true;

@@ -180,7 +180,7 @@ static const char *format_name(VkFormat format)
     return info ? info->name : "an unknown format";
 }
 
-/* Returns the component type in shaders of a format's aspect: 'f', 'i' or 'u'; '?' if unknown. */
+/* Returns how shaders declare a format's components: 'f' float, 'i' int, 'u' uint, '?' unknown. */
 static char component_of(VkFormat of, VkImageAspectFlags aspect)
 {
     const struct rg_format_info *format = rg_format_info(of);
@@ -196,7 +196,7 @@ static const char *component_name(char component)
     return component == 'f' ? "float" : component == 'i' ? "int" : component == 'u' ? "uint" : "?";
 }
 
-/* Returns an image's number of layers, which an import may override. */
+/* Returns an image's number of layers. An import may override the declared number. */
 static uint32_t layer_count(const struct shaders *s, const struct rg_image *image)
 {
     const struct rg_compile_params *params = s->c->params;
@@ -207,7 +207,7 @@ static uint32_t layer_count(const struct shaders *s, const struct rg_image *imag
     return image->layers ? image->layers : image->cube ? 6 : 1;
 }
 
-/* Compares the texel format that a shader declares with that of the image or texel buffer. */
+/* Checks that a shader declares the texel format of the image or texel buffer. */
 static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
                          const struct spirv_image *declared, const struct rg_use *use)
 {
@@ -269,7 +269,7 @@ static void check_uniform(const struct shaders *s, const struct spirv *stage,
               use_name(use), (unsigned long long)size);
 }
 
-/* Returns the length of the descriptor array that begins with a use; 1 if it is no array. */
+/* Returns the length of the descriptor array that begins at `first`; 1 for a single use. */
 static uint32_t element_count(const struct rg_use *first)
 {
     uint32_t count = 1;
@@ -301,7 +301,7 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
         check_uniform(s, stage, v, use);
 }
 
-/* Checks the resource, or descriptor array of resources, bound to a shader variable. */
+/* Checks the resource or the array of resources that is bound to a shader variable. */
 static void check_elements(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, const struct rg_use *first,
                            VkPipelineStageFlags2 in)
@@ -317,7 +317,7 @@ static void check_elements(const struct shaders *s, const struct spirv *stage,
         check_use(s, stage, v, &first[i], in);
 }
 
-/* Reports a shader binding that a pass lacks. A hint may name a resource that no shader uses. */
+/* Reports a shader binding that a pass lacks. The hint may name a resource that no shader uses. */
 static void report_missing(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, uint32_t *missing)
 {
@@ -376,7 +376,7 @@ static void check_bindings(const struct shaders *s)
 
 /* ---- vertex inputs, colour outputs ---- */
 
-/* Successive VkFormats of equal component count. kinds[i] is 'f', 'u' or 'i' for `first` + i. */
+/* Consecutive VkFormats of equal component count; kinds[i] is the component type of `first` + i. */
 struct format_group {
     VkFormat first;
     uint32_t components;
@@ -516,7 +516,7 @@ static void check_fragments(const struct shaders *s)
 
 /* ---- specialization constants ---- */
 
-/* Checks the sizes of specialization constants, and records which of them the shaders have. */
+/* Checks the sizes of specialization constants. Records which constants the shaders have. */
 static void check_constants(const struct shaders *s)
 {
     const VkSpecializationInfo *given = s->c->params->constants;

@@ -214,9 +214,9 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
-/* Value of cell.visible for a write that is visible to all reads: a bit per (stage, access)
- * pair. Bit 31 means any other shader stage. It is never set: reads in these always get a barrier.
- * */
+/* Value of cell.visible for a write that is visible to all reads. Each bit is a pair of stage and
+ * access. Bit 31 (any other shader stage) stays clear, so reads in such stages always get a
+ * barrier. */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
 /* Returns true for accesses by shaders through a descriptor. */
@@ -337,7 +337,7 @@ void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
 /* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 
-/* Begin and end the search for specialization constants that no shader has, which are faults. */
+/* Begin and end a search for specialization constants that no shader has. Each one is a fault. */
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
@@ -410,8 +410,8 @@ void rg_pack_blocks(struct compiler *c);
 /* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: rg_find_release_passes() finds the last pass that used each item's memory
- * before. Once cell states are final, rg_complete_alias_barriers() finds what to wait for. */
+/* alias_dependencies.c: rg_find_release_passes() finds the last earlier pass in each item's memory.
+ * When cell states are final, rg_complete_alias_barriers() finds the accesses to wait for. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 

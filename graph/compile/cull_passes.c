@@ -1,10 +1,10 @@
-/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. Which
- * persistent content the next frame reads is only known at the end of the analysis, which is
- * therefore repeated until nothing changes. */
+/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. An
+ * analysis shows only at its end which persistent content the next frame reads. It is therefore
+ * repeated until nothing changes. */
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* maximum iterations, before one that treats all persistent content as needed */
+    MAX_ROUNDS = 4 /* maximum iterations; one more then treats all persistent content as needed */
 };
 
 /* Starts an iteration: marks outputs, and persistent content that the next frame needs. */
@@ -34,7 +34,7 @@ static bool writes_needed_content(const struct access *a)
     return false;
 }
 
-/* Marks those accesses of a pass whose results are needed. Returns true if any are. */
+/* Marks a pass's accesses with needed results. Returns true if there are any. */
 static bool find_needed(struct access *first, const struct access *end)
 {
     bool any = false;
@@ -46,7 +46,7 @@ static bool find_needed(struct access *first, const struct access *end)
     return any;
 }
 
-/* Marks content that a live pass reads as needed, and content that it overwrites as not needed. */
+/* Marks what a live pass reads as needed, and what the pass overwrites as not needed. */
 static void mark_needed_content(const struct access *first, const struct access *end)
 {
     for (const struct access *a = first; a < end; a++) {

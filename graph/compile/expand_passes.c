@@ -32,7 +32,7 @@ static bool is_all(const struct resource *r, const VkImageSubresourceRange *rang
            !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
 }
 
-/* Initialises an access, which keep_access() adds to the pass. Returns NULL if out of memory. */
+/* Initialises an access; keep_access() then adds it to the pass. Returns NULL if out of memory. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   VkPipelineStageFlags2 stages)
 {
@@ -261,8 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns how often a pass is repeated: once for each mip level or layer of the first image that it
- * writes, from the declared one on; 1 if that is out of range; 0 if the pass writes no image. */
+/* Returns the number of repetitions of a pass: the mip levels or layers of its first written image,
+ * from the declared one on. Returns 1 if that is out of range, 0 if no image is written. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

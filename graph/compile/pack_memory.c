@@ -11,7 +11,7 @@ enum {
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     FEW_ITEMS = 256,         /* Shell sort up to this count */
-    /* mean lifetime, in passes where items begin; above it, only apply_time_order() runs */
+    /* above this mean lifetime (in passes where items begin), only apply_time_order() runs */
     LONG_LIFE = 32,
 };
 
@@ -30,8 +30,8 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Range of allocated bytes. Lists of spans are ascending and have gaps; the first span begins at 0
- * and may be empty, and the last is a sentinel at UINT64_MAX. */
+/* Range of allocated bytes. Span lists are ascending, with gaps between spans. The first span
+ * begins at 0 and may be empty. The last is a sentinel at UINT64_MAX. */
 struct span {
     VkDeviceSize begin, end;
 };
@@ -44,7 +44,7 @@ struct live_set {
     uint32_t alive;    /* number of items */
 };
 
-/* Changes of live items from the previous pass to this one. Unsigned; decreases wrap around. */
+/* Changes in the live items since the previous pass. Unsigned: decreases wrap around. */
 struct change {
     VkDeviceSize taken;      /* live bytes */
     VkDeviceSize used;       /* live bytes counted from first use */
@@ -77,7 +77,7 @@ static VkDeviceSize end_of(const struct pack_item *item)
 
 /* ---- live sets ---- */
 
-/* Fills p->changes; fills p->offsets with the offsets of all items without aliasing. */
+/* Fills p->changes. Sets p->offsets to the offsets that items would have without aliasing. */
 static void find_changes(const struct packing *p, struct pack_result *result)
 {
     struct change *changes = p->changes;
@@ -200,7 +200,7 @@ static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item
 
 /* ---- orders of placement ---- */
 
-/* Returns an item's sort key, the bits of a positive double; as integers they sort the same way. */
+/* Returns an item's sort key: a positive double as an integer of the same bits and order. */
 static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
@@ -214,7 +214,7 @@ static uint64_t product_of(const struct rule *rule, const struct pack_item *item
     return bits;
 }
 
-/* Sorts p->order by the byte at bit `shift`; stable (one pass of a radix sort). */
+/* Sorts p->order stably by the key byte at bit `shift`: one pass of a radix sort. */
 static void sort_by_byte(struct packing *p, unsigned shift)
 {
     uint32_t places[256] = { 0 };
@@ -263,7 +263,7 @@ static void sort(struct packing *p, const struct rule *rule)
         sort_by_byte(p, shift);
 }
 
-/* Moves the item with the highest end offset forward, to half its index in the order. */
+/* Moves the item that ends at the highest offset forward in the order: halves its index. */
 static void promote_highest(struct packing *p)
 {
     uint64_t *order = p->order;
@@ -336,8 +336,8 @@ static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceS
     return size;
 }
 
-/* Places items in the order of first use, each at the lowest offset free at that time, so that the
- * cost does not grow with lifetimes. Returns the size of the block. */
+/* Places each item, in the order of first use, at the lowest offset that is free then. The cost
+ * does not grow with lifetimes. Returns the size of the block. */
 static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
 {
     struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };

@@ -125,7 +125,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* all fields are listed, as compilers clear omitted ones with a far slower instruction */
+    /* all fields are listed because compilers clear omitted fields much more slowly */
     *r = (struct resource){
         .name = NULL,
         .image = image,

@@ -95,7 +95,7 @@ static const char *text_of(const struct instruction *in, uint32_t word)
 
 /* ---- types ---- */
 
-/* Returns the instruction that defines an id; NULL unless it is `op` with `count` words or more. */
+/* Returns the definition of an id, or NULL if it is not an `op` of at least `count` words. */
 static const uint32_t *definition(const struct spirv *s, uint32_t id, uint32_t op, uint32_t count)
 {
     const struct spirv_id *i = find_id(s, id);
@@ -367,7 +367,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
     }
 }
 
-/* Returns which word of an instruction is its result id; 0 if it has none or it is not needed. */
+/* Returns the index of an instruction's result id word; 0 if there is none or it is not needed. */
 static uint32_t result_word(uint32_t op)
 {
     if (op == OP_VARIABLE || op == OP_CONSTANT ||
@@ -428,7 +428,7 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
         add_constant(s, arena, in, id);
 }
 
-/* Marks as used the variables that an instruction accesses. */
+/* Marks the variables that an instruction accesses as used. */
 static void mark_used(struct spirv *s, const struct instruction *in, bool all_listed)
 {
     uint32_t first = 3, count = 1;

@@ -65,21 +65,21 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
                           VkShaderStageFlagBits stage);
 
 /* Returns the descriptor type of a variable; VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor.
- * *count gets the length of a descriptor array; 1 if it is no array, 0 if the length is unknown. */
+ * *count gets the array length: 1 for a single descriptor, 0 if unknown. */
 VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
                                      uint32_t *count);
 
-/* Returns the name of a variable or, if it has none, that of its block type; "?" if stripped. */
+/* Returns the name of a variable or else the name of its block type; "?" if there is neither. */
 const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v);
 
 /* Returns the name of a struct type and its number of members; NULL for other types. */
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
-/* Returns the unpadded size in bytes of a struct or of a struct array's element, otherwise 0. */
+/* Returns the unpadded byte size of a struct or of an array's struct element; else returns 0. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
-/* Fills *image if `type` is an image, a sampled image or an array of these, else returns false. */
+/* Fills *image for an image, a sampled image or an array of these; else returns false. */
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
 /* Returns the component type of a scalar or vector: 'f' float, 'i' or 'u' integer of at most 32

@@ -19,8 +19,8 @@ static inline bool rg_changes_cell(const struct cell *s, const struct access *a)
     return a->flags & ACCESS_WRITES || s->layout != a->layout;
 }
 
-/* Fills the barrier `b`, except resource and range, and sets *release to the earliest pass that it
- * may precede. Returns false if the access needs no barrier. */
+/* Fills the barrier `b` apart from resource and range. Sets *release to the earliest pass that the
+ * barrier may precede. Returns false if the access needs no barrier. */
 static inline bool rg_needs_barrier(const struct cell *s, const struct access *a,
                                     struct rg_barrier *b, uint32_t *release)
 {

@@ -61,7 +61,7 @@ struct rg_dump_resource {
     VkDeviceSize offset, size; /* bytes; `offset` is within the block */
 };
 
-/* Returns an image or buffer of the plan; buffer indices follow those of the images. */
+/* Returns an image or buffer of the plan. Indices count all images first, then all buffers. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
 /* ---- text_dump.c ---- */

@@ -120,7 +120,7 @@ static void print_pixels(FILE *out, const char *name, uint64_t thousandths)
             (unsigned)(thousandths % 1000));
 }
 
-/* Prints the name of a column: that of its pass, or "end of frame". */
+/* Prints the name of a column: the name of its pass, or "end of frame". */
 static void print_column_name(const struct chart *c, uint32_t column)
 {
     const struct rg_plan *plan = c->d.plan;

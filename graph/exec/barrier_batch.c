@@ -55,8 +55,8 @@ static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubreso
            a->layerCount == b->layerCount;
 }
 
-/* Records the pending barriers in one call. As barriers of one call are unordered, those of several
- * passes cannot be chained; instead, each gets the union of all stages and accesses. */
+/* Records the pending barriers in one call. Barriers of one call do not wait for each other. If
+ * they come from several passes, each therefore gets the stages and accesses of all of them. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands)
 {
     struct exec_batch *batch = &exec->batch;

@@ -89,7 +89,7 @@ static struct exec_descriptor descriptor_of(const struct rg_exec *exec,
     };
 }
 
-/* Returns the index of a binding number in a list of `count`; `count` if it is not found. */
+/* Returns the index of a binding number in a list, or `count` if the list does not contain it. */
 static uint32_t find_binding(const VkDescriptorSetLayoutBinding *bindings, uint32_t count,
                              uint32_t binding)
 {

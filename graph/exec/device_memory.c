@@ -74,8 +74,8 @@ struct placement {
     uint64_t salt; /* distinguishes keys of equal names */
 };
 
-/* Finds or allocates the memory of a resource. Fails if the plan's memory does not suit it, because
- * the plan was compiled for another device or without one. */
+/* Finds or allocates a resource's memory. Fails if the plan was compiled for another device, or for
+ * none, and its memory does not suit the resource. */
 static VkResult find_memory(struct rg_exec *exec, const struct placement *placement,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {

@@ -149,7 +149,7 @@ struct rg_cmd {
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
 
-/* Logs a failed call on the object named `of` (NULL: on the frame). Returns `result`. */
+/* Logs a failed call on the object named `of` or, if that is NULL, the frame. Returns `result`. */
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
                        const char *of);
 
@@ -222,7 +222,7 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
-/* Returns true if the program owns an object, whose handle is no cache key: it may be reused. */
+/* Returns true if the program owns an object. Its handle may be reused, so it is no cache key. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);

@@ -35,8 +35,8 @@ void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
                                 const char *requested, uint32_t *index);
 
-/* Returns the first queue family with graphics and compute (which implies transfer) that, if
- * gpu->windows is set, can also present; UINT32_MAX if there is none. */
+/* Returns the first queue family with graphics and compute, which imply transfer; UINT32_MAX if
+ * there is none. If gpu->windows is set, the family must also be able to present. */
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
 
 /* Extensions that firn uses if a device has them. */
@@ -83,8 +83,8 @@ void gpu_pipeline_cache_save(const struct gpu *gpu);
 bool gpu_pipeline_cache_is_valid(const VkPhysicalDeviceProperties *device, const void *data,
                                  size_t size);
 
-/* Returns the first memory type among `bits` with all of `required` and, if possible, all of
- * `preferred` property flags; UINT32_MAX if there is none. */
+/* Returns the first memory type among `bits` with all `required` property flags and, if possible,
+ * all `preferred` flags; UINT32_MAX if no type has the required flags. */
 uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t bits,
                          VkMemoryPropertyFlags required, VkMemoryPropertyFlags preferred);
 

@@ -13,8 +13,8 @@
  *
  * A slot is a frame in flight; a caller reuses a slot only after its frame has finished.
  *
- * With a canvas (gpu_host_memory_images.h) the images belong to it instead of the driver. There are
- * no semaphores then, and presenting waits for the queue.
+ * With a canvas (gpu_host_memory_images.h) the canvas owns the images instead of the driver. There
+ * are no semaphores then, and presenting waits for the queue.
  *
  * Ownership: the caller owns surface and canvas, which must outlive the swapchain.
  * Errors:    logged once; as in gpu.h. A surface of zero size (a minimised window) is not an error:
