@@ -9,16 +9,16 @@
 #define SHADERS_BRDF_H
 #include "abi_math.h"
 
-/* Prefiltered environment map, an array of equirectangular images. The first layers are specular,
- * for roughness 1/7 to 1; the last one is diffuse irradiance. */
+/* Prefiltered environment map, an array of equirectangular images. The last layer is diffuse
+ * irradiance; all other layers are specular, for roughness 1/7 to 1. */
 #define LIT_WIDTH         128
 #define LIT_HEIGHT        64
 #define LIT_ROUGH_LAYERS  7
 #define LIT_DIFFUSE_LAYER 7
 #define LIT_LAYERS        8
 
-/* Side of the split-sum BRDF table, texels. A texel holds factors of f0 and f90; x is the square
- * root of n_dot_v, y is the roughness, both from 0 to 1. */
+/* Side of the split-sum BRDF table, texels. Each texel has a factor of f0 and a factor of f90. The
+ * x coordinate is the square root of n_dot_v, y is the roughness, both from 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
 #define LIT_LIGHT_SPREAD 0.001f /* minimum lobe width for punctual lights */
@@ -61,8 +61,8 @@ ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
                     glm_clamp(roughness, 0.0f, 1.0f) * last);
 }
 
-/* Factors by which a surface scales prefiltered environment light: specular radiance, and the
- * radiance of a white diffuse surface. */
+/* Factors by which a surface scales prefiltered environment light. `specular` scales the specular
+ * radiance, `diffuse` the radiance of a white diffuse surface. */
 struct lit_environment_factors {
     vec3s specular, diffuse;
 };

@@ -5,8 +5,8 @@
 #include "lib/specialization_constants.glsl"
 #include "material_layout.h"
 
-/* Returns true if a blended surface is skipped in this sample; the surface is kept in a fraction
- * `alpha` of a pixel's samples (Enderton et al. 2010, "Stochastic transparency"). */
+/* Returns true if this sample skips a blended surface. A fraction `alpha` of a pixel's samples
+ * keeps the surface (Enderton et al. 2010, "Stochastic transparency"). */
 bool is_alpha_skipped(float alpha, uint row)
 {
     float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));

@@ -3,8 +3,8 @@
 #ifndef BUBBLE_INTERSECT_GLSL
 #define BUBBLE_INTERSECT_GLSL
 
-/* Returns the distances at which a ray enters and leaves a sphere; x > y if it misses. For a
- * cylinder, `from` and `dir` must be perpendicular to the axis. `square` is dot(dir, dir). */
+/* Returns the distances at which a ray enters and leaves a sphere. If the ray misses, x > y. For a
+ * cylinder, pass `from` and `dir` perpendicular to the axis. `square` is dot(dir, dir). */
 vec2 bubble_intersect_sphere(vec3 from, vec3 dir, float square, float radius)
 {
     float along = dot(from, dir) / square;

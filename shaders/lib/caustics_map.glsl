@@ -2,7 +2,7 @@
  * caustics_map.glsl: coordinates of the pool's caustic map, on the plane of the floor.
  *
  * A point of a wall is mapped to where sunlight through calm water would hit the floor if the wall
- * were not there. A margin around the map receives light that waves deflect.
+ * were not there. The map has a margin for light that waves deflect.
  */
 #ifndef LIB_CAUSTICS_MAP_GLSL
 #define LIB_CAUSTICS_MAP_GLSL
@@ -10,8 +10,8 @@
 
 const float caustics_map_margin = 0.15; /* fraction of the pool's depth */
 
-/* Returns the map's region in pool coordinates, metres: lower corner in xy, side lengths in zw.
- * `inside` is the refracted direction of sunlight below calm water. */
+/* Returns the map's region in pool coordinates, metres: xy is the lower corner, zw the side
+ * lengths. `inside` is the refracted direction of sunlight below calm water. */
 vec4 caustics_map_region(pool_params pool, vec3 inside)
 {
     vec2 shift = -inside.xy / inside.z * pool.depth;
@@ -21,8 +21,8 @@ vec4 caustics_map_region(pool_params pool, vec3 inside)
     return vec4(lower, upper - lower);
 }
 
-/* Returns the height above the floor at which sunlight for a map point hits a wall, or 0 if it
- * reaches the floor. Sets `facing` to the wall's normal. */
+/* Returns the height above the floor, metres, at which sunlight for a map point hits a wall; 0 if
+ * the sunlight reaches the floor. Sets `facing` to the wall's normal. */
 float caustics_map_height(pool_params pool, vec3 inside, vec2 at, out vec2 facing)
 {
     vec2 slope = inside.xy / -inside.z;

@@ -7,8 +7,8 @@
 #ifndef DEPTH_INTERPOLATE_GLSL
 #define DEPTH_INTERPOLATE_GLSL
 
-/* Returns the depth at `fraction`, 0 to 1, between four texels in textureGather() order: bilinearly
- * interpolated if all have a face, otherwise that of the nearest texel. */
+/* Returns the depth at `fraction`, 0 to 1, between four texels in textureGather() order. If all
+ * have a face, interpolates bilinearly, otherwise returns the depth of the nearest texel. */
 float depth_interpolate(vec4 d, vec2 fraction)
 {
     float low = fma(fraction.x, d.z - d.w, d.w);

@@ -2,8 +2,8 @@
 #ifndef GRID_STRIP_GLSL
 #define GRID_STRIP_GLSL
 
-/* Returns the grid corner of a strip vertex; the grid has `cells` squares per side. Degenerate
- * triangles join the grid's rows; the strip has cells * (2 * cells + 4) vertices. */
+/* Returns the grid corner of a strip vertex. The grid has `cells` squares per side. The strip has
+ * cells * (2 * cells + 4) vertices, because degenerate triangles join the grid's rows. */
 uvec2 grid_strip_corner(uint index, uint cells)
 {
     uint row_length = 2u * cells + 4u;

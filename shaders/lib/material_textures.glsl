@@ -41,8 +41,8 @@ vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
                 lit_wrap(at.y, wrap_v, size.y));
 }
 
-/* Samples a texture. Screen-space derivatives select the mip level, but the ray tracer uses level
- * 0, and per-vertex shading, whose samples are sparse, a level that is 64 texels wide. */
+/* Samples a texture. By default, derivatives select the mip level. The ray tracer uses level 0.
+ * Per-vertex shading uses a level that is 64 texels wide, because the samples are sparse. */
 vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 {
 #ifdef LIT_NO_DERIVATIVES
@@ -54,7 +54,7 @@ vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 #endif
 }
 
-/* Samples a material's texture; white if it has none. `blur` scales the filter footprint. */
+/* Samples a material's texture; without one, returns white. `blur` scales the filter footprint. */
 vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
@@ -73,7 +73,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
-/* Returns a base colour, from texture layer `layer` - 1 if the material has no texture. */
+/* Returns a base colour. A material without a texture uses texture layer `layer` - 1. */
 vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
     bool has_texture = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
@@ -98,7 +98,7 @@ vec4 material_base_color(uint material, vec2 uv)
 }
 #endif
 
-/* Returns true if AOVs skip a surface point: it is cut out, or blended with alpha below 1/2. */
+/* Returns true if AOVs skip a point because it is cut out or blended with alpha below 1/2. */
 bool material_is_hole(uint material, float alpha)
 {
     uint row = material >> MESH_SURFACE_SHIFT;

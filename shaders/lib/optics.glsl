@@ -64,9 +64,9 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
     return 0.5 * (rs * rs + rp * rp);
 }
 
-/* Returns the reflectance of a thin gap with parallel sides, including multiple reflections in the
- * gap: it transmits (1 - R) / (1 + R). `eta` is the index outside the gap over that inside. Light
- * keeps its direction. There is no interference, because the gap is wider than a wavelength. */
+/* Returns the reflectance of a thin gap with parallel sides of reflectance R. With multiple
+ * reflections, the gap transmits (1 - R) / (1 + R). `eta` is the index outside over that inside.
+ * Light keeps its direction. There is no interference, because gaps exceed a wavelength. */
 float optics_gap(vec3 e, vec3 n, float eta)
 {
     float r = optics_fresnel(e, n, eta);

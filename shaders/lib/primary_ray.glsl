@@ -13,7 +13,7 @@ vec3 primary_ray_dir(vec3 eye_to_point)
     return normalize(eye_to_point);
 }
 
-/* Returns a pixel's primary ray as an argument of primary_ray_at(); linear in screen space. */
+/* Returns a pixel's primary ray for primary_ray_at(). The result is linear in screen space. */
 vec3 primary_ray(vec2 ndc)
 {
     mat4 m = frame.clip_from_world;

@@ -20,8 +20,8 @@ vec2 ice_light_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Returns a point moved along `n` towards the sun by the shadow bias, to avoid self-shadowing; `n`
- * may point to either side of the surface. */
+/* Returns a point shifted along normal `n` towards the sun by the shadow bias, which avoids
+ * self-shadowing. `n` may point to either side of the surface. */
 vec3 ice_light_biased(vec3 point, vec3 n)
 {
     return point + (dot(n, frame.sun_dir) < 0.0 ? -light.shadow_bias : light.shadow_bias) * n;
@@ -48,8 +48,8 @@ bool ice_light_is_before(sampler2D front, vec4 clip)
     return depth > 0.0 && clip.z / clip.w > depth;
 }
 
-/* Returns true if a point is in shadow: farther from the sun, by more than a tolerance, than the
- * farthest of the four nearest texels in the ground's light-space depth map. */
+/* Returns true if the ground hides a point from the sun. Compares with the farthest of the four
+ * nearest texels in the ground's light-space depth map, with a tolerance. */
 bool ice_light_is_hidden(sampler2D ground, vec4 clip)
 {
     const float tolerance = 0.02 / ICE_CAUSTICS_DISTANCE;

@@ -19,7 +19,7 @@ struct inclusion_ray {
     bool is_across;    /* ray at over 45 degrees to the view axis; can hit steep inclusions */
 };
 
-/* Returns a depth in the bounding sphere, 1 to 2; `from_center`: point relative to its centre. */
+/* Returns a depth in the bounding sphere, 1 to 2. `from_center` is a point minus the centre. */
 float inclusion_depth(vec3 from_center, vec3 forward, float radius)
 {
     return clamp(1.5 + 0.5 * dot(from_center, forward) / radius, 1.0, 2.0);

@@ -4,7 +4,7 @@
 #include "abi.h"
 
 #define REFRACT_ENV_CUBE 1 /* cube map of the radiance around the object */
-/* G-buffers of the ice: outward normals, and depth-buffer values that are 0 if there is no face. */
+/* G-buffers of the ice: outward normals and depth-buffer values. A depth of 0 means no face. */
 #define REFRACT_NORMAL_BACK  2
 #define REFRACT_DEPTH_BACK   3
 #define REFRACT_NORMAL_FRONT 4

@@ -14,8 +14,8 @@
 
 layout(set = 0, binding = REFRACT_CRACKS) uniform sampler2D cracks_hits;
 
-/* Rays whose cosine to the view axis is below this value count as crossing the view. For all other
- * rays, cracks are assumed parallel to the image plane, which keeps animations stable. */
+/* Below this cosine between ray and view axis, a ray counts as crossing the view. For other rays,
+ * cracks are assumed parallel to the image plane, which keeps animations stable. */
 const float cracks_across_cosine = 0.7;
 
 struct cracks_hit {

@@ -29,12 +29,13 @@ const float cube_nearest = 0.0;
 
 const int cube_refinements = 3; /* root search iterations per hit */
 
-/* A ray that gets farther behind a surface than this fraction of the surface's distance passes
- * behind the surface's edge. What it then hits is not in the cube map. */
+/* If a ray gets farther behind a surface than this fraction of the surface's distance, it passes
+ * behind the surface's edge. What the ray then hits is not in the cube map. */
 const float cube_occluded_min = 0.15;
 
-/* Returns how far a homogeneous point, relative to the cube's centre, is behind the surface in the
- * cube map; negative in front. For flat surfaces, the result is linear along a line. */
+/* Returns how far a point is behind the surface in the cube map; negative in front. `point` is
+ * homogeneous and relative to the cube's centre. The result is linear along a line for flat
+ * surfaces. */
 float cube_depth_behind(vec4 point)
 {
     return length(point.xyz) * textureLod(env_cube_points, point.xyz, 0.0).a - point.w;
@@ -53,7 +54,7 @@ float cube_root(cube_bracket ends)
     return mix(ends.before, ends.behind, fraction);
 }
 
-/* Returns the bracket of the first step that passes a surface; both ends are 1 if there is none. */
+/* Returns the bracket of the first step that passes a surface. If none does, both ends are 1. */
 cube_bracket cube_find_bracket(vec4 from, vec4 to)
 {
     cube_bracket ends = cube_bracket(0.0, 1.0, -1.0, 0.0);
@@ -71,8 +72,8 @@ cube_bracket cube_find_bracket(vec4 from, vec4 to)
     return ends;
 }
 
-/* Returns the point where a ray's search begins: as far from the cube's centre as the nearest
- * surface. Steps before it cannot hit anything and would make the others longer. */
+/* Returns the start of a ray's search, as far from the cube's centre as the nearest surface.
+ * Nothing can be hit before. An earlier start would make the steps longer. */
 vec3 cube_first_point(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)
@@ -84,11 +85,9 @@ vec3 cube_first_point(vec3 from_center, vec3 dir)
 }
 
 /*
- * Returns the direction in which a ray hits the cube map. A ray that passes behind a surface uses
- * the direction beside the surface's edge.
- *
- * In homogeneous coordinates, steps are even from the ray's origin to its end at infinity, so that
- * the sampled directions are about evenly spaced.
+ * Returns the direction in which a ray hits the cube map. If the ray passes behind a surface,
+ * returns the direction beside the surface's edge. Steps are even in homogeneous coordinates, from
+ * the ray's origin to infinity. The sampled directions are then about evenly spaced.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
@@ -114,8 +113,8 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     return mix(from, to, is_past ? ends.before : cube_root(ends)).xyz;
 }
 
-/* Returns true if a point is behind the surfaces in the cube map, that is in the ground. Where ice
- * stands in wet ground, no air is below its base and total internal reflection does not occur. */
+/* Returns true if a point is behind the surfaces in the cube map, that is in the ground. Ice in wet
+ * ground has no air below its base, and total internal reflection does not occur there. */
 bool refract_is_below_ground(vec3 point)
 {
     vec3 from_center = point - frame.cube_center;

@@ -13,8 +13,8 @@ struct march_bracket {
     bool near_front; /* front face is nearer at `within` */
 };
 
-/* Returns the root of the linearly interpolated signed distance, moved inwards by `exact` / 4, or
- * the middle of the bracket if the distances are unknown. */
+/* Returns the estimated exit. If the signed distances are known, interpolates them linearly and
+ * moves inwards by `exact` / 4. Otherwise, returns the middle of the bracket. */
 float march_root(march_bracket ends, float exact)
 {
     bool known = ends.distance_within > 0.0 && ends.distance_beyond < 0.0 &&

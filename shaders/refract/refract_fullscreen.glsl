@@ -24,9 +24,8 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* Reads the front face of this pixel. The AOV pass discards pixels without visible ice. In the
- * image pass, the depth test rejects pixels without ice, except those that show other objects,
- * which are discarded here. */
+/* Reads the front face of this pixel and discards pixels without visible ice. In the image pass,
+ * the depth test has rejected most of these; only pixels that show other objects remain. */
 void refract_front_read()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -37,18 +37,18 @@ layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' r
 
 #include "refract/refract_cracks.glsl"
 
-/* Maximum number of false exits after which a ray is continued. */
+/* A ray continues after a false exit at most this number of times. */
 const uint exits_false_max = 2u;
 
 /* Maximum number of reflections by cracks between two exits. */
 const uint exits_crack_reflections = 3u;
 
-/* If the cosine between two normals exceeds this, a crack hit is taken for the crack that the ray
- * just left, which the image shows beside the ray's origin. */
+/* Two successive crack hits count as one crack if the cosine between the normals exceeds this. The
+ * image shows the crack that a ray just left beside the ray's origin. */
 const float exits_same_crack = 0.9;
 
-/* Throughput below which a ray gets at most one more reflection. Chains of total internal
- * reflection are long in a cube, and all rays of a SIMD unit wait for the longest. */
+/* Below this throughput, a ray gets at most one more reflection. Cubes cause long chains of total
+ * internal reflection, and all rays of a SIMD unit wait for the longest chain. */
 const float exits_weak_throughput = 0.1;
 
 /* State of a path inside the object. */
@@ -71,7 +71,7 @@ struct exits_ray {
 /* Radiance of a pixel, and the path branch that is still to be followed. */
 struct exits_pixel {
     vec3 light;
-    /* weaker branch of the path; its weight is negative if there is none, 0 once it is followed */
+    /* weaker branch of the path; weight is negative if there is no branch, 0 once it is followed */
     exits_ray other;
 };
 
@@ -80,8 +80,8 @@ float exits_mean(vec3 weight)
     return dot(weight, vec3(1.0 / 3.0));
 }
 
-/* Intersects a path with a crack in front of its next face. The path continues with the stronger
- * branch; the weaker one is stored in `pixel` or looks up the environment at once. */
+/* Intersects a path with a crack in front of the next face. The path continues with the stronger
+ * branch. The weaker branch is stored in `pixel` or looks up the environment at once. */
 void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
 {
     cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);

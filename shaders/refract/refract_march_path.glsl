@@ -17,7 +17,7 @@ vec3 march_scattered;            /* radiance scattered into the path traced last
 float march_transmittance_media; /* medium transmittance; initialised by callers */
 #endif
 
-/* Traces a path to its exit. Sets `leaving` to the last face's transmittance, or 0 if trapped. */
+/* Traces a path to the exit. Sets `leaving` to the last face's transmittance; 0 without an exit. */
 void march_continue(march_space space, float eta, inout refract_path path, out float leaving)
 {
     leaving = 0.0;

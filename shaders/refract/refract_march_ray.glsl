@@ -1,6 +1,6 @@
 /* refract_march_ray.glsl: ray marching inside the ice to the exit point, in screen-space depth
- * maps. Rays can leave through front faces only with REFRACT_BOUNCE; otherwise points in front of
- * these faces count as inside. */
+ * maps. Without REFRACT_BOUNCE, rays cannot leave through front faces, and points in front of front
+ * faces count as inside. */
 #ifndef REFRACT_MARCH_RAY_GLSL
 #define REFRACT_MARCH_RAY_GLSL
 #include "refract/refract_depth_maps.glsl"
@@ -55,8 +55,8 @@ march_space march_space_of_frame()
 /* Marching starts at this distance along a ray, in bounding radii, since texels are coarse. */
 const float march_start = 0.02;
 
-/* Returns a point's signed distances, x to the back face and y to the front face, negative outside.
- * Their unit, stored depth times w, makes them linear along a ray for flat faces. */
+/* Returns a point's signed distances: x to the back face, y to the front face, negative outside.
+ * The unit is stored depth times w. Distances to flat faces are linear along a ray in this unit. */
 vec2 march_signed_distances(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -200,7 +200,7 @@ vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 }
 
 #ifdef REFRACT_BOUNCE
-/* Returns the outward normal at a ray's end: the front face's if `near_front`, else the back's. */
+/* Returns the outward normal of the face at a ray's end: front if `near_front`, else back. */
 vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -211,7 +211,7 @@ vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 }
 
 #ifdef REFRACT_MATERIAL
-/* Returns the transmittance at a ray's end: the front face's if `near_front`, else the back's. */
+/* Returns the transmittance of the face at a ray's end: front if `near_front`, else back. */
 vec3 march_transmittance(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

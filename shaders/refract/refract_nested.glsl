@@ -68,7 +68,7 @@ nested_space nested_space_of_frame()
     return nested_space(m, 1.0 / size);
 }
 
-/* Returns a layer's interpolated depth; `at` is in texels, relative to the first one's centre. */
+/* Returns a layer's interpolated depth; `at` is in texels, relative to the first texel's centre. */
 float nested_depth_at(int layer, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
@@ -77,8 +77,8 @@ float nested_depth_at(int layer, vec2 at, vec2 texel)
     return depth_interpolate(textureGather(depths, coords), fraction);
 }
 
-/* Returns a point's signed distances, x to a level's far faces and y to its near faces; negative
- * outside. The unit is stored depth times w. */
+/* Returns a point's signed distances, negative outside: x to a level's far faces, y to the level's
+ * near faces. The unit is stored depth times w. */
 vec2 nested_signed_distances(nested_space space, int level, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -93,8 +93,8 @@ float nested_signed_distance(vec2 dists)
     return min(dists.x, dists.y);
 }
 
-/* Returns a point's signed distance to the nearest face of a level or of the next inner level;
- * negative outside the level or inside the inner one. */
+/* Returns a point's signed distance to the nearest face of a level or of the next inner level. The
+ * distance is negative if the point is outside the level or inside the inner level. */
 float nested_level_distance(nested_space space, int level, vec4 at, out bool is_in_next)
 {
     float dist = nested_signed_distance(nested_signed_distances(space, level, at));
@@ -114,8 +114,8 @@ float nested_length(vec3 point, vec3 dir)
     return sqrt(max(half_b * half_b - outside, 0.0)) - half_b;
 }
 
-/* Returns two distances along a ray: the last one inside the ray's level, and the first one beyond,
- * in the inner level if `enters`, otherwise in the surrounding one. The Illinois method refines the
+/* Returns two distances along a ray: the last one inside the ray's level, and the first one beyond.
+ * Sets `enters` to true if the ray enters the inner level. The Illinois method refines the
  * interval: if one end moves twice, the signed distance at the other end is halved. */
 vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
 {
@@ -163,7 +163,7 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
     return vec2(ends.within, ends.beyond);
 }
 
-/* Returns the outward normal of the level's face that is nearest to a point, or 0 if there is none.
+/* Returns the outward normal of a level's face that is nearest to a point; 0 if no face is there.
  * Sets `medium` to the medium inside the level at that face. */
 vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
@@ -180,7 +180,7 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
 }
 
-/* Appends to `ends`; compares all indices, as a variable index would move the array to memory. */
+/* Appends to `ends` with constant indices. A variable index would move the array to memory. */
 void nested_push_end(vec3 point, vec3 dir, vec3 throughput)
 {
     for (int k = 0; k < nested_ends_max; k++)
@@ -270,8 +270,9 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     return face;
 }
 
-/* Continues a ray from a face; the ray's throughput becomes zero if it ends there. Returns the
- * throughput that is not followed; the caller multiplies it by the surroundings' mean radiance. */
+/* Continues a ray from a face. If the ray ends there, the ray's throughput becomes zero. Returns
+ * the throughput that no ray follows; the caller multiplies it by the mean radiance of
+ * surroundings. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;
@@ -306,7 +307,7 @@ vec3 nested_scatter(nested_face face, inout nested_ray ray)
     return rest;
 }
 
-/* Records a face of the main path, which is refracted wherever possible. */
+/* Records a face of the main path. The main path is refracted wherever possible. */
 void nested_record(nested_face face, nested_ray ray, bool is_first, inout refract_path path)
 {
     bool is_total = face.reflectance >= 1.0;

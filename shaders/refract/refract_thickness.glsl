@@ -5,7 +5,7 @@
 #include "refract/refract_front_face.glsl"
 
 /* Returns the thickness along the unrefracted ray in metres; 0 without a back face. Distance is
- * linear in 1 / stored depth in perspective, and linear in stored depth in orthographic views. */
+ * linear in 1 / stored depth in perspective views, in stored depth in orthographic views. */
 float refract_thickness()
 {
     float back = texelFetch(depth_back, ivec2(gl_FragCoord.xy), 0).r;

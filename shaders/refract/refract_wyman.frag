@@ -3,8 +3,8 @@
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 
-/* Returns the thickness along the front normal. The back face is read at the pixel where a sphere
- * of the object's size would end. While that pixel shows no ice, the distance to it is halved. */
+/* Returns the thickness along the front normal. First guesses the proxy sphere's diameter. Halves
+ * the guess while the pixel at that depth along the normal shows no ice. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();

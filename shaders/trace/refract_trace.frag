@@ -48,8 +48,8 @@ const int trace_pending_max = 2;
 const int trace_ends_max = 3; /* maximum number of paths per pixel */
 #endif
 const int trace_segments_max = 40; /* maximum number of segments per path */
-/* Number of segments of a pixel after which paths are no longer split. llvmpipe terminates loops
- * after 65 535 iterations, which would lose the light of pending paths. */
+/* Paths are no longer split after this number of segments in a pixel. llvmpipe terminates loops
+ * after 65 535 iterations, and the light of pending paths would then be lost. */
 const int trace_split_segments_max = 256;
 const float trace_side_escaped = -2.0; /* trace_path.side of a path that cannot hit objects again */
 const float trace_rough_min = 1e-3;
@@ -67,8 +67,8 @@ struct trace_path {
     int left;   /* number of segments left */
     bool is_in_bubble;
     bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
-    /* factor on sky radiance if the ray reaches the sky without a hit; 0 after refraction by an
-     * object; negative if the ray started inside an object */
+    /* factor on the sky radiance of an unoccluded ray; 0 after refraction by an object; negative if
+     * the ray started inside an object */
     float open;
     vec3 d_origin, d_dir; /* ray differentials of origin and direction */
 };
@@ -97,8 +97,8 @@ bool is_main;   /* the main path is followed (result.path_length) */
 bool sets_last; /* the followed path may set result.last */
 
 #ifndef TRACE_RAYS
-/* End of a path that leaves the objects. The environment is looked up after all paths of the pixel
- * have ended, so that all pixels of a group perform the lookups together. */
+/* End of a path that leaves the objects. Environment lookups wait until all paths of the pixel have
+ * ended. All pixels of a group then perform the lookups together. */
 struct trace_ray_end {
     vec3 origin, dir, throughput;
     float kind;
@@ -106,7 +106,7 @@ struct trace_ray_end {
 
 trace_ray_end ends[trace_ends_max];
 int end_count, ends_left;
-/* end of the path that sets result.last; zero throughput if it never leaves the objects */
+/* end of the path that sets result.last; throughput is 0 if that path never leaves the objects */
 trace_path escaped_end;
 #endif
 
@@ -117,8 +117,8 @@ object_material trace_untextured(uint rank)
                            trace_medium(rank, TRACE_ABSORB).w);
 }
 
-/* Returns true if a path is inside an object. For a single closed object the ray's side is enough,
- * which saves updating the medium stack. */
+/* Returns true if a path is inside an object. For a single closed object, the ray's side decides,
+ * so that the medium stack need not be updated. */
 bool trace_is_in(trace_path path)
 {
     bool has_side =
@@ -229,8 +229,8 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     return next;
 }
 
-/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced,
- * as at grazing angles, where rasterised points are not exactly on triangles. */
+/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced.
+ * At grazing angles it must, because rasterised points are not exactly on triangles there. */
 bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -292,7 +292,7 @@ void trace_add(vec3 light, float kind)
 }
 
 #ifndef TRACE_RAYS
-/* Appends to `ends`; compares all indices, as a variable index would move the array to memory. */
+/* Appends to `ends` with constant indices. A variable index would move the array to memory. */
 void trace_push_end(trace_path at)
 {
     for (int k = 0; k < trace_ends_max; k++)
@@ -347,8 +347,8 @@ object_material trace_material_at(trace_crossing c)
     return trace_untextured(c.rank);
 }
 
-/* Computes Fresnel reflection and refraction at a hit; a rough surface reflects and refracts at a
- * microfacet sampled from its distribution of visible normals. */
+/* Computes Fresnel reflection and refraction at a hit. On a rough surface, a microfacet is sampled
+ * from the distribution of visible normals. */
 trace_fresnel_split trace_fresnel_at(trace_crossing c)
 {
     trace_fresnel_split p;
@@ -377,8 +377,8 @@ trace_fresnel_split trace_fresnel_at(trace_crossing c)
     return p;
 }
 
-/* Returns the throughput that a surface transmits, before reduction by Fresnel reflection. Adds the
- * radiance of the opaque base of surfaces that are not fully transmissive. */
+/* Returns the throughput that a surface transmits, before reduction by Fresnel reflection. If the
+ * surface is not fully transmissive, adds the radiance of the opaque base. */
 vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 {
     vec3 through = path.throughput * p.refracted_weight;
@@ -417,8 +417,8 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
     }
 }
 
-/* Continues the path at a surface by refraction or reflection, and pushes the other direction if
- * its throughput is high enough. Returns false if no throughput is left. */
+/* Continues the path at a surface by refraction or reflection. If the throughput in the other
+ * direction is high enough, pushes a path for it. Returns false if no throughput is left. */
 bool trace_scatter(trace_hit hit, trace_crossing c)
 {
     trace_fresnel_split p = trace_fresnel_at(c);

@@ -76,7 +76,7 @@ struct trace_frame {
     float crack_gap;                            /* maximum crack gap width, micrometres */
     float branch;                               /* minimum throughput to split a path */
     float epsilon;                              /* rounding error of ray origins, metres */
-    uint32_t one; /* always 1, which compilers cannot know; for loops that run at most once */
+    uint32_t one; /* always 1; stops compilers from turning one-iteration loops into branches */
     uint32_t surroundings_are_apart; /* 1: surroundings are outside the objects' bounding box */
 };
 

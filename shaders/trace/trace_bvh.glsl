@@ -105,9 +105,9 @@ trace_slabs trace_slabs_for(trace_ray ray, int root)
     return trace_slabs(inverse, -origin * inverse, cull, (1 << shift) - 1, shift);
 }
 
-/* Returns true if the ray hits a child's bounding box before `far`, and sets its entry distance.
- * Compares integers, because lavapipe needs four instructions for a NaN-safe minimum of floats: bit
- * patterns of non-negative floats sort like the numbers, and negative bounds mean no hit anyway. */
+/* Returns true if the ray hits a child's bounding box before `far`. Sets `enter` to the distance.
+ * Compares floats as integers, because lavapipe needs four instructions for a NaN-safe minimum. Bit
+ * patterns of non-negative floats sort like the numbers. Negative bounds mean no hit anyway. */
 bool trace_hits_box(trace_slabs slabs, uvec4 child, float far, out float enter)
 {
     ivec3 low = ivec3(child.xyz) & slabs.mask;
@@ -141,8 +141,8 @@ vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
     return bubble_intersect(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
 }
 
-/* Intersects a crack or a bubble. A ray inside a bubble hits only bubbles and leaves the one it
- * hits. Cracks nearer than trace.epsilon are ignored, because the ray may start on one. */
+/* Intersects a crack or a bubble. A ray inside a bubble hits only bubbles, where the ray leaves
+ * them. Cracks nearer than trace.epsilon are ignored, because the ray may start on a crack. */
 bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 last, inout float t,
                           inout float u, inout float v)
 {
@@ -216,7 +216,7 @@ void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
     } while (node != trace_nothing);
 }
 
-/* Returns the rotation of a BVH's contents about the vertical axis: cosine, sine, x and z of the
+/* Returns a BVH's rotation about the vertical axis as cosine and sine, then x and z of the
  * translation. With matrices, tracing would take a sixth longer. */
 vec4 trace_bvh_pose(int bvh)
 {
@@ -253,9 +253,9 @@ void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
     trace_hit_bvh(ray, int(trace.roots[bvh]), bvh, hit);
 }
 
-/* Returns a ray's nearest hit in the BVHs it may hit; inactive rays hit nothing. Each ray steps
- * through its own list of BVHs, so that lanes in surroundings and lanes in objects run at the same
- * time. A ray inside an object skips surroundings if all are outside the objects' bounding box. */
+/* Returns a ray's nearest hit. An inactive ray hits nothing. Each ray has a list of BVHs, so that
+ * lanes in surroundings and lanes in objects run at the same time. A ray inside an object skips
+ * surroundings that are all outside the objects' bounding box. */
 trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);

@@ -38,8 +38,8 @@ trace_start trace_start_of(trace_path path)
 }
 
 #ifndef TRACE_RAYS
-/* Returns the sine of the elevation above which rays from an object's outer side hit no object. It
- * is read from a grid, because the triangle of a rasterised point is unknown. */
+/* Returns the sine of the elevation above which rays from an object's outer side hit no object.
+ * Reads a grid instead of the triangle, which is unknown for a rasterised point. */
 float trace_grid_horizon(vec3 point)
 {
     vec3 local = trace_unposed_point(point, BVH_OBJECTS);

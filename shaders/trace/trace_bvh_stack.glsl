@@ -35,7 +35,7 @@ int stack_pop()
     return popped;
 }
 
-/* Returns the next node; pushes `far` if both children were hit, pops if none was. */
+/* Returns the next node. Pushes `far` if both children were hit. Pops a node if none was hit. */
 int stack_next(bool both, bool none, int near, int far)
 {
     int popped = stack[stack_top];

@@ -33,8 +33,8 @@ vec3 lighting_sky(vec3 dir)
     return lit_specular(dir, 0.0, 0.0);
 }
 
-/* Returns the sun's visibility from a point, 0 to 1, for next-event estimation: casts a shadow ray
- * to a random point of the sun's disc. Blended surfaces attenuate the result. */
+/* Returns the sun's visibility from a point, 0 to 1. Casts a shadow ray to a random point of the
+ * sun's disc (next-event estimation). Blended surfaces attenuate the result. */
 float light_gather_sun(trace_hit from, vec3 point, uint seed)
 {
     vec2 at =
@@ -58,8 +58,8 @@ float light_gather_sun(trace_hit from, vec3 point, uint seed)
     return passing;
 }
 
-/* Returns the factor that scales the sampled sky radiance `some` to the unoccluded lighting `all`.
- * Multiplies `throughput` by the remaining colour ratio, limited to 0.5 to 2. */
+/* Returns the brightness of the unoccluded lighting `all` divided by that of the sky sample `some`.
+ * Multiplies `throughput` by the ratio of the two colours, clamped to 0.5 to 2. */
 float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 {
     some = max(some, lighting_radiance_min);
@@ -68,8 +68,8 @@ float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
     return open;
 }
 
-/* Pushes a lighting ray from a surface in the current path's medium. `open` scales the sky radiance
- * if the ray is unoccluded. Unoccluded radiance replaces weak rays that Russian roulette drops. */
+/* Pushes a lighting ray from a surface, in the current path's medium. `open` scales the sky
+ * radiance of an unoccluded ray. Russian roulette replaces weak rays by unoccluded radiance. */
 void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uint seed)
 {
     vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
@@ -149,8 +149,8 @@ void lighting_trace_ray(trace_hit hit, lighting_rays rays, uint i, float chance)
     trace_add(-rays.skies[i] / chance, path.kind);
 }
 
-/* Replaces unoccluded by traced lighting at the surface that was shaded last; `throughput` is the
- * path throughput at that surface. */
+/* Replaces unoccluded by traced lighting at the surface that was shaded last. `throughput` is the
+ * path's throughput at that surface. */
 void light_gather_at(trace_hit hit, vec3 throughput)
 {
     if (path.is_lighting_ray || !lobes.is_lit)

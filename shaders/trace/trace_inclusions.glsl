@@ -1,5 +1,5 @@
-/* trace_inclusions.glsl: intersection of paths with inclusions in the ice: cracks, which are air
- * gaps too thin to displace light, and bubbles, filled with the outside medium. */
+/* trace_inclusions.glsl: intersection of paths with inclusions in the ice. Cracks are air gaps too
+ * thin to displace light. Bubbles contain the outside medium. */
 #ifndef TRACE_INCLUSIONS_GLSL
 #define TRACE_INCLUSIONS_GLSL
 #include "inclusions/cracks.h"

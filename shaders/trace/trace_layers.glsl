@@ -7,7 +7,7 @@ layout(set = 0, binding = TRACE_FIRST_OBJECT) uniform sampler2D first_object;
 layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
 #endif
 
-/* Returns true if surroundings hide a point; false with TRACE_RAYS, where rays hit surroundings. */
+/* Returns true if surroundings hide a point; always false if rays hit surroundings. */
 bool trace_is_hidden(vec3 point)
 {
 #ifdef TRACE_RAYS

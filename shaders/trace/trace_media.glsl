@@ -1,5 +1,5 @@
-/* trace_media.glsl: participating media along path segments: Beer-Lambert absorption, extinction
- * and in-scattered light (phase function: medium_light.glsl), applied to the path throughput. */
+/* trace_media.glsl: Beer-Lambert absorption, extinction and in-scattered light of participating
+ * media along path segments. The phase function is in medium_light.glsl. */
 #ifndef TRACE_MEDIA_GLSL
 #define TRACE_MEDIA_GLSL
 

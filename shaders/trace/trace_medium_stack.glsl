@@ -1,5 +1,5 @@
-/* trace_medium_stack.glsl: medium stack of a path: priorities of the objects that contain it, as a
- * bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list (struct bvh_interior_list). */
+/* trace_medium_stack.glsl: medium stack of a path, the priorities of all objects that contain it.
+ * The stack is a bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list. */
 #ifndef TRACE_MEDIUM_STACK_GLSL
 #define TRACE_MEDIUM_STACK_GLSL
 #include "trace/trace_bvh.glsl"

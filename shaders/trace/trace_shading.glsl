@@ -87,7 +87,7 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
     p.material = floatBitsToUint(n1.w);
     p.ior = 1.0;
-    /* The rows of the triangle's map are dual to its edges, which cross products recover. */
+    /* The stored matrix rows are dual to the triangle's edges. Cross products recover the edges. */
     at = BVH_TRIANGLE_WORDS * hit.triangle;
     vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
     vec3 row_1 = uintBitsToFloat(trace_row(at + 1)).xyz;
@@ -114,8 +114,8 @@ vec3 trace_normal_mapped(trace_surface_point p, vec3 n, vec3 texel, vec2 scales)
     return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
 }
 
-/* Returns the sun's irradiance on a surface that faces it. Sets `through` to the part that objects
- * refract. An object's opaque base (`is_base`) is always fully lit. */
+/* Returns the sunlight on a surface that faces the sun, as radiance of a white diffuse surface.
+ * Sets `through` to the part that objects refract. An opaque base (`is_base`) is fully lit. */
 vec3 trace_sun(trace_surface_point p, bool is_base, out vec3 through)
 {
     through = vec3(0.0);
