@@ -13,8 +13,8 @@ layout(location = 0) out vec3 out_eye_to_point;
 layout(location = 1) flat out vec3 out_eye_to_center;
 layout(location = 2) flat out float out_radius;
 
-/* Draws a camera-facing square through the sphere's centre that contains the sphere's outline;
- * degenerate if the camera is inside the sphere. */
+/* Draws a camera-facing square that covers the sphere's outline. The square is degenerate if the
+ * camera is inside the sphere. */
 void main()
 {
     const vec2 corners[] = { vec2(-1, -1), vec2(1, -1), vec2(-1, 1),

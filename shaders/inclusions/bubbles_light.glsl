@@ -62,8 +62,8 @@ march_space bubble_space()
     return space;
 }
 
-/* Returns the radiance that arrives at a bubble from a direction. If the ray ends in the ground,
- * looks up the environment cube in the direction from its centre to the end point. */
+/* Returns the radiance that arrives at a bubble from a direction. If the ray hits the ground, looks
+ * up the environment cube in the direction from the cube's centre to the hit point. */
 vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
 {
     refract_path ray = refract_path(dir, frame.eye + eye_to_bubble, 0.0, 0.0, 0.0);
@@ -82,7 +82,7 @@ vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
     return light;
 }
 
-/* Traces the stronger of reflected and transmitted ray; looks up env_cube for the other. */
+/* Traces the stronger of the reflected and transmitted ray; the other one looks up env_cube. */
 vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
     bool is_reflected = fresnel >= cover;
@@ -92,8 +92,8 @@ vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transm
            min(fresnel, cover) * weaker_light;
 }
 
-/* Attenuates the premultiplied colour of a bubble by the scattering medium between it and the
- * camera, and adds the in-scattered light. */
+/* Applies the scattering medium between camera and bubble to the bubble's premultiplied colour:
+ * attenuates the colour and adds in-scattered light. */
 vec4 bubble_attenuate(vec3 e, vec3 eye_to_bubble, vec4 bubble)
 {
 #ifdef REFRACT_MEDIUM

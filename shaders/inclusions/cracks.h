@@ -3,7 +3,7 @@
 #define SHADERS_INCLUSIONS_CRACKS_H
 #include "abi.h"
 
-/* Bindings of crack passes. Clipping uses depth maps (FRONT, BACK) or peeled layers (NEAR, FAR). */
+/* Bindings of crack passes, which clip by depth maps (FRONT, BACK) or peeled layers (NEAR, FAR). */
 #define CRACKS_FRONT    1
 #define CRACKS_BACK     2
 #define CRACKS_NEAR     3
@@ -18,13 +18,13 @@
 #define CRACKS_LIGHTS       4 /* vectors to lights; w: highlight strength */
 #define CRACKS_SHADING      8 /* struct cracks_shading */
 
-/* Gaps that reflect more than this hide less reflective ones in the image cracks.hits. */
+/* In the image cracks.hits, gaps with more reflectance than this hide less reflective gaps. */
 #define CRACKS_HIT_REFLECTANCE 0.2f
 
 #define CRACKS_MAX 64 /* maximum of cracks.count */
 
-/* Squared gap width at a vertex, relative to cracks_shading.gap. Interpolating the square between
- * middle and rim gives the elliptic profile of a crack under tension (Sneddon 1946). */
+/* Squared gap width at a vertex, relative to cracks_shading.gap. Linear interpolation of the square
+ * gives the elliptic profile of a crack under tension (Sneddon 1946). */
 #define CRACKS_SQUARED_GAP(color) ((color).r)
 
 struct cracks_shading {

@@ -1,7 +1,6 @@
-/* cracks_clip.glsl: crack_is_inside(), which clips cracks to the ice. CRACKS_CONVEX clips from the
- * nearest front face to the farthest back face; the far end is left to the depth test unless
- * CRACKS_BEFORE_BACK is defined. CRACKS_INTERVAL clips to the intervals in which a pixel's ray is
- * inside the ice. CRACKS_UNCLIPPED does not clip. */
+/* cracks_clip.glsl: crack_is_inside(), which clips cracks to the ice. CRACKS_CONVEX clips at the
+ * nearest front face and, with CRACKS_BEFORE_BACK, at the farthest back face. CRACKS_INTERVAL clips
+ * to the intervals in which a pixel's ray is inside the ice. CRACKS_UNCLIPPED does not clip. */
 #include "inclusions/cracks.h"
 #if defined CRACKS_CONVEX
 

@@ -1,5 +1,5 @@
-/* cracks_hit.frag: writes the image of cracks that refracted rays are intersected with
- * (refract_cracks.glsl). A highly reflective crack hides less reflective ones, even nearer ones. */
+/* cracks_hit.frag: writes the crack image with which refract_cracks.glsl intersects refracted rays.
+ * A highly reflective crack hides less reflective ones, even if they are nearer. */
 #version 460
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"

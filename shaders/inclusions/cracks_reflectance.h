@@ -27,8 +27,8 @@ ABI_FUNCTION float cracks_reflectance_at(vec3s gap, float phase, float wavelengt
     return 1.0f - 0.5f / (1.0f + gap.y * swing) - 0.5f / (1.0f + gap.z * swing);
 }
 
-/* Returns the reflectance for red, green and blue light (610, 550, 465 nm). `c` is the cosine of
- * incidence in the ice, `n` the ice's index relative to the gap's, `width` in micrometres. */
+/* Returns a gap's reflectance for red, green and blue light (610, 550, 465 nm). `c`: cosine of
+ * incidence in the ice; `n`: index of ice / index of gap; `width`: gap width in micrometres. */
 ABI_FUNCTION vec3s cracks_reflectance(float c, float n, float width)
 {
     float cosine2 = 1.0f - n * n * (1.0f - c * c); /* squared; negative for total reflection */

@@ -16,8 +16,8 @@ const uint count = 128u;
 const float golden = 2.39996323; /* golden angle, radians */
 const float brightest = 16.0;    /* radiance limit, so that the sun leaves no spot per sample */
 
-/* Computes the mean radiance that the frost crystals scatter into a direction. Slopes are
- * GGX-distributed; a slope of angle d deflects refracted light by (n - 1) d. */
+/* Computes the mean radiance that the frost crystals scatter into a direction. The crystals' slopes
+ * are GGX-distributed. A slope of angle d deflects refracted light by (n - 1) d. */
 void main()
 {
     vec2 ndc = gl_FragCoord.xy / float(FROST_CUBE_SIZE) * 2.0 - 1.0;

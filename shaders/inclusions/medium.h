@@ -12,8 +12,8 @@
 
 #define MEDIUM_SIZE 64
 
-/* Binding of the density grids, of MEDIUM_SIZE array layers each. A texel holds the densities of
- * two successive layers, so that one bilinear lookup suffices to interpolate along z. */
+/* Binding of the density grids, which have MEDIUM_SIZE array layers each. A texel holds the
+ * densities of two successive layers, so a single bilinear lookup allows interpolation along z. */
 #define MEDIUM_TEXELS 16
 #define MEDIUM_AROUND 17 /* binding of LIT_ENVIRONMENT_BINDING in refract_medium.glsl */
 
@@ -24,7 +24,7 @@
 
 #define MEDIUM_VEIL_DENSITY 0.25f /* density of the veil relative to the core's */
 
-/* Density field of one object and its bounds, in object space. */
+/* Density field of an object in object space, and the bounds of the field. */
 struct medium_field {
     vec3s min_corner;       /* minimum corner of the grid's box */
     float extinction;       /* extinction coefficient at the maximum density, 1 / metre */

@@ -54,8 +54,8 @@ float medium_phase(float cosine, float g)
     return (1.0 - g * g) / (base * sqrt(base));
 }
 
-/* Returns a quadratic fit (x, y, z) of the optical depth towards the sun along a segment: x + y u +
- * z u^2, u from 0 to 1. The depth varies smoothly, so three shadow rays suffice for all steps. */
+/* Returns (x, y, z) of a quadratic fit x + y u + z u^2 to the optical depth towards the sun, for u
+ * from 0 to 1 along a segment. The depth varies smoothly, so three shadow rays suffice. */
 vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_sun)
 {
     float near = medium_sun_depth(field, from + segment / 6.0, to_sun);
@@ -66,8 +66,8 @@ vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_s
     return vec3(center - 0.5 * slope + 0.25 * curvature, slope - curvature, curvature);
 }
 
-/* Returns the in-scattered sunlight relative to the sunlight on a white diffuse surface. `depth`,
- * the optical depth towards the sun, attenuates the light and widens the phase function. */
+/* Returns the in-scattered sunlight relative to the sunlight on a white diffuse surface. The
+ * optical depth towards the sun, `depth`, attenuates the light and widens the phase function. */
 float medium_sun_scattering(float cosine, float depth)
 {
     float g = frame.medium_g;
@@ -75,8 +75,8 @@ float medium_sun_scattering(float cosine, float depth)
     return 0.25 * medium_phase(cosine, widened) * exp(-(1.0 - g) * depth);
 }
 
-/* Returns the environment light scattered into a ray: `ahead` is the weight of light from about the
- * ray's direction, `anywhere` that of the mean over all directions. */
+/* Returns the environment light scattered into a ray. `ahead` weights light from about the ray's
+ * direction; `anywhere` weights the mean light of all directions. */
 vec3 medium_environment_scattering(vec3 dir, float ahead, float anywhere)
 {
     vec3 forward = lit_diffuse(dir);
@@ -107,7 +107,7 @@ vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
 }
 
 /* Ray-marches a segment of length `t` from an object-space point. Returns its optical depth and
- * in-scattered sunlight. Callers pass `steps` as `remaining`, or 0 to skip the segment. */
+ * in-scattered sunlight. `remaining` must be equal to `steps`, or 0 to skip the segment. */
 medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)
 {

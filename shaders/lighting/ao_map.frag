@@ -16,7 +16,7 @@ layout(set = 0, binding = AO_HEIGHTS) uniform sampler2D heights;
 layout(set = 0, binding = AO_UNDERSIDES) uniform sampler2D undersides;
 
 /* rgb: change in irradiance of a level white diffuse surface; a: ground light that the objects
- * reflect back, relative to the ground's radiance */
+ * reflect back to the ground, as a fraction */
 layout(location = 0) out vec4 map;
 
 const float wide_sine = 0.6;    /* minimum sine of undeflected light */
@@ -28,8 +28,8 @@ const int azimuth_steps = 10;   /* samples per azimuth, in geometric progression
 const float first_step = 1.5 / float(AO_HEIGHTS_SIZE); /* in sides of the map */
 const float full_radius = 0.6;                         /* relative radius where the fade begins */
 
-/* Returns an edge's term of the polygon form factor: the angle between its unit directions `a` and
- * `b` over 2 pi, along the normal of their plane. */
+/* Returns an edge's term of the polygon form factor. `a` and `b` are unit directions to the edge's
+ * ends. The term is the angle between them over 2 pi, along their plane's normal. */
 vec3 edge(vec3 a, vec3 b)
 {
     vec3 normal = cross(a, b);
@@ -37,8 +37,8 @@ vec3 edge(vec3 a, vec3 b)
     return sine > 1e-6 ? normal * (atan(sine, dot(a, b)) / (6.2831853 * sine)) : vec3(0.0);
 }
 
-/* Returns the vector irradiance of a box, divided by pi, as a sum over its silhouette edges
- * (Lambert 1760). `low` and `high` are the box corners relative to the point. */
+/* Returns the vector irradiance from a box, divided by pi, by summing over silhouette edges
+ * (Lambert 1760). `low` and `high` are the box corners relative to the receiving point. */
 vec3 outline(vec3 low, vec3 high)
 {
     vec3 front = vec3(greaterThan(low, vec3(0.0))), back = vec3(lessThan(high, vec3(0.0)));
@@ -61,8 +61,8 @@ vec3 outline(vec3 low, vec3 high)
     return sum;
 }
 
-/* Returns the fraction of uniform environment light that box occluder `i` blocks, as a vector
- * towards it, for a point and a normal in object space. */
+/* Returns the fraction of uniform environment light that box occluder `i` blocks at a point, as a
+ * vector towards the box. Point and normal are in object space. */
 vec3 blocked_by(uint i, vec3 point, vec3 n)
 {
     vec3 low = ao.all[i].min - point, high = ao.all[i].max - point;
@@ -72,8 +72,8 @@ vec3 blocked_by(uint i, vec3 point, vec3 n)
     return outside > 0.0 ? outline(low, high) : max(1.0 - inner_depth, 0.0) * n;
 }
 
-/* Returns the environment light behind an occluder, prefiltered over its solid angle. `sine` is the
- * sine of half the angle that the occluder subtends. */
+/* Returns the environment light behind an occluder, prefiltered over the occluder's solid angle.
+ * `sine` is the sine of half the angle that the occluder subtends. */
 vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
 {
     if (constant_background != GLOBALS_ENVIRONMENT)
@@ -85,8 +85,8 @@ vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
                textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
 }
 
-/* Returns the surroundings' height above the plane in metres, or 0 where the free space below them
- * exceeds their thickness, as below a table top. */
+/* Returns the surroundings' height above the plane in metres. Returns 0 below overhangs such as
+ * table tops, where the free space is higher than the surroundings are thick. */
 float height_at(vec2 uv)
 {
     float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;
@@ -113,8 +113,8 @@ float occluded_by_surroundings(vec2 uv)
     return sum / float(directions);
 }
 
-/* Adds up the occluders' effect on a point of the plane. Light that passes an occluder nearly
- * straight shows what is behind it, except small bright sources, which are refracted aside. */
+/* Adds up the occluders' effect on a point of the plane. Light that is hardly deflected shows what
+ * is behind an occluder, but not small bright sources, which are refracted aside. */
 void main()
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);

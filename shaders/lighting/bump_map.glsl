@@ -1,5 +1,5 @@
-/* bump_map.glsl: samples the ice's bump map, projected along the three axes of object space and
- * blended (triplanar mapping), or at the mesh's uv. */
+/* bump_map.glsl: samples the ice's bump map at the mesh's uv, or along the three axes of object
+ * space, whose samples are blended (triplanar mapping). */
 #ifndef BUMP_MAP_GLSL
 #define BUMP_MAP_GLSL
 #include "lib/globals.glsl"
@@ -38,7 +38,7 @@ bump_planes bump_read_planes(vec3 normal)
 }
 
 /* Samples the map at the mesh's uv. Without uv the derivatives are 0, for which lavapipe's
- * anisotropic filter (Mesa 25) returns NaN, so mip level 0 is sampled instead. */
+ * anisotropic filter (Mesa 25) returns NaN, so mip level 0 is read instead. */
 vec4 bump_read_uv()
 {
     vec2 at = bump_at.xy;

@@ -1,9 +1,7 @@
 /*
- * bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C.
- *
- * A surface gradient perturbs the normal independently of the parametrisation (Mikkelsen 2010, Bump
- * Mapping Unparametrized Surfaces on the GPU), so that the gradients of the three triplanar
- * projections can be added and no tangents are needed.
+ * bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C. Surface gradients
+ * (Mikkelsen 2010, Bump Mapping Unparametrized Surfaces on the GPU) do not depend on the
+ * parametrisation: gradients of the three triplanar projections can be added without tangents.
  */
 #ifndef SHADERS_LIGHTING_BUMP_NORMAL_H
 #define SHADERS_LIGHTING_BUMP_NORMAL_H
@@ -31,8 +29,8 @@ ABI_FUNCTION vec3s bump_perturbed(vec3s normal, vec3s gradient)
         glms_vec3_add(aside, glms_vec3_scale(normal, glms_vec3_dot(normal, gradient))));
 }
 
-/* Returns a perturbed normal that still faces the camera; one that would face away is tilted back
- * until it is nearly perpendicular to the view direction e. */
+/* Returns a perturbed normal that faces the camera. A normal that faces away is tilted back until
+ * it is nearly perpendicular to the view direction `e`. */
 ABI_FUNCTION vec3s bump_facing(vec3s perturbed, vec3s normal, vec3s e)
 {
     float excess = glms_vec3_dot(perturbed, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);

@@ -41,8 +41,8 @@ ABI_FUNCTION vec3s diffuse_sampling_cosine_dir(vec3s n, vec2s at)
         glms_vec3_add(glms_vec3_scale(n, 1.0001f), diffuse_sampling_sphere(at)));
 }
 
-/* Returns the direction of a diffuse ray. Guided rays sample a cone from which most light comes.
- * `guide` is the cone's unit axis and cosine of the half-angle, or (0, 0, 0, 1) without a cone. */
+/* Returns the direction of a diffuse ray. Guided rays sample the cone from which most light comes.
+ * `guide`: the cone's unit axis and cosine of the half-angle; (0, 0, 0, 1) if there is no cone. */
 ABI_FUNCTION vec3s diffuse_sampling_dir(vec3s n, vec4s guide, uint32_t ray_index, vec2s at)
 {
     vec3s axis = ABI_VEC3(guide.x, guide.y, guide.z);

@@ -19,8 +19,8 @@ vec4 counted(ivec2 texel)
     return found;
 }
 
-/* Filters the counts with a 3 x 3 tent, which reduces photon noise and softens the shadow's edge.
- * Scales them by the area, in texels, that one photon represents. */
+/* Filters the photon counts with a 3 x 3 tent, which reduces noise and softens the shadow's edge.
+ * Multiplies them by the area, in texels, that one photon represents. */
 void main()
 {
     const float weights[3] = { 0.25, 0.5, 0.25 };

@@ -57,7 +57,7 @@ vec3 sun_ray(vec3 e)
     return normalize(e + away * (cos(angle) * a + sin(angle) * b));
 }
 
-/* Returns a ray's length to the edge of the caustic map, where clip-space |x| or |y| equals w. */
+/* Returns the length of a ray to the edge of the caustic map, at clip-space |x| = w or |y| = w. */
 float length_to_map_edge(vec4 clip, vec4 dir_clip)
 {
     float limit = ground_last * frame.radius;
@@ -83,9 +83,9 @@ bool march_is_in_ground(vec3 point)
     return is_below(ice_light_clip(point));
 }
 
-/* Intersects a ray with the depth map of the ground: steps of growing length, then bisection.
- * Returns the map coordinates in xy; z is 1 for a hit, otherwise 0. The depth map is treated as
- * solid: a ray that passes behind a surface hits it. */
+/* Intersects a ray with the depth map of the ground by steps of growing length, then bisection.
+ * Returns the map coordinates in xy, and in z 1 for a hit or 0. The depth map is treated as solid:
+ * a ray that passes behind a surface hits the surface. */
 vec3 land(vec3 point, vec3 dir)
 {
     vec4 clip = ice_light_clip(point);

@@ -1,5 +1,5 @@
-/* ice_caustics_sun_view.vert: vertex shader of the photon pass: full-screen triangle in the sun's
- * light space, whose projection is perspective. */
+/* ice_caustics_sun_view.vert: vertex shader of the photon pass. Draws a full-screen triangle in the
+ * sun's light space, which has a perspective projection. */
 #version 460
 #include "lib/globals.glsl"
 

@@ -1,5 +1,5 @@
-/* composite.frag: fragment shader that composites air, bubbles, cracks and highlights over the ice;
- * BUBBLES_REFRACTED shows bubbles along refracted rays. */
+/* composite.frag: fragment shader that composites air, bubbles, cracks and highlights over the ice.
+ * With BUBBLES_REFRACTED, refracted rays show bubbles. */
 #version 460
 #include "lib/specialization_constants.glsl"
 #include "output/composite.h"

@@ -1,5 +1,5 @@
-/* composite.vert: vertex shader of compositing: full-screen triangle, and milky air's radiance as a
- * varying; BUBBLES_REFRACTED adds view parameters. */
+/* composite.vert: vertex shader of compositing. Draws a full-screen triangle and computes milky
+ * air's radiance. BUBBLES_REFRACTED adds view parameters to the outputs. */
 #version 460
 #include "lib/air_light.glsl"
 #include "output/composite.h"

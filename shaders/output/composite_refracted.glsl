@@ -1,5 +1,5 @@
-/* composite_refracted.glsl: finds the hits of refracted rays in the bubbles' depth image, for
- * composite.frag with BUBBLES_REFRACTED. Approximation: bubbles are shaded for unrefracted rays. */
+/* composite_refracted.glsl: finds where refracted rays hit bubbles, in the bubbles' depth image,
+ * for composite.frag with BUBBLES_REFRACTED. Bubbles are shaded as if rays were not refracted. */
 #ifndef COMPOSITE_REFRACTED_GLSL
 #define COMPOSITE_REFRACTED_GLSL
 #include "lib/optics.glsl"

@@ -28,8 +28,8 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    /* Rearranged so that no division depends on another: new_peak = above / below, and the fraction
-     * of the colour that remains is 1 / (desaturation * (peak - new_peak) + 1). */
+    /* Rearranged so that no division uses another's result. new_peak is above / below. The
+     * remaining fraction of the colour is 1 / (desaturation * (peak - new_peak) + 1). */
     float below = peak + (range - start);
     float above = below - range * range;
     float scale = above / (peak * (desaturation * (peak * below - above) + below));
@@ -124,7 +124,7 @@ ABI_FUNCTION vec3s tonemap_apply(vec3s radiance, float gain, uint32_t curve)
     return c;
 }
 
-/* Returns the tone-mapped, sRGB-encoded colour of linear radiance, 0 to 1, as in PNG files. */
+/* Returns linear radiance after tone mapping and sRGB encoding, each channel from 0 to 1. */
 ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
 {
     vec3s c = tonemap_apply(radiance, gain, curve);

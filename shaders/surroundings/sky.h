@@ -1,5 +1,5 @@
-/* sky.h: radiance and irradiance of the procedural sky, to be multiplied by globals.sky_strength.
- * An artistic model: a gradient from horizon to zenith, a sun with a soft glow, and dark ground. */
+/* sky.h: radiance and irradiance of the procedural sky. Callers multiply by globals.sky_strength.
+ * The sky is a gradient from horizon to zenith, a sun with a soft glow, and dark ground. */
 #ifndef SHADERS_SURROUNDINGS_SKY_H
 #define SHADERS_SURROUNDINGS_SKY_H
 #include "abi_math.h"
@@ -27,8 +27,8 @@ ABI_FUNCTION vec3s sky_radiance_with_sun(vec3s dir, vec3s sun_dir, float sun_str
     return glms_vec3_add(sky_gradient(dir), sun);
 }
 
-/* Returns the radiance of a sun disc of an angular radius in radians, normalised so that a facing
- * white diffuse surface has radiance 1. The disc's radius is at least `blur`. */
+/* Returns the radiance of a sun disc with an angular radius of `radius` or `blur`, whichever is
+ * larger. Under this sun, a white diffuse surface that faces it has radiance 1. */
 ABI_FUNCTION float sky_disc(vec3s dir, vec3s sun_dir, float radius, float blur)
 {
     float wide = fmaxf(radius, blur);
@@ -47,7 +47,7 @@ ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
 }
 
 /* Returns an estimate of the sky's radiance, prefiltered for a reflection of the given roughness.
- * Excludes the sun's disc, which is lit as a separate light source. */
+ * Excludes the sun's disc, which is a separate light source. */
 ABI_FUNCTION vec3s sky_glossy(vec3s dir, float roughness, vec3s sun_dir, float sun_strength)
 {
     float c = glm_clamp(glms_vec3_dot(dir, sun_dir), 0.0f, 1.0f);

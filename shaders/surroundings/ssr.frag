@@ -13,8 +13,8 @@ const float fade_border = 0.04;   /* width of the fade at image edges, relative 
 const float fade_roughness = 0.4; /* roughness at which reflections begin to fade out */
 const float sharp = 2.0;          /* footprint in pixels up to which refracted colours are used */
 
-/* Returns the premultiplied colour of the objects at `t` along the segment: blurred to the
- * footprint of the reflection lobe, or refracted along the reflected ray if the lobe is narrow. */
+/* Returns the premultiplied colour of the objects at `t` along the segment. Narrow reflection lobes
+ * show refraction; wide ones show the image blurred to the lobe's footprint. */
 vec4 hit_color(segment p, float t, float roughness)
 {
     vec4 clip = mix(p.from, p.to, t);
@@ -34,7 +34,7 @@ vec4 hit_color(segment p, float t, float roughness)
     return fade * image;
 }
 
-/* Returns a fade factor: 1 inside the scissored area, 0 at its edges that are inside the image. */
+/* Returns a fade factor: 1 inside the scissored area, 0 at edges of the area within the image. */
 float inside_area()
 {
     vec2 to_min = gl_FragCoord.xy - push.area_min, to_max = push.area_max - gl_FragCoord.xy;

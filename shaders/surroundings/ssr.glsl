@@ -1,5 +1,5 @@
-/* ssr.glsl: ray march of the screen-space reflections: linear steps through the depth buffer of the
- * refractive objects, followed by bisection. */
+/* ssr.glsl: ray march of the screen-space reflections. Takes linear steps through the depth buffer
+ * of the refractive objects, then bisects. */
 #ifndef SSR_GLSL
 #define SSR_GLSL
 #include "lib/object_pose.glsl"
@@ -48,8 +48,8 @@ segment segment_in_box(vec3 point, vec3 dir)
     return p;
 }
 
-/* Returns a point's depth behind the objects' front faces, in metres along the view axis; negative
- * in front of the objects and beside them. */
+/* Returns a point's depth behind the objects' front faces, in metres along the view axis. The
+ * result is negative in front of the objects and beside them. */
 float depth_behind_front(vec4 clip)
 {
     vec2 uv = image_uv(clip);

@@ -15,8 +15,8 @@
 #define SSR_HIT_POINT 20 /* hit point of the reflected ray, relative to the camera */
 #define SSR_HIT_DIR   21 /* direction of the reflected ray */
 
-/* Clamp on reflected radiance. Sun glints depend on the view direction, so that reflections show
- * them in the wrong place, and they alias at half resolution. */
+/* Clamp on reflected radiance. Sun glints depend on the view direction, so reflections show them in
+ * wrong places. Glints also alias at half resolution. */
 #define SSR_RADIANCE_MAX 2.0f
 
 struct ssr_push {

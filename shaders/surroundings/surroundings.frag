@@ -30,8 +30,8 @@ vec3 view_vector()
 #ifdef SURROUNDINGS_CAUSTICS
 #include "lib/sun_shadow_caustics.glsl"
 
-/* Returns the irradiance of a surface. Unlit surfaces have their lighting baked into their colour,
- * so only the ice's caustics are added. */
+/* Returns the irradiance of a surface. The colour of unlit surfaces includes baked lighting, so
+ * only the ice's caustics are added. */
 vec3 light_on(vec3 n, bool unlit)
 {
     sun_shadow shadow = sun_shadow_at(push.eye + eye_to_point, n);

@@ -1,6 +1,6 @@
 /* surroundings_materials.frag: fragment shader of surroundings with materials.
- * SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow, SURROUNDINGS_EXTRA the vertex
- * attributes of struct mesh_extra, SURROUNDINGS_SSR the outputs for screen-space reflections. */
+ * SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. SURROUNDINGS_EXTRA adds the attributes
+ * of struct mesh_extra. SURROUNDINGS_SSR adds outputs for screen-space reflections. */
 #version 460
 #include "lib/alpha_test.glsl"
 #include "lib/ao.glsl"
@@ -39,8 +39,8 @@ vec3 view_vector()
 #include "lib/sun_shadow_caustics.glsl"
 #endif
 
-/* Returns the factor, from 1/2 to 1, that turns an elongated texture footprint into a square one of
- * equal area; it replaces anisotropic filtering in cube maps. */
+/* Returns the factor, from 1/2 to 1, from an elongated texture footprint to a square one of equal
+ * area. Cube maps are filtered with this instead of anisotropically. */
 float footprint_blur()
 {
     vec2 x = dFdx(uv), y = dFdy(uv);

@@ -1,6 +1,6 @@
 /* surroundings_vertices.vert: vertex shader of surroundings with materials, lit per vertex without
- * normal maps. SURROUNDINGS_EXTRA adds the attributes of struct mesh_extra, SURROUNDINGS_CAUSTICS
- * outputs for the ice's caustics and shadow. Uniforms are passed on as flat outputs, because
+ * normal maps. SURROUNDINGS_EXTRA adds the attributes of struct mesh_extra. SURROUNDINGS_CAUSTICS
+ * adds outputs for the ice's caustics and shadow. Uniforms are passed on as flat outputs, because
  * lavapipe's fragment shaders fetch each float of a uniform separately. */
 #version 460
 #define LIT_PER_VERTEX
@@ -84,8 +84,8 @@ void write_texture_lookups(uint row)
     out_lookups = vec4(base.layer, base.wraps, emissive.layer, emissive.wraps);
 }
 
-/* Computes a vertex's lighting and returns the sunlight on its diffuse base. All outputs are linear
- * in the base's albedo, by which the fragment shader multiplies them. */
+/* Computes a vertex's lighting and returns the sunlight on the diffuse base. All outputs are linear
+ * in the base's albedo, by which the fragment shader multiplies the outputs. */
 vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);

@@ -71,8 +71,8 @@ vec3 sun_disc(vec2 at)
     return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
 }
 
-/* Returns the light map coordinates at which a ray that enters the water at p with a given slope
- * hits the floor, at `depth`, or a wall that faces the sun. */
+/* Returns light map coordinates. A ray enters the water at `p` with a slope and lands on the floor,
+ * at `depth`, or on a wall that faces the sun. */
 vec2 map_landing(vec2 p, vec2 slope, float depth)
 {
     vec2 undeviated = sun_inside().xy / -sun_inside().z;
@@ -82,8 +82,8 @@ vec2 map_landing(vec2 p, vec2 slope, float depth)
     return p + at * slope + (depth - at) * undeviated;
 }
 
-/* Refracts a sun ray at the point p of the surface. Returns its light map coordinates in xy and its
- * flux in z, relative to light from the sun's centre through the same area of level water. The flux
+/* Refracts a sun ray at the point p of the surface. Returns light map coordinates in xy and flux in
+ * z. Flux 1 is the light that enters the same area of level water from the sun's centre. The flux
  * is 0 if the wave itself or the rim of the pool shadows p. */
 vec3 land(vec2 p, vec3 sun)
 {

@@ -4,8 +4,8 @@
 
 layout(location = 0) out float raw;
 
-/* Traces one ray up from the floor, along the path of sunlight through level water, and evaluates a
- * radially symmetric glow around the sun in the refracted direction. */
+/* Traces one ray up from the floor, along the path of sunlight through level water, and refracts it
+ * at the waves. The light is a glow that depends on the refracted ray's angle to the sun. */
 void main()
 {
     vec3 inside = sun_inside();

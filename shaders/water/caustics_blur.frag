@@ -6,8 +6,8 @@ layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
 
 layout(location = 0) out float light;
 
-/* Returns the offset, in light map texels, between the landing points of two rays through level
- * water on ground at `depth`: from the sun's centre, and from the point `at` of the sun's disc. */
+/* Returns the offset, in light map texels, between two sun rays that land on ground at `depth`
+ * through level water: one from the sun's centre, one from the point `at` of the sun's disc. */
 vec2 image_of(vec2 at, float depth)
 {
     vec3 sun_center = sun_inside();
@@ -16,8 +16,8 @@ vec2 image_of(vec2 at, float depth)
     return shift * depth / map_texel_size();
 }
 
-/* Blurs the light of the sun's centre with the image of the sun's disc below level water, an
- * ellipse. Samples are `pace` texels apart if the ellipse is large. */
+/* Blurs the light of the sun's centre with the sun disc's image below level water, an ellipse.
+ * Samples of large ellipses are `pace` texels apart. */
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);

@@ -17,8 +17,8 @@ vec2 random(uvec2 texel)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-/* Returns the Fresnel transmittance of the surface along a ray from the ground if the refracted ray
- * hits the sun, otherwise 0. `dir` points up. */
+/* Traces a ray up from the ground; `dir` points up. Returns the Fresnel transmittance of the
+ * surface if the refracted ray hits the sun, otherwise 0. */
 float gathered(vec3 ground, vec3 dir, vec3 sun_dir, float sun_radius)
 {
     vec2 p = ground.xy - dir.xy / dir.z * ground.z;
@@ -34,7 +34,7 @@ float gathered(vec3 ground, vec3 dir, vec3 sun_dir, float sun_radius)
 }
 
 /* Averages over directions that cover the cone uniformly (Roberts' R2 sequence). Radiance in water
- * is that in air times the squared index of refraction. */
+ * is the radiance in air times the squared index of refraction. */
 void main()
 {
     uvec2 texel = gl_GlobalInvocationID.xy;

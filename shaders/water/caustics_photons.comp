@@ -20,7 +20,7 @@ vec4 random(uint index)
 }
 
 /* Traces one photon from a random point of the sun through a random point of the surface. Weights
- * are added as integers, so that the sum does not depend on the order. */
+ * are integers, so the order of photons does not change the sum. */
 void main()
 {
     uint index = gl_GlobalInvocationID.x;

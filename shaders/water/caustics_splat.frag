@@ -7,7 +7,7 @@ layout(location = 1) flat in float flux; /* flat: slivers would extrapolate it *
 layout(location = 0) out float raw;      /* accumulated by additive blending */
 
 /* Computes the light of a projected grid triangle: the ratio of a texel's areas on the surface and
- * on the floor, which is constant over a flat triangle and independent of its orientation. */
+ * on the floor. The ratio is constant over a flat triangle. */
 void main()
 {
     vec2 x = dFdx(p);

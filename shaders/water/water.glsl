@@ -47,8 +47,8 @@ vec3 transmittance(float path)
     return exp(-path * vec3(push.water.red, push.water.green, push.water.blue));
 }
 
-/* Returns the light that a white surface below the water reflects: sunlight, refracted as through
- * level water, and sky light, both attenuated by absorption. */
+/* Returns the light that a white surface below the water reflects: sunlight refracted as by level
+ * water, plus sky light. Water absorbs part of both. */
 vec3 light_below(vec3 at, vec3 n, float sun_fraction)
 {
     vec3 sun_dir = pool_sun_dir();
@@ -102,7 +102,7 @@ float path_to_ground(vec3 from, vec3 dir)
                      vec3(vec2(half_size), 1e6));
 }
 
-/* Returns the radiance along a ray: of the pool's ground or, above water, of dry walls and sky. */
+/* Returns the radiance along a ray: of the ground or, above water, of dry walls and sky. */
 water_ground water_radiance_along(water_ray ray)
 {
     water_ground ground;

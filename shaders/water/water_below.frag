@@ -62,8 +62,8 @@ float below_surface(vec3 from, vec3 dir, float last)
     return over < last ? under : last;
 }
 
-/* A ray split by the water surface: `reflected` stays below it; `through` is the transmitted
- * radiance, weighted by the Fresnel transmittance. */
+/* A ray split by the water surface. `reflected` stays below the surface. `through` is the
+ * transmitted radiance times the Fresnel transmittance. */
 struct below_rays {
     water_ray reflected;
     vec3 through;

@@ -1,5 +1,5 @@
-/* water_ice.glsl: traces rays through the floating ice by ray marching its depth and normal maps
- * (refract_bounce.c), down to the water below the surface at rest or up to the air. All colours
+/* water_ice.glsl: traces rays through the floating ice by marching through depth and normal maps
+ * (refract_bounce.c). Rays end in the air or in the water below the surface at rest. All colours
  * share the path of green (no dispersion); partial internal reflections are ignored. */
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH refract_march(16u, 8u, 4u)
@@ -13,8 +13,8 @@ float ice_ratio(float height)
     return (height < 0.0 ? 1.0 / push.water.ior : 1.0) / frame.eta;
 }
 
-/* Continues a ray that has left the ice: reflects it at the surface if it goes up in water,
- * refracts it into the water if it goes down in air. The ray does not enter the ice again. */
+/* Continues a ray that has left the ice. A ray going up in water is reflected at the surface; a ray
+ * going down in air is refracted into the water. The ray does not enter the ice again. */
 water_ray ice_outside(water_ray ray)
 {
     bool in_water = ray.from.z < 0.0;

@@ -80,8 +80,8 @@ static struct frame_cube_state face_inputs(const struct globals *globals)
     };
 }
 
-/* Returns true if a sphere may be visible in a cube face. Points in the face's frustum have |right|
- * and |up| coordinates of at most `forward`. */
+/* Returns true if a sphere may be visible in a cube face. Inside the face's frustum, |right| and
+ * |up| coordinates are at most `forward`. */
 static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
                            const struct frame_cube_moving_sphere *sphere)
 {

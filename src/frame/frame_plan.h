@@ -51,8 +51,8 @@ struct frame_plan {
     size_t import_count;
 };
 
-/* Compiles a frame request; needs no device. Logs errors and returns STATUS_FAILED if the tables
- * are invalid or STATUS_TRY_AGAIN when out of memory. Call frame_plan_finish() in any case. */
+/* Compiles a frame request; needs no device. Logs errors. Returns STATUS_FAILED if the tables are
+ * invalid, STATUS_TRY_AGAIN when out of memory. Call frame_plan_finish() in any case. */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
 /* Recompiles the plan for the size request->view, which must not exceed max_view of `request` and

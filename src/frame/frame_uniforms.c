@@ -11,8 +11,8 @@
 #include "src/tech/inclusions/medium_field.h"
 #include "src/tech/techniques.h"
 
-/* Margins of frame_view_reach(), for rays that begin slightly outside the sphere
- * (refract_march_ray.glsl), for bilinear lookups and for jittered samples. */
+/* Margins of frame_view_reach() for jittered samples, for bilinear lookups and for rays that begin
+ * slightly outside the sphere. */
 #define REACH_SCALE 1.05f
 
 enum {
@@ -94,7 +94,7 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
         *fitted = (vec2s){ { near, far } };
         return clip_from_world;
     }
-    /* Perspective: z = far / (far - near) (w - near), with w the distance along the camera axis. */
+    /* Perspective: z = far / (far - near) * (w - near); w is the distance along the camera axis. */
     float scale = far / (far - near);
     for (int column = 0; column < 4; column++)
         clip_from_world.raw[column][2] = scale * clip_from_world.raw[column][3];
@@ -103,9 +103,9 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     return clip_from_world;
 }
 
-/* Computes the pixel range, with a margin, that a sphere covers along an image axis. `ahead` and
- * `aside` are its centre's coordinates along camera axis and image axis, metres. `half` is half the
- * image's width or height, pixels, and `edge` the tangent of half the field of view. */
+/* Computes the pixels, with a margin, that a sphere covers along an image axis. `ahead` and
+ * `aside`: coordinates of the sphere's centre along camera axis and image axis, metres. `half`:
+ * half the image's width or height, pixels. `edge`: tangent of half the field of view. */
 static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
 {
     const float bound = 4.0f * half;
@@ -350,8 +350,8 @@ struct globals frame_view_globals(const struct frame_view *view,
     return g;
 }
 
-/* Returns flags for the kinds of textures in use. CPU drivers execute texture fetches in all
- * branches, so unused kinds must be compiled out. */
+/* Returns flags for the kinds of textures in use. CPU drivers fetch textures even in branches not
+ * taken, so unused kinds must be compiled out. */
 static uint32_t textured(const struct model *model)
 {
     const bool any = model->textures.count + model->numbers.count > 0;

@@ -13,29 +13,28 @@ mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier);
 
 /* Returns the pixels that may show points within `radii` bounding radii (0 means 1) of the object's
- * centre, with a margin. Returns the whole image if the camera is within that distance or the
- * object is behind the camera. */
+ * centre, with a margin. If the camera is that near or looks away, returns all pixels. */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
 /* Returns true if the object's bounding sphere extends beyond the image or is near the camera. */
 bool frame_view_exceeds_image(const struct frame_view *view);
 
-/* Returns the pixels of an image of `size` that may show `box`, rotated with its object and
- * enlarged by `room` bounding radii and one pixel, or all pixels if a corner is nearer than the
- * near plane. `globals` are those of the object, or frame_view_globals() for all objects. */
+/* Returns the pixels of an image that may show `box`. The box rotates with its object and is
+ * enlarged by `room` bounding radii and one pixel. Returns all pixels if a corner is nearer than
+ * the near plane. `globals` are the object's, or frame_view_globals() for all objects. */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
-/* Returns the pixels of an image of `size` that show the objects' mirror image in a floor below
- * them, with a margin for uneven floors. */
+/* Returns the pixels of an image that show the objects' mirror image in a floor below. Includes a
+ * margin for uneven floors. */
 VkRect2D frame_view_reflection_area(const struct frame_view *view, const struct globals *globals,
                                     VkExtent2D size);
 
 /* Returns the push constants for face 0 to 5 of the environment cube, in Vulkan's face order. */
 struct surroundings_push frame_view_face(const struct frame_view *view, uint32_t face);
 
-/* Returns the sun's light as the radiance of a white surface that faces it; 0 without a sun. */
+/* Returns the sunlight as the radiance of a white surface that faces the sun; 0 without a sun. */
 vec3s frame_sun_light(const struct scene *scene, const struct settings *settings);
 
 /* Returns the uniform data of a frame. `push` is frame_view_push(). */
@@ -46,8 +45,8 @@ struct globals frame_view_globals(const struct frame_view *view,
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialisation constants, which depend on the scene, settings from frame_resolve_settings() and
- * the refraction model (NULL: one without rays), but not on camera or time. */
+/* Specialisation constants. They depend on the scene, on resolved settings and on the refraction
+ * model (NULL: a model without rays), but not on camera or time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };
@@ -55,9 +54,9 @@ struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings,
                                             const struct technique *refraction);
 
-/* Returns `clip_from_world` with the depth range fitted to a sphere, from 0 at its front to 1 at
- * its back along the camera axis. The near plane stays in front of a camera inside the sphere.
- * *fitted is set to the distances of the near and the far plane, metres. */
+/* Returns `clip_from_world` with depth fitted to a sphere: 0 at the front, 1 at the back. The near
+ * plane stays in front of a camera inside the sphere. *fitted is set to the distances of the near
+ * and the far plane along the camera axis, metres. */
 mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
                      vec2s *fitted);
 

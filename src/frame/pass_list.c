@@ -100,8 +100,8 @@ static const struct rg_use *uses_with(struct pass_builder *builder, const struct
     return copy;
 }
 
-/* Copies the passes of the pass groups from index `first` on for the object at a position in
- * back-to-front order. The copies use the object's uniform buffer and have unique names. */
+/* Copies the passes of the pass groups from index `first` on, for the object at a position in
+ * back-to-front order. The copies use the object's uniform buffer and unique names. */
 static bool assign_to_object(struct frame_list *list, size_t first, uint32_t depth_index,
                              bool for_layers)
 {
@@ -140,7 +140,7 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds each object's passes: for the image if `last` is PHASE_REFRACTION, otherwise for layers. */
+/* Adds each object's passes: image passes if `last` is PHASE_REFRACTION, otherwise layer passes. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
@@ -205,8 +205,8 @@ static bool reads(const struct frame_list_object *object, const struct rg_image 
     return false;
 }
 
-/* Returns true if an image is shared by all objects instead of being the G-buffer of one object:
- * colour, depth, a layer being drawn, or an image that only other passes read. */
+/* Returns true if all objects share an image: colour, depth, a layer being drawn, or an image that
+ * only other passes read. Each G-buffer belongs to one object. */
 static bool is_shared(const struct frame_list *list, const struct frame_list_object *object,
                       const struct rg_image *image)
 {
@@ -220,8 +220,8 @@ static bool is_shared(const struct frame_list *list, const struct frame_list_obj
     return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Returns true if drawing to a target may be limited to the object's pixels, because the target has
- * the view's size and its other pixels are kept or never read. */
+/* Returns true if only the object's pixels of a target need to be drawn: the target has the view's
+ * size, and other pixels are kept or never read. */
 static bool is_local(const struct frame_list *list, const struct rg_target *target)
 {
     const struct rg_image *image = target->image;
@@ -230,8 +230,8 @@ static bool is_local(const struct frame_list *list, const struct rg_target *targ
            (!image || target->load == RG_LOAD_KEEP || !is_used_elsewhere(list, image));
 }
 
-/* Makes a pass keep the content of shared targets and draw only the pixels that rays look up, so
- * that many small objects cost no more than a few large ones. */
+/* Makes a pass keep the content of shared targets and draw only the pixels that rays look up. Many
+ * small objects then cost no more than a few large ones. */
 static void keep_shared_in_pass(struct frame_list *list, const struct frame_list_object *object,
                                 struct rg_pass *pass)
 {

@@ -44,11 +44,11 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 /* Returns the settings after replacing those that the scene determines. */
 struct settings frame_settings(const struct settings *settings, const struct scene *scene);
 
-/* Returns the width of environment cube faces, texels, for an image `height`: env_cube.size or, if
- * that is 0, the smallest power of two from 128 to 2048 that is at least 0.9 * height. */
+/* Returns the width of environment cube faces, texels. If env_cube.size is 0, this is the smallest
+ * power of two from 128 to 2048 that is at least 0.9 times the image's `height`. */
 uint32_t frame_face_size(const struct settings *settings, uint32_t height);
 
-/* Returns the settings with `auto` resolved for a refraction model (or NULL) and image height. */
+/* Returns the settings with `auto` resolved for an image height and a refraction model or NULL. */
 struct settings frame_resolve_settings(const struct settings *settings,
                                        const struct technique *refraction, uint32_t height);
 

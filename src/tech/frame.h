@@ -48,7 +48,7 @@ struct frame_object {
     /* next object of the layer, drawn by the same passes; NULL if last */
     const struct frame_object *next;
     /* Area drawn by the object's passes: the union of `reach` of all objects in the layer. Empty if
-     * another object's passes draw this one. */
+     * this object is drawn by another object's passes. */
     VkRect2D drawn;
 };
 
@@ -58,7 +58,7 @@ struct frame_updates {
     bool light;     /* caustic and shadow maps */
 };
 
-/* Per-frame data read by the record functions of passes; the renderer fills it once per frame. */
+/* Per-frame data that the renderer sets once per frame and record functions of passes read. */
 struct rg_frame {
     const struct settings *settings;
     const struct scene *scene;
@@ -105,7 +105,7 @@ extern const struct rg_image frame_depth;   /* reversed depth: 0 is infinitely f
 extern const struct rg_image frame_display; /* display image: 8 bits, sRGB-encoded */
 
 /* Environment cube (rgb: linear radiance; a: 1 / distance in metres) and its depth buffer.
- * frame_env_cube_baked, whose faces have the view's size, is the cube that is written to files. */
+ * frame_env_cube_baked is the cube that is written to files; its faces have the view's size. */
 extern const struct rg_image frame_env_cube, frame_env_cube_depth, frame_env_cube_baked;
 
 /* Mean of an image's samples, uploaded as tightly packed texels in the format of frame_color. */
@@ -141,7 +141,7 @@ const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame);
 
 /* Record functions without push constants. They draw the pass's object, a full-screen triangle
- * (fullscreen.vert), or the part of that triangle within lookup_area. */
+ * (fullscreen.vert), or the part of such a triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
@@ -155,7 +155,7 @@ enum {
 };
 
 /* Inputs of the denoise pass, written by shaders/trace/trace_denoise.glsl: light with the fraction
- * of samples that gathered it, throughput, and position. They are not available as --aov layers. */
+ * of samples that gathered light, throughput, and position. --aov cannot select them. */
 extern const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT];
 
 #endif

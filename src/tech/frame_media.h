@@ -17,8 +17,8 @@ struct frame_medium {
 };
 
 /* Returns the medium of object `index`; the last index is the medium around the objects. Settings
- * override materials: refract.ior if it was changed since the scene was loaded (scene->model_ior),
- * absorb.* and refract.dispersion if they are not 0. Objects without material use settings only. */
+ * override materials: refract.ior if it has changed since the scene was loaded, absorb.* and
+ * refract.dispersion if not 0. Objects without material use settings only. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 

@@ -27,12 +27,12 @@ const char *pass_builder_name(struct pass_builder *builder, const char *prefix, 
 /* Returns a table of one target, for passes with one colour target. */
 const struct rg_target *pass_builder_target(struct pass_builder *builder, struct rg_target target);
 
-/* Return writable copies of a pass's targets and of its uses; NULL if it has none. */
+/* Return writable copies of a pass's targets and of its uses, or NULL if it has none. */
 struct rg_target *pass_builder_copy_targets(struct pass_builder *builder,
                                             const struct rg_target *targets, uint32_t count);
 struct rg_use *pass_builder_copy_uses(struct pass_builder *builder, const struct rg_use *uses);
 
-/* Returns the concatenation of `count` lists of uses; a list is NULL or ends at an empty use. */
+/* Returns `count` lists of uses joined into one. A list is NULL or ends at an empty use {0}. */
 const struct rg_use *pass_builder_join_uses(struct pass_builder *builder,
                                             const struct rg_use *const *lists, size_t count);
 

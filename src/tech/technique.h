@@ -84,8 +84,8 @@ enum technique_scene {
     SCENE_OF_ANY,
 };
 
-/* Returns the passes of a pass group, or none if the technique is off. Tables that depend on
- * `config` are allocated from the builder (src/tech/pass_builder.h), which owns them. */
+/* Returns the passes of a pass group, or none if the technique is off. The builder allocates and
+ * owns tables that depend on `config` (src/tech/pass_builder.h). */
 typedef struct rg_technique technique_passes_fn(const struct technique_config *config,
                                                 struct pass_builder *builder);
 
@@ -103,7 +103,7 @@ struct refraction_model {
     const struct refract_shaders *shaders; /* NULL for the CPU reference */
     float reach;                           /* face lookup distance in bounding radii; 0 means 1 */
     /* Shades a full-screen triangle instead of front faces
-     * (shaders/refract/refract_fullscreen.glsl): for models with expensive fragment shaders. */
+     * (shaders/refract/refract_fullscreen.glsl), for models with slow fragment shaders. */
     bool shades_fullscreen;
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
@@ -114,8 +114,8 @@ struct refraction_model {
     /* Optional. Sets the members of `config` that depend on the model, after all other members. */
     void (*choose)(struct technique_config *config, const struct scene *scene);
     /* If rays hit surroundings, turns a pass of ice_caustics.c into one that traces photons through
-     * the scene's triangles. `own` lists additional uses and ends at an empty use; targets and
-     * record function are kept. If this function is NULL, photons are rasterised. */
+     * the scene's triangles. Keeps targets and record function. Adds the uses `own`, a list that
+     * ends at an empty use. If this function is NULL, photons are rasterised. */
     void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_builder *builder, const struct rg_use *own);
 };
@@ -169,7 +169,7 @@ struct technique {
     const char *name;
     const char *help; /* one line, no full stop */
     const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
-    /* Returns true if the technique is on; must be false if the first setting is 0. NULL: true. */
+    /* Returns true if the technique is on, false if the first setting is 0. NULL: always on. */
     bool (*is_on)(const struct settings *settings);
     bool is_traced;   /* the CPU reference models the feature */
     bool is_ice_only; /* by default, only ice has it */

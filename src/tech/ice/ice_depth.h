@@ -3,8 +3,8 @@
 #define FIRN_TECH_ICE_ICE_DEPTH_H
 #include "src/tech/technique.h"
 
-/* Depth of the nearest front face (1 if there is none) and of the farthest back face (0 if there is
- * none), from 0 (near) to 1 (far); fitted_depth.glsl converts it to metres. */
+/* Depth of the nearest front face and of the farthest back face, from 0 (near) to 1 (far). Without
+ * ice, front depth is 1 and back depth is 0. fitted_depth.glsl converts depth to metres. */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
 /* View-space depth of front and back face and thickness along the ray, metres; 0 without ice. */

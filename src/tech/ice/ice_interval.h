@@ -8,8 +8,8 @@ struct ice_interval_params {
     uint32_t count; /* maximum intervals per pixel */
 };
 
-/* Images for k intervals at index k - 1. An interval has two depth layers, its entry and exit. The
- * nearer and the farther half of all layers are separate images, because a single image would
+/* Images for k intervals are at index k - 1. Each interval has two depth layers: entry and exit.
+ * The nearer half and the farther half of all layers are separate images, because one image would
  * exceed device limits in large views. */
 extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
 extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];

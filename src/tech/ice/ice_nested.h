@@ -11,7 +11,7 @@
 
 /* Layers 2 i and 2 i + 1 show the near and the far face of level i. Depth is that of
  * globals.clip_from_world. Normals: xyz is the world-space unit normal, pointing out of the level;
- * w is 1 + the index of the medium just inside the face, or 0 if there is no face. */
+ * w is 1 + the index of the medium just inside the face, or 0 without a face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
 /* Depth and normals in an area larger than the image, drawn if technique_config.is_wide. */

@@ -12,7 +12,7 @@ extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the 
  * interpolated from the vertices. Undefined where there is no front face. */
 extern const struct rg_image ice_normal_shading;
 
-/* rgb: tinted transmittance of the front or back surface, 1 if there is no face; a: roughness. Only
+/* rgb: tinted transmittance of the front or back surface, or 1 without a face; a: roughness. Only
  * drawn if technique_config.is_textured. */
 extern const struct rg_image ice_normal_front_material, ice_normal_back_material;
 
@@ -22,8 +22,8 @@ extern const struct rg_image ice_normal_front_base;
 /* Depth of the faces: near-plane distance / distance, or 0 if there is no face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
-/* G-buffers of an area 1.5 times as wide and high as the image, if technique_config.is_wide, for
- * rays inside an object that extends beyond the image. */
+/* G-buffers of an area 1.5 times as wide and high as the image, if technique_config.is_wide. Rays
+ * inside an object that extends beyond the image read them. */
 #define ICE_NORMAL_WIDE 1.5f
 extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
 extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;

@@ -215,8 +215,8 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* Returns true if refracted rays can hit bubbles. With several objects they cannot, because the
- * depth and normal maps contain only the nearest faces. */
+/* Returns true if refracted rays can hit bubbles. In scenes with several objects they cannot,
+ * because depth and normal maps contain only the nearest faces. */
 bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
@@ -264,8 +264,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
 
 struct far_bubble {
     struct bubbles_drawn drawn;
-    /* Sort key: power of the camera position with respect to the bounding sphere, i.e. the squared
-     * tangent length; for an orthographic camera, the distance along its axis. */
+    /* Sort key. Perspective: squared length of a tangent from the camera to the bounding sphere
+     * (power of a point). Orthographic: distance along the camera axis. */
     float power;
 };
 
@@ -276,8 +276,8 @@ static int compare_far(const void *a, const void *b)
     return (x->power < y->power) - (x->power > y->power);
 }
 
-/* Sorts the bubbles back to front. The points of equal power of two spheres that do not overlap
- * form a plane between them, so the sphere with more power is on the far side. */
+/* Sorts the bubbles back to front by power. For two spheres that do not overlap, the points of
+ * equal power form a plane between them. The sphere with more power is behind it. */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     const struct bubbles *all = &view->scene->bubbles;

@@ -118,8 +118,8 @@ static const struct rg_use *use_intervals(struct pass_builder *builder, uint32_t
                                   2);
 }
 
-/* Returns the clipping method. An object known to be convex has one interval per pixel, from the
- * nearest to the farthest face, so it needs no depth peeling. */
+/* Returns the clipping method. In a convex object, each pixel has one interval, from the nearest to
+ * the farthest face, so depth peeling is not needed. */
 static struct clipping find_clipping(const struct technique_config *config,
                                      struct pass_builder *builder)
 {

@@ -30,15 +30,15 @@ struct cracks_params {
 /* Premultiplied colour of cracks: highlights, and reflections at air gaps. */
 extern const struct rg_image cracks_color;
 
-/* Depth and normal of the most reflective air gap in each pixel, where refraction models continue
- * the path; 0 if there is none. Only written if cracks_are_traced(). */
+/* Depth and normal of the most reflective air gap in each pixel, or 0 without a gap. Refraction
+ * models continue the path there. Only written if cracks_are_traced(). */
 extern const struct rg_image cracks_hits;
 
 extern const struct setting_group cracks_settings;
 
 extern const struct technique cracks;
 
-/* Returns true if cracks are clipped to the ice and drawn by composite.c; otherwise they are drawn
+/* Returns true if cracks are clipped to the ice and drawn by composite.c. Otherwise they are drawn
  * over the finished image. */
 bool cracks_are_in_ice(const struct settings *settings);
 

@@ -42,7 +42,7 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
     return &made->image;
 }
 
-/* Makes a pass read low-resolution images, bilinearly unless the pass has that resolution too. */
+/* Makes a pass read low-resolution images, bilinearly if the pass has a higher resolution. */
 static void read_small(struct low_res_images *small, struct rg_pass *pass, bool is_small)
 {
     struct rg_use *uses = pass_builder_copy_uses(small->builder, pass->uses);

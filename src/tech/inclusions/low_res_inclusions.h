@@ -11,10 +11,10 @@ struct low_res_images {
     struct low_res_image *first;
 };
 
-/* Changes a pass group so that inclusions are drawn at the resolution of inclusions.scale and
- * upsampled, or are read at that resolution when composited. Returns passes that also draw the
- * object's depth maps at that resolution. Changes nothing in a pool or if inclusions.scale is 1.
- * Sets builder->failed when out of memory. */
+/* Changes a pass group: inclusions are drawn at the scale inclusions.scale and upsampled, or read
+ * at that scale when composited. Returns additional passes that draw the object's depth maps at
+ * that scale, if any. Changes nothing in a pool or if inclusions.scale is 1. Sets builder->failed
+ * when out of memory. */
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
                                              const struct technique_config *config,
                                              enum technique_phase phase,

@@ -151,7 +151,7 @@ static bool is_on(const struct settings *settings)
     return strength_of(settings) > 0.0f;
 }
 
-/* Returns the mean relative density in a ball or a cube, which have the same depth distribution. */
+/* Returns the mean relative density in a ball. A cube has the same mean. */
 static float medium_mean_density(void)
 {
     const int steps = 32;

@@ -2,8 +2,8 @@
  * composite.c: composites air, bubbles and cracks (premultiplied, in this order) over the ice and
  * adds the highlights of the light sources.
  *
- * The shader has a fixed set of bindings. If a technique is off, its bindings refer to the
- * highlights and are not read.
+ * The shader's bindings are fixed. Bindings of disabled techniques refer to the highlights and are
+ * not read.
  */
 #include "shaders/output/composite.h"
 #include <string.h>
@@ -56,7 +56,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
     const struct inclusion_target_params *target =
         settings_of(settings, &inclusion_target_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
-    /* The refraction model has already drawn traced cracks, except for light-source highlights. */
+    /* The refraction model has already drawn traced cracks, but not their light highlights. */
     const bool is_without_cracks = cracks_are_traced(settings, refraction) && !light->count;
     return (highlight.is_on(settings) ? COMPOSITE_HAS_HIGHLIGHT : 0u) |
            (air.is_on(settings) && !((uses_bvh || renders_media) && air_is_medium(settings))

@@ -1,8 +1,7 @@
 /*
  * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface.
- *
- * Alpha-tested holes show what is behind them, and so do blended surfaces where alpha is below one
- * half. Motion vectors are those of the surface itself, not of what it reflects or refracts.
+ * Alpha-tested holes show what is behind them. Blended surfaces do so where alpha is below one
+ * half. Motion vectors are the surface's own, not those of what it reflects or refracts.
  */
 #include "src/tech/output/first_surface.h"
 #include "shaders/embedded.h"

@@ -14,7 +14,7 @@ extern const struct rg_image refract_refraction; /* linear refracted radiance */
 extern const struct rg_image refract_reflection; /* linear reflected radiance */
 extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
 /* x: length of the path inside the object, metres, or 0 if the model does not compute it; y: number
- * of total internal reflections; z: 1 if the first inner surface reflects totally, otherwise 0 */
+ * of total internal reflections; z: 1 if the first inner surface reflects totally, else 0 */
 extern const struct rg_image refract_path;
 
 extern const struct setting_group refract_settings;
@@ -43,7 +43,7 @@ struct refract_medium_shaders {
 
 /* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
-    /* Fragment shaders for image and layers, without and with bump mapping, compiled from
+    /* Fragment shaders for image and layers, first without, then with bump mapping, compiled from
      * refract_STEM.frag. `bump_frag` is NULL if the model has no bump mapping. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* Variants for textured or tinted objects (ice_normal's material images); NULL if none. */
@@ -52,8 +52,8 @@ struct refract_shaders {
     const struct rg_shader *nested_frag, *nested_layers_frag;
     /* NULL: scattering media are rendered clear */
     const struct refract_medium_shaders *medium_shaders;
-    /* Variants that shade the object for rays reflected by surroundings (ssr.c), without and with
-     * material images. If NULL, these rays read the object's colour from the image. */
+    /* Variants that shade the object for rays reflected by surroundings (ssr.c), first without,
+     * then with material images. If NULL, such rays read the object's colour from the image. */
     const struct rg_shader *ssr_frag, *ssr_material_frag;
     /* Vertex shader. NULL selects refract.vert, refract_bump.vert with bump mapping, or
      * refract_fullscreen.vert for models that shade a full-screen triangle. */
@@ -83,8 +83,8 @@ void refract_choose(struct technique_config *config, const struct scene *scene);
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
 
-/* Make a refraction model's passes. The image is drawn before the background, which the depth test
- * rejects where hidden; layers are drawn after it, because surroundings may hide the object. */
+/* Make a refraction model's passes. The image is drawn before the background, which hidden pixels
+ * reject by depth. Layers are drawn after the background, which may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
 #define REFRACT_PASS_GROUPS \
     { \

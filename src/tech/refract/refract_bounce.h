@@ -7,8 +7,8 @@
 extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 
-/* Returns true if nested objects are rendered together and concave objects with all their faces
- * (setting refract_bounce.nested). Textured or tinted objects prevent that. */
+/* Returns true if nested objects are rendered together and all faces of concave objects are used
+ * (setting refract_bounce.nested). Textured or tinted objects or refractive cracks prevent it. */
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene);
 
 #endif

@@ -302,8 +302,8 @@ static struct rg_technique make_object_passes(const struct technique_config *con
     return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
 }
 
-/* Returns the shader that refracts reflected rays in the object; NULL if the rays read the image.
- * With several or nested objects it is NULL, as depth and normal maps have been overwritten. */
+/* Returns the shader that refracts reflected rays in the object, or NULL if rays read the image.
+ * With several or nested objects, rays read the image, as the depth maps are overwritten. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);

@@ -3,8 +3,8 @@
 #define FIRN_TECH_SURROUNDINGS_SSR_H
 #include "src/tech/technique.h"
 
-/* Inputs of screen-space reflections (SURROUNDINGS_OUT_SURFACE and _SPECULAR), written by the
- * passes of the surroundings. Undefined in pixels without materials. */
+/* Inputs of screen-space reflections (SURROUNDINGS_OUT_SURFACE and _SPECULAR). The surroundings'
+ * passes write them. Undefined in pixels without materials. */
 extern const struct rg_image ssr_surface, ssr_specular;
 
 extern const struct setting_group ssr_settings;

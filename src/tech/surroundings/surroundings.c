@@ -1,7 +1,6 @@
 /*
- * surroundings.c: passes that draw the surroundings, and behind them the sky or environment map.
- *
- * They run after the ice is drawn, so that pixels hidden by ice cost only a depth test.
+ * surroundings.c: passes that draw the surroundings and, behind these, the sky or environment map.
+ * The passes run after the ice is drawn, so pixels hidden by ice cost only a depth test.
  */
 #include "src/tech/surroundings/surroundings.h"
 #include "shaders/brdf.h"
@@ -41,8 +40,8 @@ static const struct rg_use texture_uses[] = {
     { 0 },
 };
 
-/* Sampler for cube maps. An anisotropic filter would cost more than the rest of the shading of
- * textured surfaces; elongated texture footprints are filtered as squares instead. */
+/* Sampler for cube maps. Elongated texture footprints are filtered as squares. An anisotropic
+ * filter would cost more than the rest of the shading of textured surfaces. */
 static const struct rg_sampler square_sampler = {
     .linear = true,
     .mips = true,

@@ -32,15 +32,15 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
 bool trace_has_diffuse_light(const struct scene *scene, const struct settings *settings);
 
 /* Returns true if rays that leave the objects hit the surroundings. With trace.surroundings=auto
- * they do if lighting is ray traced, there are several objects, one is scattering, textured or
- * partly opaque, or surroundings are within a bounding-box diagonal of the centre. */
+ * this is so if lighting is ray traced, there are several objects, an object is scattering,
+ * textured or partly opaque, or surroundings are within a bounding-box diagonal of the centre. */
 bool trace_hits_surroundings(const struct scene *scene, const struct settings *settings);
 
 /* Returns true if objects or surroundings may rotate. */
 bool trace_has_motion(const struct settings *settings);
 
-/* Returns the minimum throughput of internal reflections, set by trace.min_branch. With `auto` it
- * is lower if all objects are clear and rays hit the surroundings. */
+/* Returns the minimum throughput of internal reflections, set by trace.min_branch. `auto` selects a
+ * lower value if all objects are clear and rays hit the surroundings. */
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings);
 
 #endif

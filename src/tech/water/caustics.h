@@ -7,8 +7,8 @@
 /* Light map on the floor's plane (lib/caustics_map.glsl), relative to light through level water. */
 extern const struct rg_image caustics_light;
 
-/* AOV layer: sunlight on the ground visible in a pixel, relative to sunlight below level water
- * (caustics_light) or without the ice (ice_caustics.h); 0 in pixels that show no ground. */
+/* AOV layer: sunlight on the ground visible in a pixel; 0 without ground. Relative to sunlight
+ * below level water (caustics_light) or to sunlight without the ice (ice_caustics.h). */
 extern const struct rg_image caustics_layer;
 
 extern const struct technique caustics;              /* passes depend on the method */

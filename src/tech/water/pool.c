@@ -1,8 +1,7 @@
 /*
- * pool.c: settings of a pool of water: waves, ground, floating ice.
- *
- * water.c draws the pool and caustics.c lights it. The default absorption is that of pure water
- * (Pope and Fry 1997) at 650, 550 and 450 nm.
+ * pool.c: settings of a pool of water: waves, ground, floating ice. water.c draws the pool;
+ * caustics.c lights it. Default absorption is that of pure water at 650, 550 and 450 nm (Pope and
+ * Fry 1997).
  */
 #include "src/tech/water/pool.h"
 #include "src/tech/frame.h"
