@@ -74,7 +74,7 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns true if only this user can write to a cache file or folder, whose data drivers trust. */
+/* Returns true if no other user can write to a cache file or folder. Drivers trust its data. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
@@ -150,7 +150,7 @@ void disk_cache_write(const char *name, void *data, size_t size)
         (void)unlink(temporary);
 }
 
-/* Total size of the cache files with a given prefix, and which of them was used least recently. */
+/* Total size of all cache files with a given prefix, and the least recently used of these files. */
 struct cache_usage {
     uint64_t bytes;
     struct timespec used;

@@ -1,8 +1,7 @@
 /*
  * disk_cache.h: disk cache of recomputable data, in "$XDG_CACHE_HOME/firn" or ~/.cache/firn. Each
  * file ends with a hash of its contents. Failures are not errors: the caller recomputes the data.
- *
- * Thread-safety: any thread may call these, but environment variables must not change meanwhile.
+ * Any thread may call these functions while no thread changes environment variables.
  */
 #ifndef FIRN_BASE_DISK_CACHE_H
 #define FIRN_BASE_DISK_CACHE_H
@@ -27,16 +26,16 @@ struct disk_cache_file {
 /* Returns true if the last DISK_CACHE_HASH_SIZE bytes are the hash of the preceding bytes. */
 bool disk_cache_is_intact(const void *data, size_t size);
 
-/* Reads a file, including its final hash, and marks it as just used; the caller frees the result.
- * Returns NULL if the file is missing, writable by other users (logs a warning) or rejected by
- * is_sound() (logs a warning unless is_quiet). */
+/* Reads a file, including the hash at its end, and marks it as just used. The caller frees the
+ * result. Returns NULL if the file is missing. Logs a warning and returns NULL if other users can
+ * write to it, or if is_sound() rejects it (no warning if is_quiet). */
 void *disk_cache_read(const struct disk_cache_file *request, size_t *size);
 
-/* Writes a file atomically, readable only by the user, and appends the hash to `data`, which needs
- * DISK_CACHE_HASH_SIZE writable bytes after `size` bytes. Failures are not logged. */
+/* Appends the hash to `data` and writes both to a file atomically, readable only by the user.
+ * `data` needs DISK_CACHE_HASH_SIZE spare bytes after `size` bytes. Failures are not logged. */
 void disk_cache_write(const char *name, void *data, size_t size);
 
-/* Evicts least recently used files with a name prefix until at most `bytes_max` bytes are left. */
+/* Deletes the least recently used files with a name prefix until they total at most `bytes_max`. */
 void disk_cache_evict(const char *prefix, uint64_t bytes_max);
 
 #endif

@@ -1,14 +1,14 @@
 /*
- * log.h: messages for the user on stderr, one line each. Any thread may log: a line is written with
- * one call, so that lines do not interleave.
+ * log.h: messages for the user on stderr, one line each. Any thread may log. Each line is written
+ * with one call, so that the lines of several threads do not mix.
  */
 #ifndef FIRN_BASE_LOG_H
 #define FIRN_BASE_LOG_H
 
 #include "src/base/status.h"
 
-/* Replaces control characters, including bidirectional ones, by '?' in place. File names and names
- * in files may contain them. */
+/* Replaces control characters, including bidirectional ones, by '?' in place. Use it for texts from
+ * files and for file names. */
 void log_sanitize(char *text);
 
 /* Writes "firn: ", the formatted and sanitised message, and a newline. */

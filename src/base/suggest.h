@@ -20,17 +20,17 @@ struct suggest {
 };
 
 /*
- * Offers a known name. It is a candidate if its edit distance to the word is at most 2 and below
- * the word's length, or if both share a prefix of at least 3 characters. `best` becomes the
- * candidate with the smallest distance, the first one if several are equal.
+ * Offers a known name. The name is a candidate if its edit distance to the word is at most 2 and
+ * below the word's length, or if name and word share a prefix of at least 3 characters. `best`
+ * becomes the candidate with the smallest distance, or the first of several.
  */
 void suggest_offer(struct suggest *suggest, const char *name);
 
 /* Writes ": did you mean 'BEST'?" to `hint`, or "" if there is no candidate. Returns `hint`. */
 const char *suggest_hint(const struct suggest *suggest, char hint[static SUGGEST_HINT_SIZE]);
 
-/* List of known names with their numbers, as text for messages: "0 'Left', 1 'Right'". Names that
- * do not fit are replaced by "...". Initialise with zeros. */
+/* Text that lists known names with their numbers: "0 'Left', 1 'Right'". Names that do not fit are
+ * replaced by "...". Initialise with zeros. */
 struct suggest_list {
     char text[SUGGEST_LIST_SIZE];
     uint32_t count;

@@ -7,7 +7,7 @@ bool tile_fits(const struct tiling *tiling)
            (tiling->rows <= 1 || tiling->height / 2 >= tiling->rows);
 }
 
-/* Returns the first pixel of column or row `index` of `count`; `side` if `index` is `count`. */
+/* Returns the first pixel of tile column (or row) `index`. Returns `side` if `index` is `count`. */
 static uint32_t tile_begin(uint32_t side, uint32_t count, uint32_t index)
 {
     const uint64_t at = (uint64_t)side * index / count;

@@ -34,9 +34,9 @@ MUST_USE enum status exr_encode(const struct image *image, const struct exr_head
 typedef enum status exr_rows_fn(void *user, uint32_t y, struct image *rows);
 
 /*
- * Encodes an image like exr_encode(), but without holding all of it in memory. Only the size and
- * the planes of `image` are used, not its texels; `fill` provides successive groups of rows. If
- * `fill` fails, returns its status.
+ * Encodes an image like exr_encode(), but without holding all of it in memory. `image` gives only
+ * the size and the planes; its texels are not used. `fill` is called for successive groups of rows.
+ * If `fill` fails, its status is returned.
  */
 MUST_USE enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
                                      exr_rows_fn *fill, void *user, void **data, size_t *size);
@@ -58,17 +58,17 @@ MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, 
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a file into *image, which must be zeroed and stays so on failure. Fails like exr_open(). */
+/* Reads a file into *image, zeroed before and on failure. Errors are those of exr_open(). */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
-/* Reads an image like exr_read(), and its header, which the caller frees (zeroed on failure). */
+/* Reads an image like exr_read(), and *head, which the caller frees. *head is zeroed on failure. */
 MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
 
 /* Decodes a whole file to check it, and reads its header into *head like exr_open(). */
 MUST_USE enum status exr_check(const char *path, struct image_header *head);
 
 /* Returns true if `head` has the size, windows, planes and texts that exr_encode() would write for
- * the image and header. `head` may have more texts; texels and matrices are not compared. */
+ * the image. `head` may have additional texts. Texels and matrices are not compared. */
 bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header);
 

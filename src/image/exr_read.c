@@ -136,8 +136,8 @@ static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **l
     return EXR_ERR_SUCCESS;
 }
 
-/* Reads the chunk size: that of a tile, or of the scan lines that are compressed together. For scan
- * lines the library reports 0 if the header has an attribute `tiles`. */
+/* Reads the chunk size: a tile, or the scan lines that are compressed together. The library reports
+ * 0 scan lines if the header of a scan line file has an attribute `tiles`. */
 static exr_result_t read_chunk_size(struct exr_file *file)
 {
     int32_t height;
@@ -252,7 +252,7 @@ static bool fill_head(const struct exr_file *file, struct image_header *head)
     return done && add_texts(file, head);
 }
 
-/* Makes the decoder write into the planes, which are in the order of its channels. */
+/* Makes the decoder write into the image's planes. Planes and channels have the same order. */
 static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *rows, size_t first)
 {
     for (int c = 0; c < pipeline->channel_count; c++) {

@@ -19,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* OpenEXR write callback that writes to memory, at any offset, as the chunk table comes last. */
+/* OpenEXR write callback that writes to memory. Offsets may go back to an earlier position. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {
@@ -205,9 +205,9 @@ struct compressor {
 };
 
 /*
- * Wraps the library's compressor. Readers treat a chunk as uncompressed if it is as long as its
- * contents, but OpenEXR 3.1.5 also writes compressed chunks of that length, which cannot be read.
- * Such chunks are stored uncompressed here.
+ * Calls the library's compressor, but stores a chunk uncompressed if the compressed data has the
+ * same length. Readers take a chunk of that length as uncompressed, but OpenEXR 3.1.5 would write
+ * it compressed.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {
@@ -334,7 +334,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     free(sink.bytes);
     if (origin->status != STATUS_OK)
         return origin->status; /* already logged by `fill` */
-    /* EXR_ERR_CORRUPT_CHUNK means that zlib is out of memory, since our data is never corrupt. */
+    /* Our data is never corrupt, so EXR_ERR_CORRUPT_CHUNK means that zlib is out of memory. */
     if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("the EXR image could not be encoded: %s", exr_get_default_error_message(result));

@@ -18,10 +18,10 @@
 #include "src/base/status.h"
 
 /*
- * Writes `size` bytes to `path`, or to stdout if it is "-". An existing pipe or device is written
- * directly, without a temporary. A symbolic link is followed; a dangling one is rejected. Logs and
- * returns STATUS_CANT_CREATE (cannot be opened or created) or STATUS_WRITE (short write, full disk,
- * failed fsync, close or rename).
+ * Writes `size` bytes to `path`, or to stdout if `path` is "-". An existing pipe or device is
+ * written directly, without a temporary file. A symbolic link is followed; a dangling link is
+ * rejected. Logs errors. Returns STATUS_CANT_CREATE (opening or creating the file failed) or
+ * STATUS_WRITE (writing, fsync, close or rename failed).
  */
 MUST_USE enum status file_io_write(const char *path, const void *data, size_t size);
 
@@ -29,13 +29,13 @@ MUST_USE enum status file_io_write(const char *path, const void *data, size_t si
 bool file_io_is_direct(const char *path);
 
 /*
- * Checks, before a long computation, that file_io_write() could create `path`: it must not be a
- * folder, and its folder must be writable. If not, logs why and returns STATUS_CANT_CREATE.
+ * Checks that `path` is not a folder and its folder is writable, for use before a long computation.
+ * If not, logs why and returns STATUS_CANT_CREATE.
  */
 MUST_USE enum status file_io_check(const char *path);
 
 /*
- * Opens a regular file for reading, which the caller closes, and sets *size to its size in bytes.
+ * Opens a regular file for reading and sets *size to its size in bytes. The caller closes the file.
  * On failure logs, returns STATUS_NO_INPUT and sets *file to NULL.
  */
 MUST_USE enum status file_io_open(const char *path, FILE **file, int64_t *size);

@@ -13,7 +13,7 @@ enum {
     IMAGE_NAME_SIZE = 64
 };
 
-/* Limits of the image readers, which reject larger files with STATUS_DATA. */
+/* Limits of the image readers. Larger files are rejected with STATUS_DATA. */
 enum {
     IMAGE_MAX_SIDE = 65536,      /* pixels */
     IMAGE_MAX_TEXELS = 1 << 28,  /* texels of one plane */

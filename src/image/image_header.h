@@ -48,8 +48,8 @@ void image_header_finish(struct image_header *head);
 MUST_USE bool image_header_add_plane(struct image_header *head, const char *name, bool half);
 
 /*
- * Adds a copy of a text. Ignores what firn never writes: names without its prefix, and values that
- * are too long, too many or contain '\0'. Returns false when out of memory.
+ * Adds a copy of a text. Ignores names without firn's prefix, too long values, values that contain
+ * '\0', and texts beyond the maximum number. Returns false when out of memory.
  */
 MUST_USE bool image_header_add_text(struct image_header *head, const char *name, const char *value,
                                     size_t value_length);

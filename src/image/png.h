@@ -37,12 +37,12 @@ MUST_USE enum status png_read(const char *path, struct image *image);
 /* Reads only the file's header, and returns the size and planes that png_read() would return. */
 MUST_USE enum status png_read_header(const char *path, struct image_header *head);
 
-/* Checks a whole file by the CRCs of its chunks, without decompressing texels, and reads its header
+/* Checks a whole file by the CRCs of its chunks, without decompressing texels. Reads the header
  * into *head, which the caller frees. Errors are those of png_read(). */
 MUST_USE enum status png_check(const char *path, struct image_header *head);
 
 /* Returns true if `head` has the size, channels and texts that png_encode() would write for the
- * image. Texels are not compared and may be NULL. */
+ * image. Texels are not compared, so they may be NULL. */
 bool png_matches(const struct image_header *head, const struct png_image_source *picture);
 
 #endif

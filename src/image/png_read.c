@@ -13,8 +13,8 @@ static enum status out_of_memory(const char *path, const png_image *png)
     return STATUS_TRY_AGAIN;
 }
 
-/* Returns true if all chunks end within the file. If not, libpng might allocate and clear 2 GiB for
- * a file of a few bytes. */
+/* Returns true if all chunks end within the file. Without this check, libpng might allocate and
+ * clear 2 GiB for a file of a few bytes. */
 static bool has_whole_chunks(FILE *file, int64_t size)
 {
     uint8_t head[8]; /* length, type */

@@ -15,8 +15,8 @@ enum primaries_kind {
     PRIMARIES_INVALID, /* degenerate colour space */
 };
 
-/* Computes the row-major matrix from linear colours with primaries `from` to Rec.709 (Bradford
- * adaptation: white stays white). It is the identity unless PRIMARIES_OTHER is returned. */
+/* Computes the row-major matrix from linear colours with primaries `from` to Rec.709. White stays
+ * white (Bradford adaptation). The matrix is the identity unless PRIMARIES_OTHER is returned. */
 enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9]);
 
 #endif

@@ -1,9 +1,7 @@
 /*
- * reader_pipe.h: validated byte stream between a reader process and its parent.
- *
- * The writer has parsed an untrusted file, so the receiver validates everything: counts and sizes
- * are checked before memory is allocated, and extra or missing bytes are a fault. Numbers are in
- * the machine's own representation.
+ * reader_pipe.h: validated byte stream between a reader process and its parent. The reader process
+ * parses untrusted files, so the parent validates everything. Counts and sizes are checked before
+ * memory is allocated; extra or missing bytes are a fault. Numbers are in the machine's format.
  */
 #ifndef FIRN_READER_READER_PIPE_H
 #define FIRN_READER_READER_PIPE_H
@@ -13,7 +11,7 @@
 #include <stdint.h>
 #include "src/base/status.h"
 
-/* Callbacks that transfer `size` bytes. If one returns false, it must not be called again. */
+/* Callback that transfers `size` bytes. After returning false, it must not be called again. */
 typedef bool pipe_read_fn(void *user, void *bytes, size_t size);
 typedef bool pipe_write_fn(void *user, const void *bytes, size_t size);
 
@@ -48,7 +46,7 @@ enum pipe_fault {
 /* Returns the description of a fault, such as "an index beyond the vertices". */
 const char *pipe_fault_text(enum pipe_fault fault);
 
-/* Transfer `size` bytes through the pipe; `bytes` may be NULL if `size` is 0. */
+/* Writes `size` bytes, which pipe_read() receives. `bytes` may be NULL if `size` is 0. */
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
 MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
 

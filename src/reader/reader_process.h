@@ -54,8 +54,8 @@ enum reader_kind {
 struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
-    /* Seconds without CPU use or output after which the child is stopped, for example because it
-     * waits for a FIFO or a file server. 0 selects READER_IDLE_SECONDS. */
+    /* Seconds without CPU use or output after which the child is stopped. A child may wait for a
+     * FIFO or a file server, for example. 0 selects READER_IDLE_SECONDS. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
@@ -73,8 +73,8 @@ MUST_USE enum status reader_start(struct reader **reader, const struct reader_pa
 struct pipe_source reader_source(struct reader *reader);
 
 /*
- * Stops a reader and frees it. If `fault` is PIPE_OK, logs the child's warnings; otherwise logs why
- * no valid data arrived. Returns the matching status.
+ * Stops a reader and frees it. If `fault` is PIPE_OK, logs the child's warnings. For other faults,
+ * logs why no valid data arrived. Returns the matching status.
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 
@@ -92,8 +92,8 @@ struct reader_job {
 /* Returns true if the program was started as a reader process. */
 bool reader_is_child(int argc, char **argv);
 
-/* Applies the resource limits and the sandbox, and returns the job in *job. Returns false if the
- * arguments are invalid, or a limit or the sandbox cannot be applied. */
+/* Applies the resource limits and the sandbox, and sets *job. Returns false if the arguments are
+ * invalid, or if a limit or the sandbox cannot be applied. */
 MUST_USE bool reader_enter(int argc, char **argv, struct reader_job *job);
 
 /* Pipe sink with which the child process writes to its parent. */

@@ -23,8 +23,8 @@ static int landlock_version(void)
     return version > 0 ? (int)version : 0;
 }
 
-/* Returns the mask of all file system rights that a version of the Landlock ABI can deny. The
- * seccomp filter blocks the operations that only later versions can deny. */
+/* Returns the mask of all file system rights that a version of the Landlock ABI can deny.
+ * Operations that only later versions can deny are blocked by the seccomp filter. */
 static uint64_t known_rights(int version)
 {
     static const int bits[] = { 0, 13, 14, 15, 15, 16 };
@@ -74,8 +74,8 @@ static bool restrict_files(const char *path, bool with_folder)
     return done;
 }
 
-/* Drops all capabilities except those that let root read other users' files, as the parent can.
- * Other capabilities would allow, for example, tracing other processes. */
+/* Drops all capabilities except those that let root read other users' files. Other capabilities
+ * would allow tracing other processes, for example. */
 static void drop_capabilities(void)
 {
     struct __user_cap_header_struct header = { .version = _LINUX_CAPABILITY_VERSION_3 };
@@ -90,7 +90,7 @@ static void drop_capabilities(void)
     syscall(SYS_capset, &header, sets);
 }
 
-/* System calls allowed with any arguments, because they change nothing outside this process. */
+/* System calls allowed with any arguments. They change nothing outside this process. */
 static const int unrestricted_calls[] = {
     SCMP_SYS(access),         SCMP_SYS(brk),          SCMP_SYS(clock_getres),
     SCMP_SYS(clock_gettime),  SCMP_SYS(close),        SCMP_SYS(exit),

@@ -61,7 +61,7 @@ struct light_params {
     float distance;  /* in bounding-sphere radii of the object */
 };
 
-/* Environment cube map, whose contents are kept from frame to frame. */
+/* Environment cube map. Its contents persist from frame to frame. */
 struct env_cube_params {
     uint32_t dynamic; /* redraw when the scene changes */
     uint32_t always;  /* redraw in every frame */
@@ -92,7 +92,7 @@ struct ground_params {
     uint32_t denoise; /* denoise, 0 or 1 */
 };
 
-/* Render targets, composited over the final image, for inclusions in the ice. */
+/* Extra render targets for inclusions in the ice, composited over the final image. */
 struct inclusion_target_params {
     float scale; /* resolution relative to the view */
 };

@@ -13,7 +13,7 @@ enum setting_type {
     SETTING_CHOICE, /* uint32_t, index into choices */
 };
 
-/* Work to redo after a setting's change. Each value includes the work of all values before it. */
+/* Work to redo after a setting's change. Each value includes the work of all earlier values. */
 enum setting_effect {
     SETTING_AFFECTS_NOTHING,
     SETTING_AFFECTS_FRAME, /* read in every frame */

@@ -40,8 +40,8 @@ const struct setting *settings_row(const struct setting_group *group, size_t off
 const struct setting *settings_find(const char *name);
 
 /*
- * Applies an assignment "name=value". If the name is unknown or the value invalid, logs the nearest
- * name or the range, and returns STATUS_USAGE.
+ * Applies an assignment "name=value". For an unknown name, logs the nearest name. For an invalid
+ * value, logs the valid range. Returns STATUS_USAGE in both cases.
  */
 MUST_USE enum status settings_set(struct settings *settings, const char *assignment);
 
@@ -52,9 +52,9 @@ struct settings_source {
 };
 
 /*
- * Applies an assignment from a file, or from the command line if `source` is NULL. If it is
- * invalid, logs its source and returns STATUS_DATA (file) or STATUS_USAGE (command line). *row is
- * set to the setting, or to NULL on failure.
+ * Applies an assignment from a file, or from the command line if `source` is NULL. Sets *row to the
+ * setting. If the assignment is invalid, logs its source, sets *row to NULL, and returns
+ * STATUS_DATA (file) or STATUS_USAGE (command line).
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
                                      const struct settings_source *source,

@@ -74,7 +74,7 @@ static float sample_bilinear(const struct greyscale_image *p, float u, float v)
     return upper * (1 - down) + lower * down;
 }
 
-/* Resamples to side x side texels, with enough samples per texel to cover the source texels. */
+/* Resamples to side x side texels. Takes enough samples per texel to cover all source texels. */
 static void resample(const struct greyscale_image *p, float *greys, uint32_t side,
                      bool is_unit_range)
 {

@@ -51,12 +51,12 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
 
 /* ---- files ---- */
 
-/* Opens the model file, or a file that it refers to. If the file is missing or outside the model's
- * folder, records its name in *user, a struct model_import, and returns NULL. */
+/* Opens the model file or a file that the model refers to. Returns NULL if the file is missing or
+ * outside the model's folder, and records the name in *user, which is a struct model_import. */
 FILE *model_file_open(void *user, const char *path);
 
 /* Converts a reference to a file (URI, Windows path or other path) to a relative path, in place.
- * Returns false if it leaves the folder: "../a", "/a", "https://a" or, as a URI, "file:a". */
+ * Returns false if the path leaves the model's folder: "../a", "/a", "https://a", URI "file:a". */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
 /* Returns the path of a file in the model's folder, which the caller frees, or NULL. */
@@ -75,7 +75,7 @@ enum model_texture_conversion {
     MODEL_TEXTURE_TO_NORMALS, /* height map, unless already normals */
 };
 
-/* Image that becomes a texture layer: encoded in `bytes` or, if that is NULL, in a file. */
+/* Image of a texture layer: encoded in memory if `bytes` is set, else in a file. */
 struct model_texture {
     const char *name; /* for messages */
     const uint8_t *bytes;
@@ -83,13 +83,13 @@ struct model_texture {
     char *file;
     enum model_texture_conversion change;
     float exponent; /* Ns for MODEL_TEXTURE_NS_TO_ROUGHNESS */
-    /* File of a second image that replaces one channel, or NULL. It replaces alpha if other_change
-     * is MODEL_TEXTURE_TO_ALPHA, and blue if it is MODEL_TEXTURE_METALLIC. */
+    /* File of a second image that replaces one channel, or NULL. The channel is alpha if
+     * other_change is MODEL_TEXTURE_TO_ALPHA, blue if other_change is MODEL_TEXTURE_METALLIC. */
     char *other;
     enum model_texture_conversion other_change;
 };
 
-/* Decodes images and resamples them to layers of one size, as sRGB colours or linear numbers. */
+/* Decodes images as sRGB colours or linear numbers. Resamples all to layers of one size. */
 MUST_USE enum status model_texture_load(const char *path, const struct model_texture *textures,
                                         uint32_t count, bool are_numbers,
                                         struct texture_layers *layers);
@@ -158,11 +158,11 @@ MUST_USE enum status model_build_end(struct model_build *build);
 MUST_USE enum status model_build_default_object(struct model_build *build);
 
 /* Computes missing (zero) normals, and welds identical vertices within each surroundings object.
- * Updates `starts`, the first vertex of each object. Returns false when out of memory. */
+ * Updates `starts`, each object's first vertex. Returns false when out of memory. */
 MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
-/* Clamps a finite colour to 0 to 1, or an unlit one to 0 to MODEL_RADIANCE_MAX. Returns true if it
- * changed. Non-finite colours are left unchanged. */
+/* Clamps a finite colour to 0 to 1; if `is_unlit`, to 0 to MODEL_RADIANCE_MAX. Returns true if the
+ * colour changed. Non-finite colours are left unchanged. */
 bool model_color_clamp(vec3s *color, bool is_unlit);
 
 /* Logs a warning if colours of the file were clamped. Call it only for accepted files. */

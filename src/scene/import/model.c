@@ -119,8 +119,8 @@ static enum status add_lights(struct model *model, const struct model *other)
 }
 
 /* Appends all objects of `other`, including refractive ones, to the surroundings objects. Must be
- * called before the meshes are appended. Vertices are in order of first use, so an object's first
- * vertex is the first that earlier indices do not use. */
+ * called before the meshes are appended. Vertices are numbered in order of first use, so an
+ * object's first vertex is one more than the highest index of all earlier objects. */
 static bool add_surroundings_objects(struct model *model, const struct model *other)
 {
     uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;

@@ -37,8 +37,8 @@
 #include "src/scene/object.h"
 #include "src/scene/punctual_light.h"
 
-/* Array of square RGBA8 textures of one size, rows from the top: at most 4096 layers of at most
- * 2048 texels a side, 512 MiB in total. Images of other sizes are resampled. */
+/* Array of square RGBA8 textures of one size, rows from the top. Limits: 4096 layers, 2048 texels a
+ * side, 512 MiB in total. Images of other sizes are resampled. */
 struct texture_layers {
     uint8_t *texels; /* RGBA8 texels of all layers */
     /* texels per side (a power of two) and number of layers; both are 0 without textures */
@@ -90,7 +90,7 @@ struct model {
     uint32_t object_count;
     struct material *materials; /* referenced by objects and vertices */
     uint32_t material_count;
-    /* First vertex of each surroundings object, ascending; earlier vertices belong to no object.
+    /* First vertex of each surroundings object, ascending. Earlier vertices belong to none.
      * Padded with zeros to a multiple of MODEL_SURROUNDINGS_ROW, for upload as an image. */
     uint32_t *surroundings_starts;
     /* names of the surroundings objects' nodes; "" if unnamed */
@@ -129,12 +129,12 @@ struct model_pose {
     const char *animation;
     bool is_first; /* use the first animation, if any */
     float time;    /* animation time, seconds */
-    /* Names of the refractive objects, one per line. A name is that of a node with a mesh or else
-     * of a material. Other meshes without transmission are surroundings. May be NULL. */
+    /* Names of the refractive objects, one per line, or NULL. A name is that of a node with a mesh
+     * or else of a material. Meshes neither named nor transmissive are surroundings. */
     const char *objects;
 };
 
-/* Loads a file; `default_role` is the role of all meshes if no material is transmissive. */
+/* Loads a file. If no material is transmissive, all meshes have the role `default_role`. */
 MUST_USE enum status model_load(struct model *model, const char *path,
                                 enum model_role default_role);
 
@@ -143,14 +143,14 @@ MUST_USE enum status model_load(struct model *model, const char *path,
 MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
-/* Appends both meshes of `other` to the surroundings of *model, renumbers their textures and
- * resamples the smaller ones. The box of `other`, if any, replaces that of *model. `other` is
- * always zeroed. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory, STATUS_DATA
- * for more than 4096 textures or 8191 materials. */
+/* Appends both meshes of `other` to the surroundings of *model. Renumbers the textures and
+ * resamples the smaller ones. If `other` has a box, it replaces that of *model. `other` is always
+ * zeroed. On failure *model is unchanged. Returns STATUS_TRY_AGAIN when out of memory, and
+ * STATUS_DATA for more than 4096 textures or 8191 materials. */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
-/* Adds a surroundings object whose first vertex is `start`, which must not be before that of the
- * previous object. Returns false when out of memory. */
+/* Adds a surroundings object whose first vertex is `start`. Objects must be added in order of first
+ * vertex. Returns false when out of memory. */
 MUST_USE bool model_surroundings_add_object(struct model *model, const char *name, uint32_t start);
 
 /* Returns 1 + the index of the surroundings object that contains a vertex; 0 if there is none. */

@@ -88,7 +88,7 @@ enum status model_build_allocate(struct model_build *build)
     return STATUS_DATA;
 }
 
-/* Returns the matrix that transforms normals: the cofactor matrix, which is the inverse transpose
+/* Returns the matrix that transforms normals: the cofactor matrix. It equals the inverse transpose
  * up to scale, and exists even for a singular matrix. */
 static mat3s normal_matrix(mat3s m, bool is_mirrored)
 {
@@ -136,8 +136,8 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *sh
     return true;
 }
 
-/* Sets the tangent and the second texture coordinates. A mirroring transform flips the bitangent; a
- * tangent of length 0 is ignored. */
+/* Sets the tangent and the second texture coordinates. A mirroring transform flips the bitangent.
+ * Tangents of length 0 are ignored. */
 static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape,
                        const mat3s *linear, bool is_mirrored, size_t i)
 {

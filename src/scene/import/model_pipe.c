@@ -152,7 +152,7 @@ static bool is_in_range(float value, float min, float max)
     return value >= min && value <= max;
 }
 
-/* Returns true if a colour is within the limits of a reflectance or, if unlit, of a radiance. */
+/* Returns true if a colour is within the limits of a reflectance (of a radiance if unlit). */
 static bool is_color(vec3s c, bool is_unlit)
 {
     return c.x >= 0 && c.y >= 0 && c.z >= 0 && is_bounded(c, is_unlit ? MODEL_RADIANCE_MAX : 1);
@@ -225,7 +225,7 @@ static uint64_t mesh_size(struct mesh_counts counts, bool has_extras)
            counts.indices * (uint64_t)sizeof(uint32_t);
 }
 
-/* Returns true if both counts are within the limits, and either both zero or both positive. */
+/* Returns true if both counts are within limits, and both are zero or both positive. */
 static bool are_counts_valid(struct mesh_counts counts)
 {
     return counts.vertices <= MODEL_ELEMENT_MAX && counts.indices <= MODEL_ELEMENT_MAX &&
@@ -298,7 +298,7 @@ static bool is_material(const struct material *m)
            is_in_range(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
-/* Validates materials and objects, whose consecutive index ranges must cover the mesh. */
+/* Validates materials and objects. Objects need consecutive index ranges that fill the mesh. */
 static enum pipe_fault check_objects(const struct model *model, const struct model_head *head)
 {
     uint64_t end = 0;
@@ -563,7 +563,7 @@ static enum pipe_fault read_texels(const struct pipe_source *source,
     return fault;
 }
 
-/* Returns true if the sun's radiance is valid and its direction, which may be zero, is bounded. */
+/* Returns true if the sun's radiance is valid and its direction is bounded (it may be zero). */
 static bool is_sun(const struct environment_sun *sun)
 {
     const vec3s light = sun->light;

@@ -23,8 +23,8 @@ static uint32_t hash(const void *key, size_t size)
     return (uint32_t)state;
 }
 
-/* Returns true if the first key_size bytes of two vertices are equal and, if key_size is the size
- * of a vertex, their extras as well. */
+/* Returns true if the first key_size bytes of two vertices are equal. If key_size is the size of a
+ * whole vertex, the vertices' extras must be equal too. */
 static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key_size)
 {
     const bool is_whole = key_size == sizeof(struct mesh_vertex);
@@ -34,8 +34,8 @@ static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t
     return !extra_size || memcmp(&mesh->extras[a], &mesh->extras[b], extra_size) == 0;
 }
 
-/* Returns, for each vertex, the index of the first identical vertex in its surroundings object. The
- * caller frees the array. Returns NULL when out of memory. */
+/* Returns, for each vertex, the index of the first identical vertex in the same surroundings
+ * object. The caller frees the array. Returns NULL when out of memory. */
 static uint32_t *find_identical(const struct mesh *mesh, size_t key_size, const uint32_t *starts,
                                 uint32_t start_count)
 {
@@ -111,7 +111,7 @@ static uint32_t renumber(const struct mesh *mesh, const uint32_t *identical, uin
     return count;
 }
 
-/* Sets each start to the smallest new index of all vertices at or after the old start. */
+/* Sets each object's first vertex to the smallest new index of its own and later vertices. */
 static void update_starts(const struct mesh *mesh, const uint32_t *new_index, uint32_t count,
                           uint32_t *starts, uint32_t start_count)
 {

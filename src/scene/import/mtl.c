@@ -119,7 +119,7 @@ static bool read_option(struct mtl *mtl, struct text_scan *line, struct mtl_map 
     if (text_take_word(&word, "-mm") || text_take_word(&word, "-t") ||
         text_take_word(&word, "-boost") || text_take_word(&word, "-texres"))
         return text_floats(line, numbers, 3) > 0;
-    /* Other options (-blendu, -blendv, -cc, -imfchan, -type) have one value each. */
+    /* Each of the other options (-blendu, -blendv, -cc, -imfchan, -type) has one value. */
     const struct text_scan value = text_word(line);
     return value.end > value.at;
 }
@@ -155,7 +155,7 @@ static bool is_refracting(const struct mtl *mtl)
     return illum == 4 || illum == 6 || illum == 7 || illum == 9;
 }
 
-/* Returns true if "Tr 1" alone indicates transparency: MeshLab writes it for opaque materials. */
+/* Returns true if "Tr 1" alone suggests transparency. MeshLab writes it for opaque materials. */
 static bool is_meshlab(const struct mtl *mtl)
 {
     return mtl->transparency >= 1 && !is_refracting(mtl) && !(mtl->ior > 1);
@@ -184,8 +184,8 @@ static void set_transmission(struct mtl *mtl, struct material *m)
     m->flags |= mtl->ior > 1 ? MATERIAL_HAS_IOR : 0u;
 }
 
-/* Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, as in
- * Blender: the default Ks of 0.5 gives the 0.04 of glass. illum 0 and 1 have no highlights. */
+/* Sets the opaque surface properties. As in Blender, the reflectance at normal incidence is 0.08
+ * Ks. The default Ks of 0.5 thus gives 0.04, as for glass. illum 0 and 1 have no highlights. */
 static void set_surface(const struct mtl *mtl, struct material *m)
 {
     m->base_color = mtl->diffuse;
@@ -397,8 +397,7 @@ enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name)
     bool is_found = false;
     if (word.at == word.end)
         return STATUS_OK;
-    /* A file name may contain blanks. If there is no such file, the text is a list of file names.
-     */
+    /* The text is a file name, perhaps with blanks. If no such file exists, it is a list. */
     const bool is_list = text_skip(&rest);
     const bool has_missed = import->missing_file[0] != '\0';
     enum status status = read_file(obj_ply, name, &is_found);

@@ -1,6 +1,6 @@
 /* obj.c: reader of the polygonal statements of OBJ files (Wavefront, Advanced Visualizer, appendix
- * B1); curves, points and lines are left out. Faces refer to positions, texture coordinates and
- * normals separately; each distinct combination within a part becomes a vertex. */
+ * B1). Curves, points and lines are not read. Faces refer to positions, texture coordinates and
+ * normals separately. Each distinct combination within a part becomes a vertex. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -84,7 +84,7 @@ static enum status read_position(struct obj *obj, struct text_scan *line)
     position = obj_ply_array_add(&obj->positions, 1, sizeof(*position));
     if (!position)
         return no_memory(obj);
-    /* x y z may be followed by a weight w and, as a common extension, a colour. */
+    /* x y z may be followed by a weight w and by a colour, which is a common extension. */
     const float weight = (count == 4 || count == 7) && numbers[3] != 0 ? numbers[3] : 1;
     for (int k = 0; k < 3; k++)
         (*position)[k] = numbers[k] / weight;
@@ -111,8 +111,8 @@ static enum status read_vector(struct obj *obj, struct text_scan *line, struct o
 
 /* ---- faces ---- */
 
-/* Reads a list index. A positive index counts from 1, a negative one from the current end of the
- * list. Indices beyond that end are checked after the whole file is read. */
+/* Reads a list index. Positive indices count from 1, negative ones back from the current end of the
+ * list. Positive indices beyond the end are checked after the whole file is read. */
 static bool read_index(const struct obj *obj, struct text_scan *word, size_t count, uint32_t *index)
 {
     int64_t number;
@@ -397,7 +397,7 @@ static void copy_vertex(const struct obj *obj, const struct corner *corner, uint
                2 * sizeof(float));
 }
 
-/* Appends the triangles of a run to its part, and their vertices when first used. */
+/* Appends the triangles of a run to its part. Appends each vertex when it is first used. */
 static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
 {
     const struct run *runs = obj->runs.items;
@@ -417,7 +417,7 @@ static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, ui
     }
 }
 
-/* Sorts triangles and vertices by part, and sets corner.next to the index of a corner's vertex. */
+/* Sorts triangles and vertices by part. Sets `next` of each corner to the index of its vertex. */
 static enum status sort_by_part(struct obj *obj)
 {
     struct obj_ply *obj_ply = obj->obj_ply;

@@ -1,6 +1,5 @@
-/* obj_ply.h: contents of an OBJ, MTL or PLY file before conversion to a model; interface shared by
- * the readers of these formats. Functions that return a status log one line if it is not STATUS_OK.
- */
+/* obj_ply.h: contents of an OBJ, MTL or PLY file before conversion to a model, and the interface
+ * shared by their readers. Functions that return a status log one line unless it is STATUS_OK. */
 #ifndef FIRN_SCENE_IMPORT_OBJ_PLY_H
 #define FIRN_SCENE_IMPORT_OBJ_PLY_H
 
@@ -66,7 +65,7 @@ struct obj_ply {
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Read a file into *obj_ply, zeroed except for .import. Call obj_ply_finish() even on failure. */
+/* Reads a file into *obj_ply, zeroed except for .import. Call obj_ply_finish() even on failure. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 
@@ -80,17 +79,17 @@ void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words
 MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
                                    enum model_role default_role);
 
-/* Loads the images of materials whose parts have texture coordinates, sets the materials' textures,
- * and transforms the coordinates to those of the base colour map. */
+/* Loads the images of materials whose parts have texture coordinates. Sets the materials' textures.
+ * Transforms the texture coordinates to those of the base colour map. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
-/* Returns the map whose -s and -o apply to the vertices: map_Kd, else map_d, else identity. */
+/* Returns map_Kd, else map_d, else an identity map. Its options -s and -o apply to all vertices. */
 const struct mtl_map *mtl_base_map(const struct mtl_material *material);
 
 void obj_ply_finish(struct obj_ply *obj_ply);
 
-/* Reads a whole file into memory that the caller frees. On failure logs and returns NULL; a file
- * that cannot be opened is not logged, but *is_found is set to false. */
+/* Reads a whole file into memory that the caller frees. On failure logs and returns NULL. If the
+ * file cannot be opened, sets *is_found to false instead of logging. */
 char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size,
                         bool *is_found);
 

@@ -106,7 +106,7 @@ static struct role_rule choose_roles(const struct obj_ply *obj_ply, enum model_r
     return role_rule;
 }
 
-/* Returns the index of a part's material in the model; parts without one use the last material. */
+/* Returns the model's index of a part's material, or of the last material if the part has none. */
 static uint32_t material_index(const struct obj_ply *obj_ply, const struct obj_ply_part *part)
 {
     return part->material > 0 ? part->material - 1 : obj_ply->material_count;

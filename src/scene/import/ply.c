@@ -417,7 +417,7 @@ static enum status add_corners(struct ply *ply, uint32_t a, uint32_t b, uint32_t
     return STATUS_OK;
 }
 
-/* Reads the vertices of a face, cut into a triangle fan, or of triangle strips separated by -1. */
+/* Reads a face, which is cut into a triangle fan, or triangle strips separated by -1. */
 static enum status read_corners(struct ply *ply, struct text_scan *body,
                                 const struct property *property, uint64_t length)
 {
@@ -486,8 +486,8 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
     return STATUS_OK;
 }
 
-/* Reads all elements. Rejects a count above the number of remaining bytes, because each element has
- * at least one byte. Skips elements without properties, which have none. */
+/* Reads all elements. Each element has at least one byte, so a count above the number of remaining
+ * bytes is rejected. Elements without properties have no bytes and are skipped. */
 static enum status read_elements(struct ply *ply, struct text_scan *body)
 {
     enum status status = STATUS_OK;

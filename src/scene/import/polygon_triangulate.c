@@ -1,5 +1,5 @@
-/* polygon_triangulate.c: triangulation by ear clipping (Meisters 1975, Polygons have ears), O(n^2)
- * or worse, with a limit on the work per polygon. */
+/* polygon_triangulate.c: triangulation by ear clipping (Meisters 1975, Polygons have ears). It
+ * takes O(n^2) time or more, so the work per polygon is limited. */
 #include "src/scene/import/polygon_triangulate.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -31,7 +31,8 @@ static uint32_t corner_at(const uint32_t *fan, uint32_t i)
     return i < 2 ? fan[i] : fan[3 * (i - 2) + 2];
 }
 
-/* Projects the corners onto the axis-aligned plane closest to the polygon's (Newell's normal). */
+/* Projects the corners onto the axis plane most nearly parallel to the polygon (Newell's normal).
+ */
 static void project(const struct polygon *polygon, struct outline *outline)
 {
     double normal[3] = { 0 };

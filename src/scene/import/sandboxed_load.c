@@ -10,9 +10,9 @@
 #include "src/reader/preset_reader.h"
 #include "src/scene/import/model_pipe.h"
 
-/* Encodes a pose as an argument for the child process: '-' (rest pose), '*' (first animation) or
- * '=' (named animation), then the time as a hexadecimal float (exact), a space and the name. Object
- * names follow on further lines. The caller frees the text. */
+/* Encodes a pose as an argument for the child process. The first character is '-' (rest pose), '*'
+ * (first animation) or '=' (named animation). The time as a hexadecimal float, a space, the name
+ * and lines of object names follow. The caller frees the text. */
 static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
@@ -25,7 +25,7 @@ static char *encode_pose(const struct model_pose *pose)
     return text;
 }
 
-/* Decodes a pose. Modifies `text`, which the strings of the pose point into. */
+/* Decodes a pose. Modifies `text`. The strings of the pose point into `text`. */
 static struct model_pose decode_pose(char *text)
 {
     struct model_pose pose = { .is_first = text[0] == '*' };

@@ -7,13 +7,13 @@
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
-/* Loads a model like model_load_posed(), where a NULL pose is the rest pose, in a reader process
- * unless `params` is NULL. Errors are those of reader_process.h. */
+/* Loads a model like model_load_posed(); a NULL pose is the rest pose. Uses a reader process unless
+ * `params` is NULL. Errors are those of reader_process.h. */
 MUST_USE enum status sandboxed_load_model(struct model *model, const char *path,
                                           enum model_role default_role,
                                           const struct model_pose *pose,
                                           const struct reader_params *params);
-/* Loads an environment like environment_load(), in a reader process unless `params` is NULL. */
+/* Loads an environment like environment_load(). Uses a reader process unless `params` is NULL. */
 MUST_USE enum status sandboxed_load_environment(struct environment *environment, const char *path,
                                                 const struct reader_params *params);
 

@@ -72,7 +72,7 @@ static double scale(uint64_t digits, int64_t exponent)
     return (double)digits * pow(10, (double)half) * pow(10, (double)(exponent - half));
 }
 
-/* Reads "nan", "inf" and "infinity", which later range checks reject with a specific message. */
+/* Reads "nan", "inf" or "infinity". Later range checks reject these with a specific message. */
 static bool read_word(struct text_scan *scan, double *value)
 {
     static const struct {

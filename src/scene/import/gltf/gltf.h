@@ -185,7 +185,7 @@ void gltf_close(struct gltf *gltf);
 enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
                           struct gltf_bytes *bytes);
 
-/* Returns a buffer view's bytes; none after a fault. *stride is 0 if the view has no stride. */
+/* Returns a buffer view's bytes; none after a fault. *stride is 0 if the file gives no stride. */
 struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
 
 /* Returns the bytes given by an object's members buffer, byteOffset and byteLength. */
@@ -213,8 +213,8 @@ uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *coun
 MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
 /* Lists in *model the extensions that the file uses and its features that are not drawn. */
 MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
-/* Logs warnings about undrawn features and unsupported extensions. Call it last and only for
- * accepted files, since only the first logged line of a rejected file reaches the user. */
+/* Logs warnings about undrawn features and unsupported extensions. Call it last, after the file was
+ * accepted: only the first logged line of a rejected file reaches the user. */
 void gltf_warn(const struct gltf *gltf, const struct model *model);
 
 /* Checks all indices in the file, including those in unused meshes, skins and cameras. */
@@ -231,8 +231,8 @@ void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 
 /* Returns true if morph targets or a skin deform a primitive of a node's mesh. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
-/* Computes the positions and normals of a deformed primitive in *posed, in model space if the mesh
- * is skinned, and zeroes the rest. The caller frees *posed, also after a fault. */
+/* Computes the positions and normals of a deformed primitive in *posed, and zeroes the rest. They
+ * are in model space if the mesh is skinned. The caller frees *posed, also after a fault. */
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,
                                      struct gltf_primitive *posed);

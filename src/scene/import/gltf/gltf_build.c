@@ -96,7 +96,7 @@ static bool is_named(const struct traversal *traversal, const struct gltf_node *
     return false;
 }
 
-/* Checks that each selected name is that of a node or material; if not, logs a suggestion. */
+/* Checks that a node or material exists for each selected name. If not, logs a suggestion. */
 static enum status find_names(struct traversal *traversal)
 {
     struct gltf *gltf = traversal->gltf;

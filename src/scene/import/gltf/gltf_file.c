@@ -110,7 +110,7 @@ static uint32_t read_u32(const uint8_t *bytes)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-/* Finds the JSON chunk and the binary chunk of a .glb file; chunks of other types are skipped. */
+/* Finds the JSON chunk and the binary chunk of a .glb file. Skips chunks of other types. */
 static enum status find_chunks(const struct gltf_object *top, struct gltf_bytes *text)
 {
     const uint8_t *file = text->bytes;

@@ -94,7 +94,7 @@ static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t 
     return layer + 1;
 }
 
-/* Sets the texture layers of a material's colour textures or, if `are_numbers`, of the others. */
+/* Sets the layers of a material's linear textures if `are_numbers`, else of its sRGB textures. */
 static void assign_layers(struct gltf *gltf, struct sources *sources, bool are_numbers,
                           struct gltf_material *material)
 {

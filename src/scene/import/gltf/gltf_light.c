@@ -25,7 +25,7 @@ static bool read_kind(const struct gltf_object *object, struct light *light)
     return false;
 }
 
-/* Sets position and direction. Lights emit along -Z of their node, whose scale has no effect. */
+/* Sets position and direction. Lights emit along -Z of their node. Node scale has no effect. */
 static void set_transform(struct light *light, const struct gltf_node *node)
 {
     light->position = glms_mat4_mulv3(node->model_from_node, glms_vec3_zero(), 1);

@@ -126,8 +126,8 @@ static bool has_image(const struct gltf_texture *texture)
 }
 
 /* Records the properties of a transmissive material that are not drawn. A thickness texture is not
- * drawn, because path lengths are traced. A metallic factor is recorded only if no texture scales
- * it and if the file sets it, because its default of 1 is rarely intended. */
+ * drawn, because path lengths are traced. A metallic factor is recorded only if the file sets it
+ * and no texture scales it: an omitted factor means 1, which is rarely intended. */
 static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;

@@ -63,7 +63,7 @@ static void read_instancing(const struct gltf_object *object, struct gltf_node *
     free(scales);
 }
 
-/* Reads the morph target weights of a node, which default to the weights of its mesh. */
+/* Reads the morph target weights of a node or, if it has none, those of its mesh. */
 static void read_weights(const struct gltf_object *object, struct gltf_node *node)
 {
     struct gltf *gltf = object->gltf;

@@ -1,5 +1,5 @@
-/* gltf_skin_morph.c: deforms glTF meshes by morph targets and skins (glTF 2.0, 3.7.2.2 and 3.7.3),
- * with linear blend skinning on the CPU. */
+/* gltf_skin_morph.c: deforms glTF meshes by morph targets and linear blend skinning, on the CPU
+ * (glTF 2.0, 3.7.2.2 and 3.7.3). */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>

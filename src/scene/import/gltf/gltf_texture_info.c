@@ -85,7 +85,7 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     read_transform(info, texture);
 }
 
-/* Makes a texture use the second UV set. Returns false if that already has other coordinates. */
+/* Makes a texture use the second UV set. Returns false if other coordinates occupy that set. */
 static bool use_second_uv_set(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {
@@ -98,7 +98,7 @@ static bool use_second_uv_set(struct gltf_material *material, const struct gltf_
 }
 
 /* Computes the transform from the vertices' texture coordinates to those of a texture. Returns
- * false if it needs a third coordinate set. */
+ * false if the material needs a third UV set. */
 static bool compute_transform(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {
