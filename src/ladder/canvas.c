@@ -1,4 +1,4 @@
-/* canvas.c: 2D drawing into an RGBA image; text by stb_easy_font, whose glyphs consist of quads. */
+/* canvas.c: 2D drawing into an RGBA image. stb_easy_font draws text as quads. */
 #include "src/ladder/canvas.h"
 #include <stb/stb_easy_font.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@ enum {
     GLYPHS_SIZE = 32768, /* glyph quads of about 120 letters */
 };
 
-/* Vertex of stb_easy_font_print(): four per quad, clockwise from the top left. */
+/* Corner of a quad from stb_easy_font_print(). Each quad has four, clockwise from the top left. */
 struct corner {
     float x, y, z;
     unsigned char color[4];

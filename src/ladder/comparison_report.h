@@ -1,7 +1,7 @@
 /*
  * comparison_report.h: writes a model comparison as table, JSON, PNG, SVG, HTML or EXR. Functions
- * that return a status log errors and return STATUS_TRY_AGAIN when out of memory. Text and data are
- * malloc'd, freed by the caller, and NULL on failure.
+ * that return a status log errors and return STATUS_TRY_AGAIN when out of memory. The caller frees
+ * the returned text and data, which are NULL on failure.
  */
 #ifndef FIRN_LADDER_COMPARISON_REPORT_H
 #define FIRN_LADDER_COMPARISON_REPORT_H
@@ -22,8 +22,8 @@ void ladder_table(const struct ladder_report *report, FILE *out);
 
 MUST_USE enum status ladder_json(const struct ladder_report *report, char **text, size_t *size);
 
-/* Draws a log-log plot of FLIP error over cost as SVG, for a file or for embedding in HTML. Models
- * without measured cost are omitted. */
+/* Draws a log-log plot of FLIP error over cost as SVG, for a file or for embedding in HTML. Omits
+ * models without measured cost. */
 MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text, size_t *size);
 
 /* Encodes a PNG contact sheet: the reference, then each model's image and FLIP heat map. */
@@ -32,7 +32,7 @@ MUST_USE enum status ladder_sheet(const struct ladder_report *report, void **dat
 /* Writes one HTML file with table, plot, contact sheet and an image slider per model. */
 MUST_USE enum status ladder_page(const struct ladder_report *report, char **text, size_t *size);
 
-/* Encodes an EXR file: the reference as R, G, B, and per model a layer of R, G, B, flip.Z. */
+/* Encodes an EXR file. The reference is R, G, B. Each model has a layer of R, G, B and flip.Z. */
 MUST_USE enum status ladder_exr(const struct ladder_report *report, void **data, size_t *size);
 
 #endif

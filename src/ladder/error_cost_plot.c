@@ -27,7 +27,7 @@ static const char style[] =
 static const double error_min = 1e-4;
 static const double margin = 1.4; /* axis range beyond the points, factor */
 
-/* Logarithmic axis: value `low` is at pixel `start`, `high` at `end`. */
+/* Logarithmic axis. The value `low` is at pixel `start`, the value `high` at pixel `end`. */
 struct axis {
     double low, high, start, end;
 };
@@ -94,7 +94,7 @@ static void draw_frame(const struct axis *x, const struct axis *y, const char *b
             (y->start + y->end) / 2);
 }
 
-/* Text label of a point; right-aligned if it is left of the point. */
+/* Text label of a point. Labels to the left of their point are right-aligned. */
 struct label {
     double x, y;
     bool is_left;

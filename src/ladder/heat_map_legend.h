@@ -4,8 +4,8 @@
 
 #include "src/ladder/canvas.h"
 
-/* Draws a colour bar in `box` (left, top, width, height in pixels), from 1 at the top to 0. Numbers
- * beside the bar, as many as fit, are at most legend_numbers() pixels wide. */
+/* Draws a colour bar in `box` (left, top, width, height in pixels), with 1 at the top and 0 at the
+ * bottom. Draws as many numbers beside the bar as fit, at most legend_numbers() pixels wide. */
 void legend_draw(struct canvas *canvas, const uint32_t box[static 4], uint32_t scale);
 
 uint32_t legend_numbers(uint32_t scale); /* width of numbers and ticks */

@@ -152,8 +152,8 @@ static void write_image(const char *attributes, const char *alt, const struct en
     fputs("\">\n", out);
 }
 
-/* Writes the image slider: a model left of the divider, the reference right of it. Image 0 is the
- * reference. Without JavaScript the last model is shown. */
+/* Writes the image slider, which shows a model left of the divider and the reference (image 0)
+ * right of it. Without JavaScript it shows the last model. */
 static void write_slider(const struct ladder *ladder, const struct encoded *images, FILE *out)
 {
     fputs("<h2>Side by side</h2>\n<p><label>Left of the divider: <select id=\"rung\">\n", out);

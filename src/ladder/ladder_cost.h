@@ -12,9 +12,9 @@ struct ladder_cost_request {
 };
 
 /*
- * Measures each renderer's frame time, from the call to completion on the GPU, without readback.
- * costs[i] receives the median of renderer i over run_count runs, in milliseconds. Renderers
- * alternate, so that other load on the machine affects all of them equally.
+ * Measures each renderer's frame time, from the call until the GPU has finished, without readback.
+ * costs[i] receives the median over run_count runs of renderer i, in milliseconds. The renderers
+ * take turns, so that other load on the machine affects all of them equally.
  */
 MUST_USE enum status ladder_cost(const struct ladder_cost_request *request, double *costs,
                                  renderer_progress_fn *progress, void *user);

@@ -17,8 +17,8 @@ enum {
     LADDER_MODEL_COUNT = 16 /* upper limit */
 };
 
-/* Classes of an object's pixels by the number of total internal reflections of the refracted path
- * (the reference's layer `bounces`). */
+/* Classes of an object's pixels by the number of total internal reflections of the refracted path,
+ * read from the reference's layer `bounces`. */
 enum ladder_path_class {
     LADDER_REFRACTED, /* none */
     LADDER_REFLECTED, /* one */
@@ -28,7 +28,7 @@ enum ladder_path_class {
 
 extern const char *const ladder_path_class_names[LADDER_PATH_CLASS_COUNT]; /* "refracted", ... */
 
-/* Classes of an object's pixels by inclusions on the refracted path; classes may overlap. */
+/* Classes of an object's pixels by inclusions on the refracted path. A pixel may be in several. */
 enum ladder_inclusion {
     LADDER_CLEAR,
     LADDER_BUBBLES,
@@ -89,23 +89,24 @@ struct ladder_params {
     enum rg_sharing sharing;
 };
 
-/* Progress callback: `done` of `all` steps of stage `stage`, 0 to ladder_stages() - 1. If it
- * returns false, ladder_run() returns STATUS_FAILED and logs nothing. */
+/* Progress callback: `done` of `all` steps of `stage` are finished. Stages count from 0 to
+ * ladder_stages() - 1. If it returns false, ladder_run() stops with STATUS_FAILED and logs nothing.
+ */
 typedef bool ladder_progress_fn(void *user, uint32_t stage, uint32_t done, uint32_t all);
 
-/* Returns the number of progress stages: reference, each refraction model, and costs if timed. */
+/* Returns the number of progress stages: the reference, each model, and costs if timed. */
 uint32_t ladder_stages(const struct ladder_params *params);
 
-/* Renders and measures everything; `progress` may be NULL. On failure *ladder is zeroed. */
+/* Renders and measures everything. `progress` may be NULL. On failure *ladder is zeroed. */
 MUST_USE enum status ladder_run(struct ladder *ladder, const struct ladder_params *params,
                                 ladder_progress_fn *progress, void *user);
 
 void ladder_finish(struct ladder *ladder);
 
-/* Returns the refraction model to which costs are relative: `paper`, else the first one. */
+/* Returns the model to which costs are relative: `paper` if it is compared, else the first. */
 const struct ladder_model *ladder_base(const struct ladder *ladder);
 
-/* Returns a model's cost relative to ladder_base(); NaN without measured costs. */
+/* Returns a model's cost divided by that of ladder_base(), or NaN if costs were not measured. */
 double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_model *refraction);
 
 #endif

@@ -36,7 +36,7 @@ static void print_head(const struct ladder_report *report, FILE *out)
         fprintf(out, "device     %s\n", report->device);
 }
 
-/* Prints the table line of a refraction model; `ratio` is its cost relative to ladder_base(). */
+/* Prints a refraction model's table line. `ratio` is the model's cost relative to ladder_base(). */
 static void print_row(const char *name, const struct ladder_error *e, double ms, double ratio,
                       FILE *out)
 {
@@ -141,7 +141,7 @@ void ladder_table(const struct ladder_report *report, FILE *out)
     print_classes(l, out);
 }
 
-/* Adds a number, or null if it is not finite, which JSON cannot represent. */
+/* Adds a number to a JSON object. Adds null if it is not finite, as JSON has no such numbers. */
 static bool add_number(json_t *object, const char *key, double number)
 {
     return !json_object_set_new(object, key, isfinite(number) ? json_real(number) : json_null());
@@ -152,7 +152,7 @@ static bool add_count(json_t *object, const char *key, uint64_t count)
     return !json_object_set_new(object, key, json_integer((json_int_t)count));
 }
 
-/* Adds a string; bytes that are not UTF-8, as in file names, are replaced. */
+/* Adds a string to a JSON object. Replaces bytes that are not UTF-8. */
 static bool add_text(json_t *object, const char *key, const char *text)
 {
     char *clean = NULL;
@@ -182,7 +182,7 @@ static bool add_named(json_t *object, const char *const *names, int count, const
     return ok;
 }
 
-/* Adds each pixel class's MAE or, if `error` is NULL, its number of pixels. */
+/* Adds the MAE of each pixel class. If `error` is NULL, adds the numbers of pixels instead. */
 static bool add_classes(json_t *object, const struct ladder *l, const struct ladder_error *error)
 {
     return add_named(object, ladder_path_class_names, LADDER_PATH_CLASS_COUNT,

@@ -1,7 +1,7 @@
 /*
- * white_furnace.h: the white furnace test, which checks energy conservation: in an environment of
- * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere. Any
- * deviation is energy that a refraction model or the reference loses or creates.
+ * white_furnace.h: the white furnace test, which checks energy conservation. In an environment of
+ * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere. A
+ * deviation shows that a refraction model or the reference loses or creates energy.
  */
 #ifndef FIRN_LADDER_WHITE_FURNACE_H
 #define FIRN_LADDER_WHITE_FURNACE_H
@@ -26,7 +26,7 @@ struct furnace {
     uint64_t pixel_count;
 };
 
-/* Evaluates the furnace test on a comparison in a white environment; borrows the model names. */
+/* Evaluates the furnace test on a comparison in a white environment. Borrows the model names. */
 struct furnace furnace_measure(const struct ladder *ladder);
 
 /* Returns true if every pixel passes the furnace test. */

@@ -23,7 +23,7 @@ bool angle_is_there(const float *const direction[static 3], size_t pixel);
 
 /*
  * Measures the angles at all pixels in the mask. `degrees`, unless NULL, receives pixel_count
- * angles, 0 where either direction is missing. Returns false when out of memory.
+ * angles. They are 0 where an image has no direction. Returns false when out of memory.
  */
 bool angle_measure(struct angle *angle, const struct angle_pair *pair, float *degrees);
 

@@ -66,8 +66,8 @@ const struct comparison_layer *comparison_find(const struct comparison *comparis
                                                const char *name);
 
 /*
- * Returns the layer that a metric measures, or NULL if an image lacks it. *value receives the
- * metric; NaN if no pixel is in the mask.
+ * Returns the layer that a metric measures, or NULL if an image lacks this layer. *value receives
+ * the metric, or NaN if the mask contains no pixel.
  */
 const struct comparison_layer *comparison_metric(const struct comparison *comparison,
                                                  enum comparison_metric metric, double *value);

@@ -15,11 +15,11 @@ struct difference {
     uint64_t not_finite; /* excluded pairs with NaN or infinity */
 };
 
-/* Adds a plane of `count` texels. `counted` is a mask of the texels to add, or NULL for all. */
+/* Adds a plane of `count` texels. `counted` masks the texels to add. NULL means all texels. */
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count);
 
-/* Returns the root mean square error. Like MAE and relMSE, it is NaN if no values were added. */
+/* Returns the root mean square error, or NaN if no values were added. */
 double difference_rmse(const struct difference *difference);
 
 /* Returns the mean of |test - reference|, both clamped to the display range 0..1. */

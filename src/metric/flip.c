@@ -52,7 +52,7 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     *work = (struct work){ .pair = pair };
     if (plane_size > (SIZE_MAX / sizeof(float) - flip_line_size(pair->width)) / PLANE_COUNT)
         return false;
-    /* Zeroed, because the filters read the padding between width and stride. */
+    /* The memory is zeroed, because the filters also read the padding of each row. */
     work->memory = calloc(PLANE_COUNT * plane_size + flip_line_size(pair->width), sizeof(float));
     if (!work->memory)
         return false;
@@ -188,7 +188,7 @@ static float find_error(const struct work *work, size_t i)
     return powf(flip_color_error(flip_color_distance(a, b)), 1.0f - feature);
 }
 
-/* Replaces errors[] by the maximum of errors[] and the FLIP error at one exposure. */
+/* Raises each element of errors[] to the FLIP error at one exposure if that is larger. */
 static void raise_errors(struct work *work, const struct display *display, float *errors)
 {
     const struct flip_pair *pair = work->pair;
@@ -225,8 +225,8 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
 }
 
 /*
- * Computes HDR-FLIP's exposure range from the reference. If at least half of the pixels are black
- * (below the smallest half float), which the paper leaves undefined, ignores black pixels.
+ * Computes HDR-FLIP's exposure range from the reference. Ignores black pixels (below the smallest
+ * half float) if they are at least half of the image, a case that the paper leaves undefined.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)

@@ -13,10 +13,10 @@
 #include <stdint.h>
 #include "src/metric/flip_tone.h"
 
-/* Pixels per degree in the FLIP paper: a 0.7 m wide, 3840-pixel screen at a distance of 0.7 m. */
+/* Pixels per degree in the FLIP paper: a screen 0.7 m and 3840 pixels wide, 0.7 m away. */
 #define FLIP_PPD 67.0206432765823
 
-/* Linear R, G, B planes of two images. A pixel that is not finite in either has error 1. */
+/* Linear R, G, B planes of two images. Pixels that are not finite in either image have error 1. */
 struct flip_pair {
     uint32_t width, height;
     const float *reference[3], *test[3];
@@ -24,13 +24,14 @@ struct flip_pair {
 };
 
 /*
- * Computes the LDR-FLIP error map of two images, multiplied by 2^exposure and clamped to 0..1.
- * errors[] receives width * height values, 0 to 1. Returns false when out of memory.
+ * Computes the LDR-FLIP error map of two images, whose values are first multiplied by 2^exposure
+ * and clamped to 0..1. errors[] receives width * height errors, 0 to 1. Returns false when out of
+ * memory.
  */
 bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors);
 
-/* Computes the HDR-FLIP error map: each pixel's maximum LDR-FLIP error over a range of exposures
- * given by the reference. Returns false when out of memory. */
+/* Computes the HDR-FLIP error map. Each error is the maximum LDR-FLIP error over a range of
+ * exposures, which the reference determines. Returns false when out of memory. */
 bool flip_hdr(const struct flip_pair *pair, enum flip_curve curve, float *errors,
               struct flip_exposures *exposures);
 

@@ -24,7 +24,7 @@ vec3s flip_color_hunt(vec3s linear);
 /* Returns the HyAB distance of two colours from flip_color_hunt(). */
 float flip_color_distance(vec3s a, vec3s b);
 
-/* Maps a colour distance to an error, 0 to 1; the distance of green and blue maps to 1. */
+/* Maps a colour distance to an error of 0 to 1. The distance of green and blue has error 1. */
 float flip_color_error(float distance);
 
 #endif

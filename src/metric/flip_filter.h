@@ -1,8 +1,7 @@
 /*
  * flip_filter.h: the separable filters of FLIP, sections 4.1.1 (contrast sensitivity) and 4.2.1
  * (feature detection) of the paper cited in flip_color.h. The 2D filters are sums of Gaussians or
- * of their derivatives, so rows and columns are filtered separately. The addressing mode is clamp
- * to edge.
+ * of Gaussian derivatives, so rows and columns are filtered separately. Filters clamp to the edge.
  */
 #ifndef FIRN_METRIC_FLIP_FILTER_H
 #define FIRN_METRIC_FLIP_FILTER_H
@@ -40,8 +39,8 @@ struct flip_sensitivity {
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd);
 
 /*
- * Edge and point detection filters: kernel `edge` or `point` along one axis, `smooth` along the
- * other. Positive weights add up to 1, negative weights to -1.
+ * Edge and point detection filters. Each uses kernel `edge` or `point` along one axis and `smooth`
+ * along the other axis. Positive weights add up to 1, negative weights to -1.
  */
 struct flip_features {
     struct flip_kernel smooth, edge, point;
@@ -60,7 +59,7 @@ struct flip_plane {
 size_t flip_stride(uint32_t width);
 size_t flip_line_size(uint32_t width); /* of flip_filter.line */
 
-/* Separable filter with its input and output, which have the same size; `out` may be `in`. */
+/* Separable filter with input and output of equal size. `out` may be the same plane as `in`. */
 struct flip_filter {
     const struct flip_plane *in;
     const struct flip_kernel *across, *down; /* kernels along rows and along columns */

@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 /*
- * Converts an error, clamped to 0..1, to an sRGB-encoded colour. Lightness (CIE L*) rises linearly
- * from 2 to 97, so that greyscale prints work; the hue goes from blue via red to yellow.
+ * Converts an error, clamped to 0..1, to an sRGB-encoded colour. The hue goes from blue via red to
+ * yellow. Lightness (CIE L*) rises linearly from 2 to 97, so that greyscale prints work.
  */
 void heat_map_srgb(float error, uint8_t rgb[static 3]);
 

@@ -96,7 +96,7 @@ static double *sorted_copy(const double *samples, uint32_t count)
     return copy;
 }
 
-/* Adds a line to the table; `base` or `now` is NULL if that profile has no such line. */
+/* Adds a line to the table. `base` or `now` is NULL if that profile has no line of this name. */
 static bool add_pair(struct comparison *c, const char *name, const double *base, const double *now)
 {
     struct pair *pair = &c->pairs[c->count++];
@@ -121,7 +121,7 @@ static const struct profile_table_row *find_line(const struct profile_table_rows
     return NULL;
 }
 
-/* Adds all lines of `now` in order, then lines that only `base` has, then the frame time. */
+/* Adds the lines of `now` in order, then the lines that only `base` has, then the frame time. */
 static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
                       const struct profile_table_rows *now, bool each)
 {
@@ -224,7 +224,7 @@ static void print_pair(const struct pair *pair, const struct comparison *c, int 
     fprintf(out, " %8.2g  %s\n", pair->p, verdicts[1 + verdict_of(pair, c)]);
 }
 
-/* Warns if too few runs make significant differences impossible. */
+/* Prints a warning if there are too few runs for any difference to be significant. */
 static void print_least(const struct comparison *c, FILE *out)
 {
     char message[TEXT_SIZE];

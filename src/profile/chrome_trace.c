@@ -143,7 +143,7 @@ static void add_queue(struct trace *trace, uint32_t run, int64_t begin)
         add_counter(trace, "transient memory", "bytes", json_integer(0), trace->queue_end);
 }
 
-/* Compares events by time; a span precedes the spans nested in it. */
+/* Compares events by time. A span comes before the spans nested in it. */
 static int compare_events(const void *a, const void *b)
 {
     const struct event *x = a, *y = b;

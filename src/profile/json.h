@@ -1,7 +1,7 @@
 /*
  * json.h: writes and reads profiles as JSON, with all members of struct profile. docs/profile.md
- * describes the keys. Numbers have full precision, so that writing a profile that was read
- * reproduces the file exactly. Bytes that are not UTF-8, as in file names, become '?'.
+ * describes the keys. Numbers have full precision, so reading and writing a file reproduces it
+ * exactly. Bytes that are not UTF-8 become '?'.
  */
 #ifndef FIRN_PROFILE_JSON_H
 #define FIRN_PROFILE_JSON_H
@@ -9,13 +9,13 @@
 #include <stddef.h>
 #include "src/profile/profile.h"
 
-/* Writes a profile to *text, which the caller frees; it ends with a newline and a '\0' that *size
- * does not count. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL. For
- * HTML replace every '<' by \u003c, since strings may contain "</script>". */
+/* Writes a profile to *text, which the caller frees. The text ends with a newline and a '\0', which
+ * *size does not count. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
+ * In HTML, every '<' must be escaped as \u003c, because strings may contain "</script>". */
 MUST_USE enum status profile_write_json(const struct profile *profile, char **text, size_t *size);
 
 /*
- * Reads a file of profile_write_json() except `summary` and `overhead`, which can be derived. The
+ * Reads a file of profile_write_json(). Ignores `summary` and `overhead`, which can be derived. The
  * file is untrusted: missing keys, wrong types, values out of range and wrong counts are logged and
  * return STATUS_DATA. On failure *profile is zeroed.
  */

@@ -17,7 +17,7 @@ enum {
 
 static const double max_number = 1e8; /* 27 hours in ms */
 
-/* File being read, and the JSON path for error messages: "rows[3]", or "" at top level. */
+/* File being read. The JSON path, such as "rows[3]", or "" at top level, is for error messages. */
 struct reader {
     const char *path;
     char json_path[JSON_PATH_SIZE];

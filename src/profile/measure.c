@@ -30,7 +30,7 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
            rg_format_info(image->image->format)->size;
 }
 
-/* Names a pass's row. Passes of equal name, as for each object or cube face, are repetitions. */
+/* Names a pass's row. Passes of equal name, one per object or cube face, become repetitions. */
 static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
     const struct rg_plan *plan = m->plan;
@@ -189,7 +189,7 @@ static void keep_counts(struct profile *p, const struct rg_times *times)
     }
 }
 
-/* Renders a measured and an unmeasured frame; their order alternates to balance caching. */
+/* Renders one frame with and one without measurement. The order alternates to balance caching. */
 static enum status run_once(struct measure *m, uint32_t index)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -225,7 +225,7 @@ static enum status capture(struct measure *m)
     return status == STATUS_OK ? ended : status;
 }
 
-/* Renders the frames before the runs: first frame, pipeline statistics, RenderDoc capture. */
+/* Renders the frames before the runs for first-frame time, pipeline statistics and RenderDoc. */
 static enum status begin(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };

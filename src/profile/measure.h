@@ -1,8 +1,7 @@
 /*
- * measure.h: renders a frame repeatedly and measures its passes.
- *
- * Each run renders the frame twice, with and without measurement of its passes, in alternating
- * order; the difference is the measurement overhead. The image stays on the GPU, without readback.
+ * measure.h: renders a frame repeatedly and measures its passes. Each run renders the frame twice,
+ * once with and once without measurement of passes, in alternating order. The difference is the
+ * measurement overhead. The image is not read back from the GPU.
  */
 #ifndef FIRN_PROFILE_MEASURE_H
 #define FIRN_PROFILE_MEASURE_H
@@ -16,7 +15,8 @@ enum {
 };
 
 struct profile_request {
-    /* Renderer parameters; samples, layers, linear, display, keep and measured are overridden. */
+    /* Renderer parameters, of which samples, layers, linear, display, keep, measured are
+     * overridden. */
     struct renderer_params renderer;
     struct camera camera;
     const struct profile_clock *clock;
@@ -25,7 +25,7 @@ struct profile_request {
     double time, time_step;     /* seconds: first run's scene time, step */
 };
 
-/* Callback after each run, warm-up included. Returns false to stop with STATUS_FAILED. */
+/* Callback after each run, including warm-ups. Returning false stops with STATUS_FAILED. */
 typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
 
 /* Profiles that are measured together, with interleaved runs. */
@@ -38,9 +38,9 @@ struct profile_run {
 };
 
 /*
- * Creates a renderer for each request and fills the profiles. Runs are interleaved between the
- * renderers, so that other load on the machine affects all of them equally. Afterwards the caller
- * fills command, scene, material and settings. On failure all profiles are zeroed.
+ * Creates a renderer for each request and fills the profiles. The renderers take turns, so that
+ * other load on the machine affects all of them equally. Afterwards the caller fills in command,
+ * scene, material and settings. On failure all profiles are zeroed.
  */
 MUST_USE enum status profile_measure(const struct profile_run *run);
 

@@ -28,16 +28,18 @@ enum profile_kind {
     PROFILE_KIND_COUNT,
 };
 
-/* Row of a profile: a GPU pass, or `record`, `submit` or `unattributed` after all passes. */
+/* Row of a profile: a GPU pass or, after all passes, `record`, `submit` or `unattributed`. */
 struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
     char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for other rows */
     enum profile_kind kind;
-    /* For passes drawn per cube face or object: index and number of repetitions; else 0 and 1. */
+    /* Index and number of repetitions of passes drawn per cube face or object, otherwise 0 and 1.
+     */
     uint32_t repetition, repetition_count;
     uint32_t width, height; /* of the render targets; else 0 */
     uint64_t target_bytes;  /* total size of the render targets */
-    /* Pipeline statistics, counted in a separate frame; 0 unless has_statistics. */
+    /* Pipeline statistics, counted in a separate frame. They are 0 unless has_statistics is true.
+     */
     uint64_t vertices, triangles, fragments, invocations; /* rg_time.h */
     uint64_t covered;  /* samples passing depth tests, with overdraw */
     double *ms;        /* per run */

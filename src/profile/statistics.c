@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Converts a key, an integer that sorts like a double, to the double that it encodes. */
+/* Converts a 64-bit key back to its double. Keys sort like the doubles that they encode. */
 static double from_key(uint64_t key)
 {
     const uint64_t sign = UINT64_C(1) << 63;
@@ -19,8 +19,8 @@ static double from_key(uint64_t key)
 /* Callback that returns how many items are at most `value`. */
 typedef uint64_t count_fn(const void *items, double value);
 
-/* Returns item `index` in ascending order, by bisection over the bits of a double. Needs no sorted
- * list, so that it can select among all pairs of two samples without allocation. */
+/* Returns item `index` in ascending order, by bisection over the bits of a double. The items need
+ * no sorting or allocation, so they can be all pairs of two samples. */
 static double find_nth(count_fn *count, const void *items, uint64_t index)
 {
     uint64_t key = 0;
@@ -103,7 +103,7 @@ void profile_sort(double *samples, uint32_t count)
 
 /* Mann-Whitney U statistic and the tie term of its variance. */
 struct ranks {
-    double u;    /* U statistic: number of pairs with b > a; ties count as 1/2 */
+    double u;    /* U statistic: number of pairs with b > a, where ties count as 1/2 */
     double ties; /* tie term: sum of t^3 - t over groups of t equal samples */
 };
 
@@ -136,8 +136,9 @@ static struct ranks rank(const struct profile_pair *pair)
 }
 
 /*
- * Returns the exact two-sided p-value 2 * P(U <= u). The number of orders of a + b samples with a
- * given U is the coefficient of q^U in the product over i = 1..a of (1 - q^(b + i)) / (1 - q^i).
+ * Returns the exact two-sided p-value 2 * P(U <= u). Of all orders of a + b samples, the number
+ * with statistic U is the coefficient of q^U in the product of (1 - q^(b + i)) / (1 - q^i) over i =
+ * 1..a.
  */
 static double exact_probability(uint32_t a, uint32_t b, uint32_t u)
 {

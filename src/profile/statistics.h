@@ -1,7 +1,7 @@
 /*
  * statistics.h: timing statistics: summaries, outliers, significance tests, power-law fits. Samples
- * must be finite; nothing allocates. Quantiles are interpolated linearly between samples (type 7 of
- * R. J. Hyndman, Y. Fan, Sample Quantiles in Statistical Packages, 1996).
+ * must be finite. No function allocates. Quantiles are interpolated linearly (type 7 of R. J.
+ * Hyndman, Y. Fan, Sample Quantiles in Statistical Packages, 1996).
  */
 #ifndef FIRN_PROFILE_STATISTICS_H
 #define FIRN_PROFILE_STATISTICS_H
@@ -18,11 +18,11 @@ struct profile_summary {
 
 struct profile_summary profile_summarize(const double *samples, uint32_t count);
 
-/* Returns a quantile of at least one sample: the minimum for `portion` 0, the median for 0.5. */
+/* Returns a quantile of one or more samples. `portion` 0 is the minimum, 0.5 the median. */
 double profile_quantile(const double *samples, uint32_t count, double portion);
 
-/* Limits beyond which a sample is an outlier: 1.5 interquartile ranges outside the quartiles (J. W.
- * Tukey, Exploratory Data Analysis, 1977). */
+/* Limits beyond which a sample is an outlier. They lie 1.5 interquartile ranges outside the
+ * quartiles (J. W. Tukey, Exploratory Data Analysis, 1977). */
 struct profile_fences {
     double low, high;
 };
@@ -56,20 +56,20 @@ enum {
 };
 
 /*
- * Adjusts the p-values of `count` simultaneous tests by Holm's method: the probability of any false
- * positive stays below the significance level (S. Holm, A Simple Sequentially Rejective Multiple
- * Test Procedure, 1979). `adjusted` must not alias `p`.
+ * Adjusts the p-values of `count` simultaneous tests by Holm's method, which keeps the probability
+ * of any false positive below the significance level (S. Holm, A Simple Sequentially Rejective
+ * Multiple Test Procedure, 1979). `adjusted` must not alias `p`.
  */
 void profile_holm(const double *p, double *adjusted, uint32_t count);
 
-/* Ratio b / a with its 99 % confidence interval; all 0 if some sample is not positive. */
+/* Ratio b / a with its 99 % confidence interval. All are 0 if any sample is not positive. */
 struct profile_ratio {
     double low, ratio, high;
 };
 
-/* Estimates the ratio b / a as the median of all pairwise ratios: the Hodges-Lehmann shift of the
- * logarithms (J. L. Hodges, E. L. Lehmann, Estimates of Location Based on Rank Tests, 1963), robust
- * against outliers. With few samples the interval spans all ratios. */
+/* Estimates the ratio b / a as the median of all pairwise ratios, which is robust against outliers:
+ * the Hodges-Lehmann shift of the logarithms (J. L. Hodges, E. L. Lehmann, Estimates of Location
+ * Based on Rank Tests, 1963). With few samples the confidence interval spans all ratios. */
 struct profile_ratio profile_ratio(const struct profile_pair *pair);
 
 /* Power law y = factor * x ^ exponent, by a least-squares fit of the logarithms. */
@@ -79,8 +79,8 @@ struct profile_fit {
     uint32_t point_count; /* points with x above 0 */
 };
 
-/* Fits a power law to the points with x above 0. There is no fit if all x are equal, or if some y
- * at these points is not positive. */
+/* Fits a power law to the points with positive x. There is no fit if all x are equal, or if y is
+ * not positive at one of these points. */
 struct profile_fit profile_fit(const double *x, const double *y, uint32_t count);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * sweep.h: parameter sweeps: profiles for all combinations of parameter values, with power-law fits
- * of the costs, as table or JSON. A sweep owns its data and profiles, but not contrasts and
- * figures. profile_sweep_finish() accepts half-built and empty ({0}) sweeps.
+ * sweep.h: parameter sweeps, which measure a profile for each combination of parameter values, and
+ * fit power laws to the costs. A sweep owns its data and profiles, but not contrasts and figures.
+ * profile_sweep_finish() accepts incomplete sweeps, and empty ones initialised with {0}.
  */
 #ifndef FIRN_PROFILE_SWEEP_H
 #define FIRN_PROFILE_SWEEP_H
@@ -56,13 +56,13 @@ struct profile_sweep {
     uint32_t figure_count;
 };
 
-/* Computes `rate` and `p` of all contrasts from unmeasured frames (profile.plain). When out of
- * memory logs and returns STATUS_TRY_AGAIN. */
+/* Computes `rate` and `p` of all contrasts from the frames without measurement (profile.plain).
+ * When out of memory logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_contrast_all(struct profile_sweep *sweep);
 
 /*
- * Adds a parameter "name=a,b,c", whose name is a setting or "size", and reallocates all points,
- * zeroed. Names and values are not validated. Logs and returns STATUS_USAGE if a name or value is
+ * Adds a parameter "name=a,b,c" and reallocates all points, zeroed. The name is a setting or
+ * "size". Names and values are not validated. Logs and returns STATUS_USAGE if a name or value is
  * missing, a name occurs twice, a text is too long, or there are too many parameters or points.
  */
 MUST_USE enum status profile_sweep_add(struct profile_sweep *sweep, const char *text);
@@ -72,7 +72,7 @@ void profile_sweep_finish(struct profile_sweep *sweep);
 const char *profile_sweep_value(const struct profile_sweep *sweep, uint32_t point,
                                 uint32_t parameter);
 
-/* Converts a parameter's value at a point to a number; a size "WxH" to its number of pixels.
+/* Converts a parameter's value at a point to a number. A size "WxH" becomes the number of pixels.
  * Returns false if the value is not a number. */
 bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uint32_t parameter,
                           double *number);
@@ -85,17 +85,18 @@ struct profile_growth {
 
 /*
  * Fits power laws to the frame time and to all rows above 2 % of it at some point. All points must
- * have been measured. The caller frees *growths. *growths is NULL and *count 0 if there are several
- * parameters, values that are not numbers, or no valid fits.
+ * have been measured. The caller frees *growths. If there are several parameters, values that are
+ * not numbers, or no valid fits, *growths is NULL and *count 0.
  */
 MUST_USE enum status profile_sweep_fit(const struct profile_sweep *sweep,
                                        struct profile_growth **growths, uint32_t *count);
 
-/* Prints each point's parameters, median and standard deviation of the frame time, and most
- * expensive passes, then the power-law fits, in lines of at most PROFILE_COLUMNS characters. */
+/* Prints a line per point with its parameters, median and standard deviation of the frame time, and
+ * most expensive passes. Then prints the power-law fits. Lines have at most PROFILE_COLUMNS
+ * characters. */
 MUST_USE enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out);
 
-/* Writes the sweep as JSON (docs/profile.md). Ownership as for profile_write_json(). */
+/* Writes the sweep as JSON (docs/profile.md). The caller frees *text as in profile_write_json(). */
 MUST_USE enum status profile_write_sweep_json(const struct profile_sweep *sweep, char **text,
                                               size_t *size);
 

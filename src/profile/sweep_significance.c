@@ -14,7 +14,7 @@ static double *sorted_copy(const struct profile *p)
     return copy;
 }
 
-/* Returns the unadjusted p-value of one contrast; a negative value when out of memory. */
+/* Returns the unadjusted p-value of one contrast, or a negative value when out of memory. */
 static double test_contrast(const struct profile_sweep *sweep, struct profile_contrast *contrast)
 {
     const struct profile *before = &sweep->points[contrast->before];

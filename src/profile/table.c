@@ -122,7 +122,7 @@ static double excess(const struct outlier *outlier)
     return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
 }
 
-/* Adds an outlier to `worst`, a list of the largest in descending order. Returns count + 1. */
+/* Inserts an outlier into `worst`, the largest outliers in descending order. Returns count + 1. */
 static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
 {
     uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;

@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include "src/profile/profile.h"
 
-/* Prints the table. Repetitions of a pass, such as cube faces, are added up in one line unless
- * `each` is true. When out of memory logs and returns STATUS_TRY_AGAIN. */
+/* Prints the table. A line adds up all repetitions of a pass, such as cube faces. If `each` is
+ * true, each repetition has a line. When out of memory logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_table(const struct profile *profile, bool each, FILE *out);
 
-/* Returns the number of decimals with which `greatest` has five significant digits. */
+/* Returns the number of decimals that show `greatest` with five significant digits. */
 int profile_decimals(double greatest);
 
 #endif

@@ -214,8 +214,8 @@ static VkResult find_rounds(struct test *test)
     return result;
 }
 
-/* Measures frames with both clocks alternately, and updates each pass's minimum time over all
- * attempts, since other load only adds time. */
+/* Measures frames with both clocks alternately. Updates each pass's minimum time over all attempts.
+ * Minimums are used, because other load only adds time. */
 static VkResult update_minimums(struct test *test, struct timestamp_check_times *times,
                                 bool is_first)
 {
@@ -248,8 +248,8 @@ double timestamp_check_error(const struct timestamp_check_times *times)
     return worst;
 }
 
-/* Repeats the test until both clocks agree, usually once: interference by other load is temporary,
- * whereas driver errors persist. */
+/* Repeats the test until both clocks agree. Usually one attempt suffices. Repeating helps, because
+ * interference by other load is temporary, whereas driver errors persist. */
 static VkResult judge(struct test *test, uint32_t try_count, struct profile_clock *clock)
 {
     struct timestamp_check_times times = { 0 };

@@ -25,22 +25,22 @@ enum {
     TIMESTAMP_CHECK_PASS_COUNT = 7
 };
 
-/* Times of the test's passes, in milliseconds; the last pass is empty. */
+/* Times of the test's passes, in milliseconds. The last pass is empty. */
 struct timestamp_check_times {
     double stamped[TIMESTAMP_CHECK_PASS_COUNT]; /* by timestamps, in one frame */
     double alone[TIMESTAMP_CHECK_PASS_COUNT];   /* submitted alone, by the CPU's clock */
 };
 
-/* Compares `stamped` with `alone` minus the submit cost; returns the maximum relative error. Errors
- * are divided by at least a tenth of the total, so that short passes do not dominate. */
+/* Returns the maximum relative error of `stamped` against `alone` minus the submit cost. Errors are
+ * divided by at least a tenth of the total, so that short passes do not dominate. */
 double timestamp_check_error(const struct timestamp_check_times *times);
 
 /* Maximum relative error at which timestamps are used. */
 #define TIMESTAMP_CHECK_TOLERANCE 0.1
 
 /* Runs the test and fills *clock. Takes 0.2 s on two idle cores, a few seconds on a busy machine.
- * `chosen` is the user's clock: RG_CLOCK_SUBMITS works on every device, so that the test need not
- * be repeated for it. Missing timestamps are not an error. */
+ * `chosen` is the user's clock. The test is not repeated for RG_CLOCK_SUBMITS, which works on every
+ * device. Missing timestamps are not an error. */
 MUST_USE enum status timestamp_check_run(struct gpu *gpu, enum rg_clock chosen,
                                          struct profile_clock *clock);
 

@@ -1,9 +1,7 @@
 /*
  * dielectric_split.c: reflection and refraction at cracks and at smooth, rough, bumpy and frosted
- * surfaces.
- *
- * Fresnel equations for unpolarised light (Born and Wolf, Principles of Optics, 1.5.2) and Snell's
- * law. Differences of nearly equal numbers, as at grazing angles, are computed in double precision.
+ * surfaces, by Snell's law and the Fresnel equations for unpolarised light (Born and Wolf,
+ * Principles of Optics, 1.5.2). Differences of nearly equal numbers are in double precision.
  */
 #include "src/reference/dielectric_split.h"
 #include <cglm/struct.h>
@@ -34,7 +32,8 @@ static vec3s weighted_sum(double a, vec3s d, double b, vec3s n)
 }
 
 /* Computes the directions of reflection and refraction and the Fresnel reflectance. `n` faces the
- * incident side; `eta` is the ratio of the refractive indices, incident over transmitted. */
+ * incident side. `eta` is the incident medium's refractive index divided by the transmitting one's.
+ */
 static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-dielectric_split_dot(d, n), 1.0);
@@ -147,8 +146,8 @@ static struct face face_at(const struct tracer *tracing, vec3s dir,
     return face;
 }
 
-/* Applies GGX masking, which is 0 for directions on the wrong side of the surface. Replaces the
- * Fresnel reflectance at the microfacet by that at the macroscopic normal. */
+/* Computes the GGX masking factors, which are 0 for directions on the wrong side of the surface.
+ * Recomputes the Fresnel reflectance with the macroscopic normal instead of the microfacet's. */
 static void apply_masking(struct dielectric_split *split, vec3s dir, const struct face *face)
 {
     const bool is_refracted =
@@ -161,8 +160,8 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
         is_refracted ? microfacet_masking(face->n, split->refracted, face->roughness) : 0.0f;
 }
 
-/* Keeps reflected and refracted directions at a bumpy surface on the correct side of the triangle.
- * If rough, wrong directions get weight 0, else they are recomputed with the geometric normal. */
+/* Corrects directions that bumps have put on the wrong side of the triangle. At rough surfaces they
+ * get weight 0. At smooth surfaces they are recomputed with the geometric normal. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {

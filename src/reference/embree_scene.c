@@ -7,18 +7,19 @@
 #include "src/base/log.h"
 #include "src/tech/frame_media.h"
 
-/* Embree's query context, followed by the traced ray, which the intersection filters need. */
+/* Embree's query context, extended by the traced ray for the intersection filters. */
 struct context {
     struct embree_context embree;
     const struct embree_scene_ray *ray;
 };
 
-/* Upper estimate of the bytes per triangle during an Embree build; Embree 3.13 needs about 130. */
+/* Upper estimate of the bytes per triangle during an Embree build. Embree 3.13 needs about 130. */
 enum {
     TRIANGLE_SIZE = 256
 };
 
-/* Returns the candidate hit passed to a filter; there is only one, as rays are traced singly. */
+/* Returns the candidate hit passed to a filter. There is only one, because rays are traced singly.
+ */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
@@ -64,8 +65,8 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-/* Intersection filter that rejects hits within epsilon of the ray's origin on cracks and planes of
- * air: repeated hits of one sheet, where the ray starts or at a triangle edge. */
+/* Intersection filter for cracks and planes of air. Rejects hits within epsilon of the ray's
+ * origin, which would count the sheet that the ray starts on a second time. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;

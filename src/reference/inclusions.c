@@ -107,7 +107,7 @@ static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
                       half_to_float(texel[3]) } };
 }
 
-/* Samples the bump map: xy is the slope, z the smoothness, w the density of frost crystals. */
+/* Samples the bump map. Returns the slope in xy, smoothness in z and frost density in w. */
 static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
 {
     const struct bump_maps *maps = &inclusions->radiance->scene->bump;
@@ -120,7 +120,7 @@ static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
     return glms_vec4_lerp(above, below, y.weight);
 }
 
-/* Bump map evaluated at a hit: world-space height gradient, smoothness, density of frost. */
+/* Bump map evaluated at a hit. The height gradient is in world space. */
 struct bump_sample {
     vec3s gradient;
     float smoothness, crystals;
@@ -153,7 +153,7 @@ static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
     return glms_vec3_scale(sum, 1.0f / sqrtf(fmaxf(glms_vec3_norm2(sum), 1e-30f)));
 }
 
-/* Samples the bump map at the hit's uv coordinates. The slope is 0 if the mesh has none. */
+/* Samples the bump map at the uv coordinates of a hit. Without uv coordinates the slope is 0. */
 static struct bump_sample bump_by_uv(const struct inclusions *inclusions,
                                      const struct embree_scene *embree_scene,
                                      const struct embree_scene_hit *hit, vec3s normal)

@@ -1,7 +1,6 @@
 /*
- * inclusions.h: cracks, planes of air, bumps and frost for the path tracer. Noise functions and
- * formulas are shared with the shaders (shaders/inclusions/cracks_noise.h,
- * shaders/lighting/bump_normal.h).
+ * inclusions.h: cracks, planes of air, bumps and frost for the path tracer. Uses the same noise and
+ * formulas as shaders/inclusions/cracks_noise.h and shaders/lighting/bump_normal.h.
  */
 #ifndef FIRN_REFERENCE_INCLUSIONS_H
 #define FIRN_REFERENCE_INCLUSIONS_H

@@ -20,22 +20,22 @@ enum {
     LIGHT_GATHER_RAYS = DIFFUSE_SAMPLING_RAYS + 1 /* diffuse lobe, then specular lobe */
 };
 
-/* Gather rays of a surface point. `analytic_sky` is the sky light from their directions; the caller
- * must subtract it from analytic shading, which already includes it. */
+/* Gather rays of a surface point. `analytic_sky` is the analytic sky light from the directions of
+ * these rays. The caller must subtract it from analytic shading, which includes it. */
 struct light_gather {
     struct ray_branch rays[LIGHT_GATHER_RAYS];
     uint32_t count;
     vec3s analytic_sky;
 };
 
-/* Returns the gather rays for a hit on the surroundings with transmittance `passing`. There are
- * none if lighting is not ray-traced, `b` is itself a gather ray, or the surface is unlit. */
+/* Returns the gather rays for a hit on the surroundings with transmittance `passing`. Returns none
+ * if lighting is not ray-traced, if the surface is unlit, or if `b` is itself a gather ray. */
 struct light_gather light_gather_at(const struct tracer *tracing, const struct ray_branch *b,
                                     const struct embree_scene_hit *hit,
                                     const struct radiance_point *point, float passing);
 
-/* Traces a shadow ray, occluded by surroundings only, to a random point of the sun's disc. Returns
- * the point's visibility: 0 or 1, or in between behind blended surfaces. */
+/* Traces a shadow ray to a random point of the sun's disc. Only surroundings occlude it. Returns
+ * the visibility of the sun: 0, 1, or a value in between behind blended surfaces. */
 float light_gather_sun(const struct tracer *tracing, vec3s point, uint32_t seed);
 
 #endif

@@ -11,8 +11,8 @@ struct linear_filter {
     float weight;
 };
 
-/* Returns the texels at a normalised coordinate of a texture with `count` texels. Coordinates
- * outside 0..1 repeat the texture or, if `repeat` is false, clamp to its edge. */
+/* Returns the two texels for a texture coordinate, 0 to 1 across `count` texels. Beyond this range
+ * the texture repeats if `repeat` is true, else the coordinate is clamped to the edge. */
 struct linear_filter linear_filter_at(float coordinate, uint32_t count, bool repeat);
 
 #endif

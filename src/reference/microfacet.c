@@ -25,8 +25,8 @@ static uint32_t reversed(uint32_t x)
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-/* Owen-scrambles the bits of x: flips each bit by a hash of the seed and of all higher bits (Burley
- * 2020, section 3, with the constants of Vegdahl 2021). */
+/* Owen-scrambles the bits of x: each bit is flipped or not by a hash of the seed and of all higher
+ * bits (Burley 2020, section 3, with the constants of Vegdahl 2021). */
 static uint32_t scrambled(uint32_t x, uint32_t seed)
 {
     x = reversed(x);
@@ -38,7 +38,7 @@ static uint32_t scrambled(uint32_t x, uint32_t seed)
     return reversed(x);
 }
 
-/* Returns the second coordinate of a Sobol point; the first is the bit-reversed index. */
+/* Returns the second coordinate of a two-dimensional Sobol point. */
 static uint32_t sobol_second(uint32_t index)
 {
     uint32_t point = 0;

@@ -1,9 +1,9 @@
 /*
- * nested_media.h: nested dielectrics with priorities: tracks the objects and medium around a ray.
- *
- * Touching objects must overlap a little, because coincident surfaces cannot be intersected
- * robustly. In the overlap the medium of highest priority (`rank`) applies, and surfaces inside it
- * are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced Images).
+ * nested_media.h: nested dielectrics with priorities. Tracks which objects and which medium
+ * surround a ray. Touching objects must overlap slightly, because rays cannot robustly hit
+ * coincident surfaces. In the overlap, only the medium of highest priority (`rank`) applies, and
+ * surfaces inside it are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced
+ * Images).
  */
 #ifndef FIRN_REFERENCE_NESTED_MEDIA_H
 #define FIRN_REFERENCE_NESTED_MEDIA_H
@@ -34,7 +34,7 @@ bool nested_media_init(struct nested_media *media, const struct scene *scene,
                        const struct settings *settings);
 void nested_media_finish(struct nested_media *media);
 
-/* Returns the set's object of highest priority, ignoring `except`; the outside medium if none. */
+/* Returns the object of highest priority in the set, other than `except`, or the outside medium. */
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 
@@ -53,7 +53,8 @@ struct nested_media_crossing {
 };
 
 /* Returns the media in front of and behind an object's surface. `is_entering` is true at front
- * faces. Ignores whether `set` contains the object, so that open and overlapping meshes work. */
+ * faces. The result does not depend on whether `set` contains the object, so meshes may be open or
+ * overlap. */
 struct nested_media_crossing nested_media_cross(const struct nested_media *media,
                                                 const struct nested_media_set *set, uint32_t object,
                                                 bool is_entering);

@@ -44,13 +44,13 @@ struct photons_params {
     void *user;
 };
 
-/* Builds the photon map, bit-identically for any number of threads. When out of memory logs and
- * returns STATUS_TRY_AGAIN; returns STATUS_FAILED without a message if `go_on` cancels. */
+/* Builds the photon map, bit-identical for any number of threads. Logs and returns STATUS_TRY_AGAIN
+ * when out of memory. Returns STATUS_FAILED silently if `go_on` cancels. */
 MUST_USE enum status photons_init(struct photons *photons, const struct tracer *tracing,
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */
 
-/* Returns direct and refracted sunlight at a point, whose unit `normal` faces the viewer. */
+/* Returns direct and refracted sunlight at a point. The unit `normal` must face the viewer. */
 struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, vec3s normal,
                                    uint32_t seed);
 

@@ -22,7 +22,7 @@ static vec3s to_world(vec3s v)
     return (vec3s){ { v.x, v.z, -v.y } };
 }
 
-/* Returns a vertex of the water mesh, whose border lies at the bottom, so that it has sides. */
+/* Returns a vertex of the water mesh. Its border lies at the bottom to form the sides. */
 static struct mesh_vertex shell_vertex(const struct pool_scene *pool_scene, uint32_t column,
                                        uint32_t row, float time)
 {

@@ -29,8 +29,8 @@ static vec3s absorbed(const struct tracer *tracing, const struct ray_branch *b, 
     return throughput;
 }
 
-/* Returns the media on both sides of an object's surface. A thin wall has no interior, so that the
- * surrounding medium is on both sides. */
+/* Returns the media on both sides of an object's surface. A thin wall has no interior, so both
+ * sides have the surrounding medium. */
 static struct nested_media_crossing crossing_at(const struct tracer *tracing,
                                                 const struct nested_media_set *inside, vec3s dir,
                                                 const struct embree_scene_hit *hit)
@@ -89,7 +89,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
     return nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE) == object;
 }
 
-/* Moves a ray behind a plane of air, whose light it collects, or a crack outside the ice. */
+/* Moves a ray past a plane of air or a crack outside the ice. Adds the light of the plane. */
 static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
                        const struct embree_scene_hit *hit)
 {
@@ -122,8 +122,8 @@ bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_
     return medium_around(tracing, b) != NULL;
 }
 
-/* Returns the sunlight scattered along -dir by a medium at a point: next-event estimation of single
- * scattering. The shadow ray ignores refraction at the ice's surface. */
+/* Returns the sunlight that a medium scatters at a point along -dir. Only single scattering counts.
+ * The shadow ray to the sun is not refracted at the ice's surface. */
 static vec3s single_scattering(const struct tracer *tracing,
                                const struct volume_scattering *volume_scattering, vec3s point,
                                vec3s dir)

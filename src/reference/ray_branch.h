@@ -27,9 +27,9 @@ struct fork {
 };
 
 /*
- * Advances a ray to the next branching surface or to the surroundings, and multiplies its
- * throughput by the transmittance. Boundaries between equal media are skipped; scattering media may
- * deflect the ray. Returns false if it hits nothing or has reached its limit of surfaces.
+ * Advances a ray to the next surface that branches it, or to the surroundings. Multiplies the
+ * throughput by the transmittance. Skips boundaries between equal media. Scattering media may
+ * deflect the ray. Returns false if nothing is hit or the ray's limit of surfaces is reached.
  */
 bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
                         struct surface_hit *surface_hit);
@@ -38,8 +38,8 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
 void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                      const struct embree_scene_hit *hit, float passing);
 
-/* Returns true if a ray has reached its limit of scattering events or of surfaces. The latter is
- * reference.bounces or, with Russian roulette, which also terminates rays, a higher number. */
+/* Returns true if a ray has reached its limit of scattering events or of surfaces. The limit of
+ * surfaces is reference.bounces without Russian roulette, and higher with it. */
 bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_branch *b);
 
 /* Returns true if a ray is in the medium of `object`, outside its bubbles. */
@@ -54,9 +54,9 @@ const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
 struct fork ray_branch_split(const struct tracer *tracing, const struct ray_branch *b,
                              const struct surface_hit *surface_hit);
 
-/* Applies Russian roulette: a ray whose throughput is below reference.cutoff survives with
- * probability throughput / cutoff and is reweighted. A ray that has split too often becomes a
- * single path. Returns false if the ray is terminated. */
+/* Applies Russian roulette. Below reference.cutoff, a ray survives with probability throughput /
+ * cutoff and is reweighted. A ray that has split too often becomes a single path. Returns false if
+ * the ray is terminated. */
 bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b);
 
 /* Chooses the reflected or refracted ray at random by Fresnel reflectance, and reweights it. */

@@ -222,8 +222,8 @@ static uint32_t tiles_done(const struct job *job)
     return (uint32_t)((before + now) / all);
 }
 
-/* Renders one round of samples for all tiles on several threads, or fewer if thread creation fails.
- * The calling thread also renders, and reports the overall progress. */
+/* Renders one round of samples for all tiles on several threads. The calling thread renders too and
+ * reports progress. If threads cannot be created, fewer are used. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];
@@ -286,7 +286,7 @@ static struct reference_outcome outcome_of(const struct job *job)
     return outcome;
 }
 
-/* Renders until pixels have `samples` samples. If they already do, only rewrites the image. */
+/* Renders until every pixel has `samples` samples, then writes the image. */
 static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
                              void *user)
 {
@@ -430,7 +430,7 @@ static enum status trace_photons(struct job *job, struct photon_progress photon_
     return status;
 }
 
-/* Replaces the scene's pool, if any, by triangle meshes. Returns false when out of memory. */
+/* Replaces the pool, if the scene has one, by triangle meshes. Returns false when out of memory. */
 static bool build_pool(struct job *job, struct frame_view *view)
 {
     if (!view->scene->has_pool)

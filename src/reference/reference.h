@@ -46,25 +46,24 @@ MUST_USE enum status reference_create(struct reference **reference,
                                       const struct reference_request *request);
 
 /*
- * Renders an image. *result must own no memory; on failure it is zeroed. The calling thread
- * regularly calls `progress` (may be NULL) with the numbers of finished tiles and of all tiles. If
- * `progress` returns false, all threads stop within a row of pixels, and the result is
- * STATUS_FAILED without a log message.
+ * Renders an image. *result must own no memory. On failure it is zeroed. The calling thread
+ * regularly calls `progress`, unless NULL, with the numbers of finished tiles and of all tiles. If
+ * `progress` returns false, rendering stops with STATUS_FAILED and without a log message.
  */
 MUST_USE enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
                                       struct render_result *result, renderer_progress_fn *progress,
                                       void *user);
 
 /*
- * Samples are rendered in rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel.
- * Limits are checked between rounds. The noise of an image is its pixels' mean standard error;
- * below REFERENCE_NOISE_SAMPLES samples, its estimate is too uncertain for a noise limit.
+ * Rendering proceeds in rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel.
+ * Limits are checked between rounds. The noise of an image is the mean standard error of its
+ * pixels. Below REFERENCE_NOISE_SAMPLES samples per pixel, the noise limit is not checked.
  */
 enum {
     REFERENCE_NOISE_SAMPLES = 8
 };
 
-/* Maximum mean throughput of a pixel's terminated rays; pixels above it cause a warning. */
+/* Maximum mean throughput of a pixel's terminated rays. Pixels above it cause a warning. */
 #define REFERENCE_REMAINING_MAX 0.05
 
 /* Result of a run: samples, noise, and light lost in terminated rays. */
@@ -77,7 +76,7 @@ struct reference_outcome {
 
 struct reference_sums;
 
-/* Callback that loads the sums of previous runs into `sums`, and sets their sample count. */
+/* Callback that loads the sums of previous runs into `sums`, including their sample count. */
 typedef enum status reference_load_fn(void *user, struct reference_sums *sums);
 
 /* Callback that saves the sums after each round. A failure ends the rendering. */
@@ -91,14 +90,14 @@ struct reference_session {
     struct reference_outcome outcome;
 };
 
-/* Renders like reference_render(), but loads and saves sums; fills session->outcome. */
+/* Renders like reference_render(), but also loads and saves sums and fills session->outcome. */
 MUST_USE enum status reference_continue(struct reference *reference,
                                         const struct renderer_shot *shot,
                                         struct render_result *result,
                                         struct reference_session *session,
                                         renderer_progress_fn *progress, void *user);
 
-/* Returns the ray tracing library and version, e.g. "Embree 3.13.5"; owned by `reference`. */
+/* Returns the ray tracing library and its version, "Embree 3.13.5". `reference` owns the text. */
 const char *reference_device(const struct reference *reference);
 
 void reference_destroy(struct reference *reference); /* may be NULL */

@@ -19,8 +19,9 @@ struct reference_ray_values {
     float alpha; /* 1; 0 for a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* Layers of the refracted path: `exit` direction, `path` length inside the object in metres,
-     * number `bounces` of total internal reflections, and `tir`, 1 if there are any. */
+    /* Refracted path: direction `exit` of the leaving ray, length `path` inside the object in
+     * metres, number `bounces` of total internal reflections, and `tir`, 1 if `bounces` is not 0.
+     */
     vec3s exit;
     float path, bounces, tir;
     float inclusion_bits;         /* inclusions hit by the refracted path */
@@ -39,8 +40,8 @@ enum {
     REFERENCE_RAY_VALUE_NONE,
 };
 
-/* Returns the index of the value that a plane stores: REFERENCE_RAY_VALUE_ERROR for the standard
- * error, REFERENCE_RAY_VALUE_NONE for an unknown plane. */
+/* Returns the index of the value that an image plane stores. REFERENCE_RAY_VALUE_ERROR is the
+ * standard error, REFERENCE_RAY_VALUE_NONE an unknown plane. */
 size_t reference_layers_find(const char *plane);
 
 /* Returns the name of the plane that stores value `index`, or NULL. */
@@ -53,8 +54,8 @@ enum {
     REFERENCE_NAMES_SIZE = 512 /* bytes for the names of reference_unsupported() */
 };
 
-/* Writes the enabled features that the path tracer does not support to `names`, separated by
- * commas. Returns true if there are any. */
+/* Writes a comma-separated list of the enabled features that the path tracer lacks to `names`.
+ * Returns true if there are any. */
 bool reference_unsupported(const struct settings *settings, char *names, size_t size);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Indices of the sums that every image has. */
+/* Indices of the per-pixel sums that are always accumulated. */
 enum {
     BRIGHTNESS,
     SQUARE,

@@ -144,7 +144,7 @@ static const struct material *material_of(const struct radiance *radiance, uint3
     return found && !(found->flags & MATERIAL_FROM_SETTINGS) ? found : NULL;
 }
 
-/* Applies a texture's wrap mode. Unless it repeats, clamps to the outermost texel centres. */
+/* Applies a texture's wrap mode. Modes other than repeat clamp to the edge texels. */
 static float wrap_coordinate(float x, uint32_t mode, float size)
 {
     if (mode == MATERIAL_REPEAT)
@@ -362,7 +362,7 @@ static vec3s shade_white_diffuse(const struct radiance *radiance,
                             glms_vec3_mul(sun->sky, diffuse_irradiance(radiance, n)));
 }
 
-/* Shades direct sunlight, and refracted sunlight as if all of it came from its mean direction. */
+/* Shades direct and refracted sunlight. Refracted light has only its mean direction. */
 static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface *surface,
                        const struct radiance_point *point, struct normals n)
 {
@@ -391,7 +391,7 @@ static vec3s shade_diffuse(const struct radiance *radiance, const struct radianc
     return glms_vec3_muladd(albedo, shade_white_diffuse(radiance, point, n), lights);
 }
 
-/* Returns the ambient occlusion map's factor; 1 if occlusion is ray-traced. */
+/* Returns the factor of the ambient occlusion map, or 1 if occlusion is ray-traced. */
 static float occlusion_of(const struct radiance *radiance, const struct material *m,
                           struct coordinates uv)
 {

@@ -1,10 +1,8 @@
 /*
- * surroundings_radiance.h: radiance of surroundings and sky along a ray, as surroundings.c renders
- * them.
- *
- * Formulas, constants and prefiltered environment lighting are shared with the shaders
- * (shaders/surroundings/, shaders/brdf.h), so that comparisons show errors of refraction alone.
- * Textures are filtered bilinearly without mip levels: only pixel samples antialias them.
+ * surroundings_radiance.h: radiance of surroundings and sky along a ray. Formulas, constants and
+ * prefiltered environment lighting are those of the shaders (shaders/surroundings/,
+ * shaders/brdf.h), so that comparisons show only errors of refraction. Textures are filtered
+ * bilinearly without mip levels: only several samples per pixel antialias them.
  */
 #ifndef FIRN_REFERENCE_SURROUNDINGS_RADIANCE_H
 #define FIRN_REFERENCE_SURROUNDINGS_RADIANCE_H
@@ -49,7 +47,7 @@ struct radiance_reflectance {
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals);
 
-/* Samples the texture of a vertex's material as linear colour; white if there is no texture. */
+/* Samples the texture of a vertex's material as linear colour. Returns white without a texture. */
 vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s uv);
 
 /* Returns the radiance of sky, environment map or background colour in unit direction `dir`. */
@@ -71,7 +69,7 @@ bool radiance_reflectance_at(const struct radiance *radiance, const struct radia
 /* Returns the radiance of the sky without the sun's disc, which is sampled separately. */
 vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir);
 
-/* Evaluates an object's material at a point, with textures; `untextured` is the material without
+/* Evaluates an object's textured material at a point. `untextured` is the material without its
  * textures. Stores the outward normal, perturbed by the normal map, in *normal. */
 struct object_material radiance_material_at(const struct radiance *radiance,
                                             const struct material *material,

@@ -18,7 +18,7 @@ struct sum {
     vec3s light, remaining;
 };
 
-/* Pushes a ray onto the stack, or adds its throughput to `remaining` if it is terminated. */
+/* Pushes a ray onto the stack. If the ray is terminated, adds its throughput to `remaining`. */
 static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_t *count,
                  struct ray_branch branch, struct sum *sum)
 {
@@ -30,8 +30,8 @@ static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_
         stack[(*count)++] = branch;
 }
 
-/* Computes sunlight and sky light at a surface of the surroundings, as affected by objects and
- * water. Returns false if nothing affects them. */
+/* Computes sunlight and sky light on the surroundings where objects or water affect them. Returns
+ * false if nothing affects them. */
 static bool find_sunlight(const struct tracer *tracing, const struct embree_scene_hit *hit,
                           const struct ray_branch *b, struct radiance_sun *sun)
 {
@@ -49,7 +49,7 @@ static bool find_sunlight(const struct tracer *tracing, const struct embree_scen
     return tracing->photons || is_tile;
 }
 
-/* Applies the shadows of surroundings to direct sunlight. Returns false if they cast none. */
+/* Applies shadows of the surroundings to direct sunlight. Returns false if they cast none. */
 static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_scene_hit *hit,
                              const struct ray_branch *b, bool is_affected, struct radiance_sun *sun)
 {
@@ -70,8 +70,8 @@ static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
            tracer_medium(tracing, tracing->media->outside)->ior[1];
 }
 
-/* Shades a hit on the surroundings, or the sky if `hit` is NULL; *gather receives the rays that
- * gather indirect light. Returns true if the ray continues behind a blended surface. */
+/* Shades a hit on the surroundings, or the sky if `hit` is NULL. *gather receives rays that gather
+ * indirect light. Returns true if the ray continues behind a blended surface. */
 static bool shade_surroundings(const struct tracer *tracing, const struct embree_scene_hit *hit,
                                struct ray_branch *b, struct sum *sum, struct light_gather *gather)
 {
@@ -104,7 +104,7 @@ static bool shade_surroundings(const struct tracer *tracing, const struct embree
     return passing > 0.0f;
 }
 
-/* Adds light reflected by an object's opaque base unless its material is fully transmissive. */
+/* Adds the light that an object's opaque base reflects. Fully transmissive materials have none. */
 static void add_opaque_base(const struct tracer *tracing, const struct ray_branch *b,
                             const struct surface_hit *surface_hit, float fresnel, struct sum *sum)
 {
@@ -153,8 +153,8 @@ static void trace_tree(const struct tracer *tracing, struct ray_branch first, ui
     }
 }
 
-/* Fills the layers of the refracted path: the path that refracts wherever possible, from the
- * primary hit to its first exit from all objects. */
+/* Fills the layers of the refracted path, which starts at the primary hit, refracts wherever
+ * possible, and ends where it leaves all objects. */
 static void fill_refracted_layers(const struct tracer *tracing, struct ray_branch b,
                                   struct reference_ray_values *values)
 {
@@ -183,8 +183,8 @@ static void fill_refracted_layers(const struct tracer *tracing, struct ray_branc
     values->tir = bounces ? 1.0f : 0.0f;
 }
 
-/* Returns the object number of the last surface on the refracted path after the primary hit, or
- * `last` if there is no such surface. */
+/* Returns the object number of the last surface on the refracted path, or `last` if the path has no
+ * surface after the primary hit. */
 static float find_last_object(const struct tracer *tracing,
                               const struct primary_hit_layers *primary, const struct fork *fork,
                               float last)
@@ -209,7 +209,7 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
-/* Traces the rays that leave a hit on an object, for one or all colour channels (`channels`). */
+/* Traces the rays that leave a hit on an object. `channels` selects one or all colour channels. */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
                           const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
                           struct reference_ray_values *values)
@@ -260,7 +260,7 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
     }
 }
 
-/* Adds the light along a ray to values->color, one colour channel at a time if dispersive. */
+/* Adds the light along a ray to values->color. With dispersion, traces each channel separately. */
 static void trace_all_channels(const struct tracer *tracing, const struct ray_branch *from,
                                struct reference_ray_values *values)
 {

@@ -31,7 +31,7 @@
 void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
                             struct nested_media_set *inside);
 
-/* Traces a camera ray; `forward` is the unit viewing direction, `seed` the pixel's random seed. */
+/* Traces a camera ray. `forward` is the unit view direction, `seed` the pixel's random seed. */
 struct reference_ray_values whitted_trace(const struct tracer *tracing,
                                           const struct embree_scene_ray *ray, vec3s forward,
                                           uint32_t seed);

@@ -82,7 +82,7 @@ static struct tile pixels_of(const struct adaptive *a, const struct tile *cells)
     return tile;
 }
 
-/* Returns the mean of the squared error estimates of a cell's pixels. */
+/* Returns the mean over a cell's pixels of the squared error estimate. */
 static double squared_error(const struct adaptive *a, uint32_t column, uint32_t row)
 {
     const struct tile pixels = pixels_of(a, &(struct tile){ column, row, 1, 1 });
@@ -118,7 +118,7 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
 }
 
 /* Covers the noisy cells among `cells` with rectangles to draw. Splits `cells` in half recursively
- * where that is cheaper than drawing all of it. Returns the cost of the cover, in cells. */
+ * where the halves are cheaper to draw. Returns the cost of the cover, in cells. */
 static uint32_t cover(struct adaptive *a, struct tile cells)
 {
     const uint32_t before = a->rectangle_count;

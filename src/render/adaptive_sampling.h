@@ -39,16 +39,16 @@ struct adaptive {
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height);
 void adaptive_finish(struct adaptive *adaptive);
 
-/* Adds one sample per pixel of a rectangle. `texels` are RGBA half floats, rows tightly packed. */
+/* Adds one sample per pixel of a rectangle. `texels` are RGBA half floats without row padding. */
 void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint16_t *texels,
                   uint32_t sample);
 
-/* Starts the next round after all rectangles have `end` samples per pixel: raises `end` and covers
+/* Starts the next round, once all rectangles have `end` samples per pixel. Raises `end` and covers
  * the cells that are still noisy with new rectangles. Returns false if no cell is noisy. */
 bool adaptive_next_round(struct adaptive *adaptive);
 
-/* Scales the sample sums of an averaged layer as if every cell had ADAPTIVE_SAMPLES samples, so
- * that one divisor yields all means. The factors are powers of two, so nothing is rounded. */
+/* Scales the sample sums of an averaged layer as if each cell had ADAPTIVE_SAMPLES samples, so that
+ * all sums have the same divisor. The factors are powers of two, so nothing is rounded. */
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 

@@ -9,7 +9,7 @@ enum {
     WINDOW_RADIUS = 3, /* radius of the variance window, pixels */
 };
 
-/* Samples per pixel from which each filter iteration is skipped; the widest is skipped first. */
+/* Numbers of samples per pixel from which filter iterations are skipped, the widest one first. */
 static const float enough_samples[STEPS] = { DENOISE_SAMPLES_ENOUGH, 16.0f, 8.0f, 6.0f };
 
 /* Irradiance of a pixel (without albedo), minus the irradiance from an unoccluded sky. */
@@ -125,8 +125,8 @@ static bool read_planes(struct denoiser *s, const struct image *ground)
     return true;
 }
 
-/* Computes the local mean and variance that the edge-stopping weights compare. Comparing single
- * pixels instead would reject the rare rays that are occluded or hit a lamp. */
+/* Computes the local mean and variance that the edge-stopping weights compare. Single pixels would
+ * not do, because the few pixels with rays that are occluded or hit a lamp would be rejected. */
 static struct light local_statistics(const struct denoiser *s, int x, int y)
 {
     const struct surface *own = &s->surfaces[y * s->width + x];
@@ -155,7 +155,7 @@ static struct light local_statistics(const struct denoiser *s, int x, int y)
     return light;
 }
 
-/* Returns a pixel's light after one iteration of the filter with taps `step` pixels apart. */
+/* Returns a pixel's light after one filter iteration, whose taps are `step` pixels apart. */
 static struct light filtered(const struct denoiser *s, int x, int y, int step)
 {
     static const float kernel[] = { 3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f };
@@ -186,7 +186,7 @@ static struct light filtered(const struct denoiser *s, int x, int y, int step)
     return light;
 }
 
-/* Runs variance estimation on all pixels if `index` is -1, else filter iteration `index`. */
+/* Runs filter iteration `index` on all pixels. If `index` is -1, estimates the variance instead. */
 static void replace(struct denoiser *s, int index)
 {
     for (int y = 0; y < s->height; y++) {

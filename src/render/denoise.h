@@ -18,9 +18,9 @@ enum {
     DENOISE_SAMPLES_ENOUGH = 32 /* number of samples per pixel from which no denoising is needed */
 };
 
-/* Adds denoised lighting to the planes R, G and B of an image, as far as they exist. `ground` has
- * the planes of frame_denoise_layers (src/tech/frame.h), averaged over samples, and the plane
- * "samples", the sample count of each pixel. Returns false when out of memory. */
+/* Adds denoised lighting to those of the planes R, G and B that the image has. `ground` has the
+ * averaged planes of frame_denoise_layers (src/tech/frame.h), and a plane "samples" with the sample
+ * count of each pixel. Returns false when out of memory. */
 bool denoise_light(struct image *image, const struct image *ground);
 
 #endif

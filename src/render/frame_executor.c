@@ -18,8 +18,9 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Checks that the plan's memory fits. Each frame in flight has separate host-visible buffers. A CPU
- * device commits memory on first use, so an image drawn in tiles needs only one tile's memory. */
+/* Checks that the plan's memory fits. Host-visible buffers count once per frame in flight. For an
+ * image drawn in tiles, a CPU device needs the memory of one tile, as it commits memory on first
+ * use. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = lavapipe_tuning_is_cpu(gpu);

@@ -1,5 +1,4 @@
-/* frame_executor.h: compiled plan of a frame, and its executor. Errors are logged once
- * (renderer.h). */
+/* frame_executor.h: compiled plan of a frame with its executor. Errors are logged once. */
 #ifndef FIRN_RENDER_FRAME_EXECUTOR_H
 #define FIRN_RENDER_FRAME_EXECUTOR_H
 
@@ -27,21 +26,21 @@ MUST_USE enum status frame_executor_realise(struct frame_executor *frame_executo
                                             const struct renderer_params *params,
                                             const struct rg_exec_import *imports);
 
-/* Moves the plan of *next, which must have no executor, to frame_executor. Keeps the resources that
- * both plans need (rg_exec_update()). After a failure, frame_executor may only be destroyed. */
+/* Moves the plan of *next, which must have no executor, to frame_executor. Resources that both
+ * plans need are kept (rg_exec_update()). After a failure, frame_executor may only be destroyed. */
 MUST_USE enum status frame_executor_replace(struct frame_executor *frame_executor,
                                             struct frame_executor *next,
                                             const struct renderer_params *params,
                                             const struct rg_exec_import *imports);
 
-/* Changes the view to request.view and keeps the executor: see frame_plan_change_view(). */
+/* Changes the view to request.view. Keeps the executor (see frame_plan_change_view()). */
 MUST_USE enum status frame_executor_change_view(struct frame_executor *frame_executor,
                                                 const struct renderer_params *params,
                                                 struct frame_request request,
                                                 const struct rg_exec_import *imports);
 
-/* Parameters of an executor, except for its imports. `info` and `params` point into this struct, so
- * it must not be moved or copied. */
+/* Parameters for creating an executor, without imports. Must not be moved or copied, because `info`
+ * and `params` point into the struct. */
 struct frame_executor_params {
     struct frame_constants constants;
     VkSpecializationMapEntry entries[CONSTANT_COUNT];

@@ -6,13 +6,14 @@
 #include "src/base/log.h"
 
 struct frame_object_distance {
-    /* distance of the box centre from the camera, or from an orthographic camera's plane, metres */
+    /* distance in metres of the box centre from the camera, or from the plane of an orthographic
+     * camera */
     float distance;
     uint32_t object;
 };
 
-/* Margin around an object for G-buffer lookups that miss it slightly
- * (shaders/refract/refract_march_ray.glsl), as a fraction of the object's radius. */
+/* Margin around an object, as a fraction of its radius. It serves G-buffer lookups that miss the
+ * object slightly (shaders/refract/refract_march_ray.glsl). */
 #define LOOKUP_MARGIN 0.05f
 
 enum status frame_objects_init(struct frame_objects *objects, const struct frame_list *list,
@@ -45,8 +46,8 @@ static int compare_back_to_front(const void *a, const void *b)
     return x->object < y->object ? -1 : 1;
 }
 
-/* Sorts the scene's objects back to front. If `is_nested`, skips objects that are inside another
- * one. Returns the number of sorted objects. */
+/* Sorts the scene's objects back to front. If `is_nested`, skips objects inside another object.
+ * Returns the number of sorted objects. */
 static uint32_t sort(struct frame_object_distance *order, const struct frame_view *view,
                      const struct globals *globals, bool is_nested)
 {
@@ -96,8 +97,8 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest possible layer for an object: above all farther objects that it overlaps, and
- * with no object whose faces it may look up, or that may look up its faces. */
+/* Returns the lowest possible layer for an object. It is above all farther objects that overlap
+ * this object, and has no object that lookups_overlap() excludes. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];
@@ -115,9 +116,9 @@ static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
     return layer;
 }
 
-/* Assigns the objects, sorted back to front, to layers. The passes of a layer's first object draw
- * the whole layer, so that there is one barrier per layer instead of one per object. The farthest
- * object is alone in its layer, because its passes also clear the G-buffer. */
+/* Assigns the back-to-front sorted objects to layers. The passes of a layer's first object draw the
+ * whole layer, which saves barriers. The farthest object has a layer of its own, because its passes
+ * also clear the G-buffer. */
 static void assign_layers(struct frame_object *objects, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {

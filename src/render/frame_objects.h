@@ -6,7 +6,7 @@
 #include "src/frame/pass_list.h"
 #include "src/render/frame_executor.h"
 
-/* Objects that a plan's frames draw; empty if the plan has no per-object passes. */
+/* Objects drawn by the frames of a plan. Empty if the plan has no per-object passes. */
 struct frame_objects {
     struct frame_object *all; /* one per object of the plan */
     size_t count;
@@ -18,8 +18,8 @@ MUST_USE enum status frame_objects_init(struct frame_objects *objects,
                                         const struct frame_list *list, const struct scene *scene);
 void frame_objects_finish(struct frame_objects *objects);
 
-/* Assigns an object to each position in the depth order, and writes its uniform data for a frame
- * slot. The refraction model looks up faces within `reach` bounding radii of an object. */
+/* Assigns an object to each position in the depth order. Writes the object's uniform data for a
+ * frame slot. `reach` is how far from an object faces are looked up, in bounding radii. */
 void frame_objects_place(struct frame_objects *objects, const struct frame_executor *frame_executor,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach);

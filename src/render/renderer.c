@@ -112,8 +112,8 @@ static enum status upload(struct renderer *r)
     return status;
 }
 
-/* Returns the offset, in image pixels, of an interleaved tile's pixel from the centre of its block.
- * Each block of columns x rows pixels has one pixel of every tile. */
+/* Returns the offset of an interleaved tile's pixel from the centre of its block, in image pixels.
+ * A block has columns x rows pixels, one for each tile. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
     if (!renderer_is_interleaved(params))
@@ -242,8 +242,8 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the image area in which shaders may look up the object's faces. It has a margin because
- * rays begin up to 0.02 radii inside the object. Layers and a pool need the whole image. */
+/* Returns the image area in which shaders may look up the object's faces. A margin is needed,
+ * because rays begin up to 0.02 radii inside the object. Layers and a pool need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
@@ -254,7 +254,7 @@ static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *v
                   : frame_view_box_area(view, globals, view->scene->box, size, 0.05f);
 }
 
-/* Restricts the next frame to the current tile and to the pixels that its rays may look up. */
+/* Restricts the next frame to the current tile and the pixels that rays of the tile may look up. */
 static void restrict_to_tile(const struct renderer *r, const struct frame_view *view,
                              const struct globals *globals)
 {
@@ -437,7 +437,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-/* Copies the tile out of the read-back 8-bit image, whose rows are `width` pixels long. */
+/* Copies the tile from the read-back 8-bit image. Image rows are `width` pixels long. */
 static uint8_t *copy_display(struct renderer *r, struct frame_executor *frame_executor,
                              uint32_t slot, uint32_t width)
 {
@@ -451,7 +451,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_executor *frame_ex
     return rgba;
 }
 
-/* Uploads the mean of the samples as half floats, the format of frame_color, and tone-maps it. */
+/* Uploads the mean of the samples as half floats (the format of frame_color). Tone-maps it. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
     const uint32_t width = r->resolve.frame->plan->view.width;

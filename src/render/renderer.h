@@ -32,7 +32,7 @@ struct render_result {
     float samples;      /* mean samples per pixel */
 };
 
-/* Called after every sample. If it returns false, rendering stops silently with STATUS_FAILED. */
+/* Progress callback after every sample. Returns false to stop with STATUS_FAILED, silently. */
 typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 
 /* Creates a renderer for shots of one size. On failure *renderer is NULL. */
@@ -62,19 +62,19 @@ struct renderer_shot {
     struct camera earlier; /* previous frame's; fov_deg 0: `camera` */
 };
 
-/* Draws all samples of a shot into *result, which must own no memory, and is empty after a failure.
- * With tiles, the result has the size of one tile. `progress` may be NULL. */
+/* Draws all samples of a shot into *result. *result must own no memory, and is empty after a
+ * failure. With tiles, the result has the size of one tile. `progress` may be NULL. */
 MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
-/* Submits sample 0 of the shot and does not wait for its end, but blocks while two frames are in
+/* Submits sample 0 of the shot without waiting for its completion. Blocks while two frames are in
  * flight. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
-/* Draws the environment cube at `time`, in seconds, into an image in the layout of environment.h:
- * six faces, one below the other, with half-float planes R, G, B and A. Uses only gpu, scene,
- * uploaded, settings, sharing and width (of a face) of params. *image stays empty on failure. */
+/* Draws the environment cube at `time`, in seconds. The image has half-float planes R, G, B and A
+ * with six faces, one below the other (environment.h). Of params, uses only gpu, scene, uploaded,
+ * settings, sharing and width, the width of a face. On failure *image stays empty. */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
@@ -93,7 +93,7 @@ MUST_USE enum status renderer_refine(struct renderer *renderer, const struct ren
                                      uint32_t sample);
 MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
 VkImage renderer_mean(const struct renderer *renderer);
-/* Returns the sample sums; an empty image if there are none. */
+/* Returns the sample sums, or an empty image if there are none. */
 const struct image *renderer_sums(const struct renderer *renderer);
 uint32_t renderer_sum_count(const struct renderer *renderer); /* number of samples in the sums */
 
@@ -116,7 +116,7 @@ struct renderer_costs {
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* Sets what later frames measure (graph/rg_time.h). Times are in the order of renderer_frame(). */
+/* Sets what later frames measure (graph/rg_time.h). Times are ordered as by renderer_frame(). */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);

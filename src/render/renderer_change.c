@@ -28,7 +28,8 @@ static enum status update(struct renderer *r, struct frame_executor *frame_execu
                                 : renderer_compile(r, frame_executor, request);
 }
 
-/* Updates all executors. `capture`, whose cube `image` imports, is first, but destroyed last. */
+/* Updates all executors. `capture` is updated first but destroyed last, because `image` imports its
+ * cube. */
 static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);

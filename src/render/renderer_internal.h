@@ -46,7 +46,7 @@ bool renderer_uses_bvh(const struct renderer_params *params);
 /* Copies the params and fills in defaults. For interleaved tiles, reduces the size to one tile. */
 void renderer_set_params(struct renderer *renderer, const struct renderer_params *params);
 
-/* Builds the scene's BVH, which the renderer owns if the scene has no storage for it. */
+/* Builds the scene's BVH. The renderer owns it if the scene has no storage for a BVH. */
 MUST_USE enum status renderer_build_bvh(struct renderer *renderer);
 
 /* Uploads the BVH, and acceleration structures if ray queries are used, unless already done. */
@@ -57,8 +57,8 @@ MUST_USE enum status renderer_compile(struct renderer *renderer,
                                       struct frame_executor *frame_executor,
                                       struct frame_request request);
 
-/* Returns an array, which the caller frees, of the Vulkan objects that a plan imports. Returns NULL
- * when out of memory, without a log message. */
+/* Returns an array, which the caller frees, of the Vulkan objects that a plan imports. When out of
+ * memory returns NULL and logs nothing. */
 struct rg_exec_import *renderer_imports(const struct renderer *renderer,
                                         const struct frame_plan *plan);
 
@@ -71,16 +71,15 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_execut
 MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);
 
-/* The next four functions denoise the lighting of surroundings, called in this order: begin adds
- * planes if the params ask for denoising, accumulate adds a sample, rescale corrects the sums of
- * adaptive sampling, end filters the lighting and adds it to the image. */
+/* Clears the lighting of surroundings for the three functions below, if the params ask for
+ * denoising. They add a sample, rescale adaptive sums, and add denoised lighting to the image. */
 bool renderer_denoise_begin(struct renderer *renderer); /* false when out of memory */
 void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
                                  uint32_t sample, uint32_t slot);
 void renderer_denoise_rescale(struct renderer *renderer, const struct adaptive *adaptive);
 MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct image *image);
 
-/* Draws all samples if params.is_adaptive, and scales the sums to ADAPTIVE_SAMPLES samples. */
+/* Draws all samples if params.is_adaptive. Scales the sums to ADAPTIVE_SAMPLES samples. */
 MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,
                                             const struct renderer_shot *shot,
                                             struct render_result *result,

@@ -38,7 +38,8 @@ struct tiling renderer_tiling(const struct renderer_params *params)
 }
 
 /* Returns true if the image should be denoised: it is read back, drawn whole and has few samples.
- * With many samples it is not, so that it equals the progressive rendering in a window. */
+ * Images with many samples are not denoised, so that they equal a window's progressive rendering.
+ */
 static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);
@@ -121,7 +122,7 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
     };
 }
 
-/* Returns the request for a baked cube; the view has the size of a face. */
+/* Returns the request for a baked cube. The view has the size of a face. */
 struct frame_request renderer_bake_request(const struct renderer_params *params)
 {
     return (struct frame_request){
@@ -134,7 +135,7 @@ struct frame_request renderer_bake_request(const struct renderer_params *params)
     };
 }
 
-/* Returns the request for tone-mapping; the view has the size of the largest tile. */
+/* Returns the request for tone-mapping. The view has the size of the largest tile. */
 struct frame_request renderer_resolve_request(const struct renderer_params *params)
 {
     const struct tiling tiling = renderer_tiling(params);

@@ -44,8 +44,8 @@ static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_d
     rg_exec_destroy(exec);
 }
 
-/* Gives this thread, and the driver threads that it starts, the lowest priority, so that they delay
- * neither the renderer nor Mesa's low-priority thread that writes the shader cache. */
+/* Gives this thread the lowest priority, and so also the driver threads that it starts. They must
+ * delay neither the renderer nor Mesa's low-priority thread that writes the shader cache. */
 static void lower_priority(void)
 {
     (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });
@@ -64,7 +64,7 @@ static void *run_thread(void *user)
     return NULL;
 }
 
-/* Fills in executor parameters, and a frame in which every mesh is a single triangle. */
+/* Fills in executor parameters. Every mesh in the warm-up frame is a single triangle. */
 static void describe(struct warm_up *warm_up, const struct frame_executor *frame_executor,
                      const struct renderer_params *params)
 {

@@ -16,13 +16,13 @@
 
 struct warm_up;
 
-/* Starts the threads for a compiled frame_executor. The result borrows frame_executor, gpu and
+/* Starts warm-up threads for a compiled frame_executor. The result borrows frame_executor, gpu and
  * scene. Returns NULL, which is no error, if the device is not a CPU or has one core, validation is
- * on, shaders are replaced, memory is short, or the environment has FIRN_WARM_UP=off. */
+ * on, shaders are replaced, memory is short, or FIRN_WARM_UP=off is set in the environment. */
 struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
                                      const struct renderer_params *params);
 
-/* Stops the threads after their current pass, waits for them and frees everything. NULL is fine. */
+/* Stops the threads after their current pass, waits for them and frees everything. Accepts NULL. */
 void shader_warm_up_end(struct warm_up *warm_up);
 
 #endif

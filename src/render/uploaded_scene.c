@@ -8,8 +8,8 @@
 #include "src/scene/mip_levels.h"
 #include "src/tech/techniques.h"
 
-/* Maximum simplification error of coarse meshes, relative to the mesh size. It is smaller for
- * surroundings, which may touch each other, such as water on stone. */
+/* Maximum simplification error of coarse meshes, as a fraction of the mesh size. Surroundings have
+ * a smaller limit, because they may touch each other, such as water on stone. */
 static const float object_error = 0.003f;
 static const float surroundings_error = 0.0003f;
 
@@ -163,8 +163,8 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* Simplifies a mesh; `error` is relative to its size. A mesh that would keep at least 3/4 of its
- * triangles is not simplified. */
+/* Simplifies a mesh. `error` is a fraction of the mesh's size. A mesh that would keep at least 3/4
+ * of its triangles is not simplified. */
 static enum status add_coarse(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
                               float error)
 {
@@ -236,7 +236,8 @@ enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu, str
     return status;
 }
 
-/* Destroys the acceleration structures, or keeps them in gpu->rays if the scene is animated. */
+/* Destroys the acceleration structures. If the scene is animated, keeps them in gpu->rays instead.
+ */
 static void release_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
     struct gpu_acceleration *unused = on_gpu->rays;

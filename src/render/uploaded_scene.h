@@ -29,8 +29,8 @@ struct uploaded_scene {
     bool has_poses;                /* animated: further poses may follow */
 };
 
-/* Checks before any allocation that the device supports the sizes of the scene's images. If not,
- * logs and returns STATUS_DATA. */
+/* Checks, before any allocation, that the device supports the sizes of the scene's images. Logs and
+ * returns STATUS_DATA if not. */
 MUST_USE enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene);
 
 /* Uploads a scene without its BVH. Logs errors; on failure *on_gpu is empty. */
@@ -41,8 +41,8 @@ MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct g
 MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                              const struct scene *scene);
 
-/* Builds the acceleration structures of a scene's BVH, unless they exist. Reuses those that
- * uploaded_scene_finish() kept from the previous pose for objects that have only moved. */
+/* Builds the acceleration structures of a scene's BVH, unless they exist. For objects that have
+ * only moved, reuses structures that uploaded_scene_finish() kept from the previous pose. */
 MUST_USE enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu,
                                                        struct gpu *gpu, const struct scene *scene);
 
@@ -55,7 +55,7 @@ MUST_USE enum status uploaded_scene_add_simplified(struct uploaded_scene *on_gpu
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);
 
-/* Returns the mesh's buffers for rg_cmd; with `is_coarse`, the simplified mesh if there is one. */
+/* Returns the mesh's buffers for rg_cmd. If `is_coarse`, prefers the simplified mesh. */
 struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh, bool is_coarse);
 
 /* Returns the image uploaded for `declared`, or VK_NULL_HANDLE. */
