@@ -117,7 +117,7 @@ struct app_run {
     char *const *args;   /* from the command on; NULL-terminated */
 };
 
-/* Options of firn render. firn farm passes them to its tasks, except `json`. */
+/* Options of firn render. firn farm passes all of them but `json` to its tasks. */
 struct app_render {
     const char *frames;          /* unparsed; NULL: a single image */
     uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
@@ -229,8 +229,8 @@ enum app_command {
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/* Prints the arguments that firn render also accepts, each quoted and preceded by a space. Leaves
- * out the first `skip` positional arguments. */
+/* Prints those of a command's arguments that firn render accepts too. Each is quoted and has a
+ * space before it. The first `skip` positional arguments are left out. */
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
 
@@ -251,8 +251,8 @@ enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);
 
-/* Sets an option of the image ("size", "material") or a setting ("cracks.count") by its name, as
- * the command line would. On failure logs and returns STATUS_USAGE. */
+/* Sets an image option ("size") or a setting ("cracks.count") by its name. The value is as on the
+ * command line. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status app_set_option(struct app_image *image, const char *name, const char *value);
 
 /* Adds the command's default output file if the options name no output. */
@@ -263,11 +263,11 @@ MUST_USE enum status app_require_scene(const struct app_scene *options);
 
 struct bump_maps_params;
 
-/* Returns scene parameters that contain pointers to `maps` and into `options`. */
+/* Returns scene parameters. They point to `maps` and into `options`, which must outlive them. */
 struct scene_params app_scene_params(const struct app_scene *options,
                                      struct bump_maps_params *maps);
 
-/* Loads the scene that the options name; an animated one gets its pose at motion.time. Also sets
+/* Loads the scene that the options name. An animated model is posed at motion.time. Also chooses
  * the settings that depend on the scene, such as refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *options);
 
@@ -275,22 +275,22 @@ struct asset;
 /* Returns the default environment for a scene name, or NULL for the built-in sky. */
 const struct asset *app_default_environment(const char *name);
 
-/* Applies the settings of a loaded scene, except where options set other values. */
+/* Applies a loaded scene's settings. Settings that the options give take precedence. */
 void app_apply_scene_settings(struct app_scene *options, const struct scene *scene);
 
-/* Returns the settings that a loaded scene has without options or changes by the user. */
+/* Returns a loaded scene's settings without changes by --set, --preset, --plain or the user. */
 struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene);
 
 /* Load a scene in two steps. app_begin_scene() finds all errors. app_fill_scene() does the slow
- * work, possibly while other threads read the scene; it returns the name of what did not fit into
- * memory, else NULL. app_log_fill_failure() logs this name and returns STATUS_TRY_AGAIN. */
+ * work while other threads may read the scene. When out of memory, it returns the name of what did
+ * not fit, else NULL. app_log_fill_failure() logs this name and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *options);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *options);
 enum status app_log_fill_failure(const char *lacking);
 
-/* Reloads an animated model in its pose at `time`, in seconds, and fills the scene.
- * (app_begin_scene() loads its pose at time 0.) Does nothing if the scene is not animated or
- * already has this pose. The scene must not be in use. On failure the scene is unchanged. */
+/* Poses an animated model at `time`, in seconds, by reloading and filling the scene. Does nothing
+ * if the scene is not animated or already has this pose. The scene must not be in use. On failure
+ * the scene is unchanged. */
 MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *options,
                                     float time, bool *is_changed);
 
@@ -301,10 +301,10 @@ MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene 
 void app_choose_refraction(struct app_image *image, const struct scene *scene,
                            const struct camera *camera);
 
-/* Logs a warning if trace.traversal asks for ray queries and the device has none. */
+/* Logs a warning if trace.traversal asks for ray queries that the device does not support. */
 void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
-/* Sets *camera from the options, else to the model's first, else to one that frames the object. */
+/* Sets *camera: from options, else the model's first camera, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_image *image);
 

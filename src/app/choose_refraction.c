@@ -20,7 +20,7 @@
 #include "src/tech/refract/refract_bounce.h"
 #include "src/tech/trace/refract_trace.h"
 
-/* Fraction of a box's extent that counts as inside, to exclude surroundings that touch the box. */
+/* Scale of a box for tests of what is inside it. Surroundings that touch the box are outside. */
 #define INNER_FRACTION 0.9f
 
 static bool is_rough(const struct material *material)
@@ -47,8 +47,8 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Returns the number of nested objects that `bounce` draws as if they were not enclosed. These have
- * siblings in the enclosing object, or are nested too deeply. */
+/* Counts the nested objects that `bounce` draws as if they were not enclosed: those nested too
+ * deeply, and those that share an enclosing object with others. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -86,7 +86,7 @@ static void add_count(char *text, size_t size, uint32_t count, const char *name)
         snprintf(&text[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Counts the objects that only `trace` and the reference draw correctly, as text like "1 rough". */
+/* Writes how many objects only `trace` and the reference draw correctly, such as "1 rough". */
 static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
 {
     static const struct {
@@ -158,7 +158,7 @@ static bool is_camera_inside(const struct scene *scene, const struct settings *s
     return false;
 }
 
-/* Writes why `bounce` cannot draw the scene exactly; "" if it can. */
+/* Writes the reason why `bounce` cannot draw the scene exactly, or "" if it can. */
 static void name_reason(const struct scene *scene, bool is_inside, char *text, size_t size)
 {
     const struct model *model = &scene->model;
@@ -188,16 +188,16 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
 }
 
-/* Returns true if a refraction model draws bumps. Ray tracing on the device does not. The reference
- * does; it is the only model without shaders. */
+/* Returns true if a refraction model draws bumps. The reference does (it has no shaders). Models
+ * that trace rays on the device do not. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
     return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||
                                                                 refraction->shaders->bump_frag));
 }
 
-/* Warns of settings from --set that have no effect: the strength of bumps that the refraction model
- * does not draw, and crack settings that ray tracing ignores. */
+/* Warns of settings given with --set that have no effect: bump.strength if the refraction model
+ * draws no bumps, and crack settings with ray tracing. */
 static void warn_of_settings(const struct app_image *image)
 {
     static const struct {
@@ -222,7 +222,7 @@ static void warn_of_settings(const struct app_image *image)
         log_warning("%s: no effect with --refraction %s", text, image->refraction->refraction.name);
 }
 
-/* Warns of input files, and of inclusions.scale, if they have no effect on this image. */
+/* Warns if input files or inclusions.scale have no effect on this image. */
 static void warn_of_files(const struct app_image *image, const struct scene *scene)
 {
     const struct app_scene *options = &image->scene;
@@ -259,7 +259,7 @@ static void warn_of_outside(const struct app_scene *options, const struct scene 
             "refract.ior_outside: no effect in a pool, where water and air surround the ice");
 }
 
-/* Logs a note if ground.light=traced is not supported, or if tiles prevent its denoising. */
+/* Logs a note if ground.light=traced is not supported, or if tiles prevent ground.denoise. */
 static void warn_of_ground(const struct app_image *image, const struct scene *scene)
 {
     const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
@@ -276,7 +276,7 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
         log_note("ground.denoise: no effect with tiles, since the filter needs the whole image");
 }
 
-/* Warns of scattering media that the refraction model draws clear or as planes. */
+/* Warns if the refraction model draws scattering media without scattering or as planes. */
 static void warn_of_media(const struct app_image *image, const struct scene *scene)
 {
     const struct settings *settings = &image->scene.settings;

@@ -28,7 +28,7 @@ static bool is_image_option(const char *word)
     return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
 }
 
-/* Finds SCENE among the arguments. For "status", an output file may be given instead. */
+/* Finds SCENE among the arguments. firn farm status also accepts an output file in its place. */
 static enum status parse_arguments(struct app_options *o, bool is_status)
 {
     struct app_outputs *outputs = &o->run.outputs;
@@ -80,7 +80,7 @@ static void name_job(char name[static NAME_SIZE], const char *path)
         name[length] = '\0';
 }
 
-/* Returns this program's path: `called` if it was found through PATH, else the absolute path. */
+/* Returns the program's name, `called`, if the shell found it in PATH, else its absolute path. */
 static const char *find_program(char path[static PATH_SIZE], const char *called)
 {
     const ssize_t length =

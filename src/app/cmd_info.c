@@ -56,7 +56,7 @@ static int by_rank(const void *a, const void *b)
 
 /* ---- text ---- */
 
-/* Replaces control characters in names from a file, which could be commands for a terminal. */
+/* Replaces control characters in a file's names, because they might control the terminal. */
 static void clean_names(struct model *model)
 {
     for (uint32_t i = 0; i < model->object_count; i++)
@@ -240,7 +240,7 @@ static void print_tree(const struct bvh *bvh)
     printf("\ndevices with ray queries use their own acceleration structures: firn list devices\n");
 }
 
-/* Returns true if there are too many triangles to build a BVH that rendering does not need. */
+/* Returns true if there are so many triangles that a BVH is built only if rendering needs it. */
 static bool has_many_triangles(const struct model *model)
 {
     return ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3 >
@@ -290,7 +290,7 @@ static json_t *vector(vec3s v)
     return json_pack("[f, f, f]", json_text_float(v.x), json_text_float(v.y), json_text_float(v.z));
 }
 
-/* Returns a JSON string; "?" if the text, which comes from a file, is not UTF-8. */
+/* Returns a text from a file as a JSON string, or "?" if the text is not UTF-8. */
 static json_t *text_of(const char *text)
 {
     json_t *string = json_string(text);
@@ -523,7 +523,7 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* a scene too large for a BVH is no error here, but was logged */
+    status = STATUS_OK; /* a scene too large for a BVH was logged, but can be printed */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

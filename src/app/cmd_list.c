@@ -85,7 +85,7 @@ static enum status list_layers(void)
     return STATUS_OK;
 }
 
-/* Prints a setting's range after a separator, such as "0 to 16 metres"; nothing for a switch. */
+/* Prints the separator and a range such as "0 to 16 metres". Prints nothing for a switch. */
 static void print_range(const struct setting *row, const char *separator)
 {
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)

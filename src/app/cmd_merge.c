@@ -24,8 +24,8 @@ struct job {
     struct image image;                       /* merged image, with the planes of `first` */
 };
 
-/* Parses "3 of 4x2" or "3 of 4x2 interleaved": tile 3 of 4 columns and 2 rows. *number becomes the
- * tile's index, from 0. Returns false if the text is invalid. */
+/* Parses "3 of 4x2" or "3 of 4x2 interleaved": the third tile in a grid of 4 columns and 2 rows.
+ * Sets *number to the tile's index, from 0. Returns false if the text is invalid. */
 static bool read_text(const char *text, struct tiling *tiling, uint32_t *number, bool *interleaved)
 {
     unsigned columns, rows, at;
@@ -41,7 +41,7 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
     return *interleaved || !text[length];
 }
 
-/* Finds the whole image's size. Returns false if the file's window is not that of its tile. */
+/* Finds the merged image's size. Returns false if the file's window is wrong for tile `number`. */
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {
@@ -217,7 +217,7 @@ static enum status fill_rows(void *user, uint32_t y, struct image *rows)
     return status;
 }
 
-/* Writes the merged image. Its header is that of the tiles, without their tile numbers. */
+/* Writes the merged image, with the header of the tiles except for the tile number. */
 static enum status write_image(struct job *job, const char *path)
 {
     static const char *const names[] = { "firn/version", "firn/settings", "firn/device",

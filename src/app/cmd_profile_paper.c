@@ -50,7 +50,7 @@ enum {
     CASE_COUNT,
 };
 
-/* The camera distances make the object cover a fifth of the screen; in WHOLE_SCREEN, all of it. */
+/* Measured cases. The object covers a fifth of the screen, or all of it in WHOLE_SCREEN. */
 static const struct paper_case cases[CASE_COUNT] = {
     [SPHERE_PLAIN] = { "sphere", "sphere", { "orbit=28,9,4.27", INSIDE("0", "0"), STATIC_CUBE } },
     [SPHERE_FULL] = { "sphere with cracks and air",

@@ -37,7 +37,7 @@ struct job {
     bool is_opened;       /* open_renderer() has logged its warnings */
     bool is_filled;       /* textures and meshes are filled */
     const char *missing;  /* result of app_fill_scene() */
-    struct camera camera; /* camera at time 0; in an animated model, it may move */
+    struct camera camera; /* camera at time 0; it may be animated */
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
     struct reference *reference;    /* NULL until a frame needs it */
@@ -94,7 +94,7 @@ static bool is_current(const struct job *job, const struct output *output, const
     return same;
 }
 
-/* Describes a frame, names its files and, with --resume, checks which of them are current. */
+/* Describes a frame, names its files and finds those that --resume keeps. */
 static enum status frame_init(struct frame *frame, const struct job *job, int32_t number)
 {
     *frame = (struct frame){
@@ -195,7 +195,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
     return status;
 }
 
-/* Returns the EXR file beside which the frame's sample sums are stored; NULL if none are stored. */
+/* Returns the EXR file that the frame's sample sums belong to, or NULL if no sums are stored. */
 static const char *sums_image(const struct job *job, const struct frame *frame)
 {
     for (uint32_t i = 0; i < job->o.run.outputs.count && job->o.render.keep_sums; i++) {
@@ -205,7 +205,7 @@ static const char *sums_image(const struct job *job, const struct frame *frame)
     return NULL;
 }
 
-/* Renders with the reference, resuming from stored sums, and records the actual sample count. */
+/* Renders with the reference, from stored sums if any. Records how many samples were drawn. */
 static enum status trace_image(struct job *job, struct frame *frame)
 {
     const char *image = sums_image(job, frame);
@@ -256,7 +256,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* Makes PNG pixels if they need what the renderer lacks: layers, 16 bits, alpha or dithering. */
+/* Makes the PNG pixels that the renderer cannot: of layers, with 16 bits, alpha or dithering. */
 static bool make_png(const struct app_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -318,7 +318,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     return status;
 }
 
-/* Returns true if so few pixels are drawn that fast shader compilation in llvmpipe pays off. */
+/* Returns true if few pixels are drawn. llvmpipe then saves time by optimising shaders less. */
 static bool is_small(const struct job *job)
 {
     const uint64_t pixels =
@@ -326,8 +326,8 @@ static bool is_small(const struct job *job)
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
-/* Opens the device while another thread fills the scene. If both fail, only the failure of the
- * device is logged and returned. */
+/* Opens the device while another thread fills the scene. If both fail, logs and returns only the
+ * device's failure. */
 static enum status open_device(struct job *job)
 {
     pthread_t thread;
@@ -485,9 +485,9 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/* Renders all frames. Stops at the first failure, because later frames would fail for the same
- * reason (such as a full disk), but continues if a file cannot be created. If some frames failed
- * and others are complete, returns STATUS_FAILED. */
+/* Renders all frames. Continues if a file cannot be created. Stops at other failures, such as a
+ * full disk, because they would recur. Returns STATUS_FAILED if files could be created for some
+ * frames only. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
@@ -517,7 +517,7 @@ static enum status write_report(const struct job *job, int code)
     return status;
 }
 
-/* Writes the report when a signal ends the program, except to a pipe, which could block forever. */
+/* Writes the report when a signal ends the program, but not to pipes. They could block forever. */
 static void write_last_report(void *user, int code)
 {
     const struct job *job = user;
@@ -536,7 +536,7 @@ static enum status begin_report(struct job *job)
     return status;
 }
 
-/* Writes the report at the end. After invalid arguments there is none. */
+/* Writes the report at the end of the program. Writes none if the arguments were invalid. */
 static enum status end_report(struct job *job, enum status status)
 {
     if (!job->o.render.json || !job->report.frames)

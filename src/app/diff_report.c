@@ -140,7 +140,7 @@ void diff_report_text(const struct diff_report *report, FILE *out)
 
 /* ---- JSON ---- */
 
-/* Adds a value to an object under `key`, or to an array if `key` is NULL. Frees it on failure. */
+/* Adds a value to an object, or to an array if `key` is NULL. On failure frees the value. */
 static bool append(json_t *json, const char *key, json_t *value)
 {
     return (key ? json_object_set_new(json, key, value) : json_array_append_new(json, value)) == 0;

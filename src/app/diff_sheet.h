@@ -13,8 +13,8 @@ struct diff_sheet {
     float exposure;                       /* exposure of both images, stops */
 };
 
-/* Encode a PNG file of the errors alone (heat), or of both images, the errors and a colour scale
- * (all). The caller frees *data. On failure log and return STATUS_TRY_AGAIN or STATUS_FAILED. */
+/* Encode a PNG file. diff_sheet_heat() shows only the errors, diff_sheet_all() both images, the
+ * errors and a colour scale. The caller frees *data. On failure log and return an error. */
 MUST_USE enum status diff_sheet_heat(const struct diff_sheet *sheet, void **data, size_t *size);
 MUST_USE enum status diff_sheet_all(const struct diff_sheet *sheet, void **data, size_t *size);
 

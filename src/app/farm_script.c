@@ -76,7 +76,7 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
 
 /* ---- GNU parallel ---- */
 
-/* Prints a task's command. It is quoted twice, because GNU parallel passes it to another shell. */
+/* Prints a task's command, quoted twice because GNU parallel passes it to another shell. */
 static void print_line(const struct farm_script *script, FILE *out)
 {
     char *line = NULL;

@@ -1,5 +1,5 @@
-/* farm_script.h: generates sh scripts that submit a sequence to Slurm or GNU parallel. Tasks run
- * firn render --resume --chunk K/N, so that a later task draws the frames of a lost one. */
+/* farm_script.h: generates sh scripts that submit a sequence to Slurm or GNU parallel. Each task
+ * runs firn render --resume --chunk K/N. A repeated task draws only the missing frames. */
 #ifndef FIRN_APP_FARM_SCRIPT_H
 #define FIRN_APP_FARM_SCRIPT_H
 

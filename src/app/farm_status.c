@@ -9,7 +9,7 @@
 #include "src/base/log.h"
 #include "src/reader/image_reader.h"
 
-/* State of a file or frame, best first; a frame has the state of its worst file. */
+/* States of a file, from best to worst. A frame has the state of its worst file. */
 enum state {
     DONE,
     STALE, /* complete, but with different settings or firn version */
@@ -126,7 +126,7 @@ static enum status find_newest(struct job *job, uint32_t i)
 
 /* ---- report ---- */
 
-/* Prints the run of frames from index `begin`, such as "1-9x2". Returns the index after the run. */
+/* Prints a range of frames from index `begin`, such as "1-9x2". Returns the index after it. */
 static uint32_t print_run(const struct job *job, uint32_t begin, enum state state)
 {
     const int32_t *frames = job->sequence->range.frames;

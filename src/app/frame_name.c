@@ -16,7 +16,7 @@ static const char *name_of(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Returns the length of a "%d" or "%0Nd" at `text`, and N in *width; 0 if there is none. */
+/* Returns the length of the "%d" or "%0Nd" at `text`, or 0 if there is none. Sets *width to N. */
 static size_t measure_printf(const char *text, int *width)
 {
     const char *at = text + 1;

@@ -18,7 +18,7 @@ static enum status parse_frames(struct sequence *sequence, const struct app_opti
     return sequence->range.frames ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Keeps only the frames of --chunk. Must follow parse_names(), which needs the whole list. */
+/* Keeps only the frames of --chunk. Call it after parse_names(), which needs all frames. */
 static enum status apply_chunk(struct sequence *sequence, const struct app_options *o)
 {
     if (!o->render.frames) {

@@ -21,12 +21,12 @@
 #include "src/tech/refract/refract_reference.h"
 #include "src/version.h"
 
-/* Maximum number of metadata texts. Texts that --resume does not compare come last. */
+/* Maximum number of metadata texts. */
 enum {
     TEXT_COUNT_MAX = 7
 };
 
-/* Metadata texts of a file. */
+/* Metadata texts of a file. --resume compares the first compared_count. */
 struct texts {
     struct image_text all[TEXT_COUNT_MAX];
     uint32_t count, compared_count;
@@ -52,7 +52,7 @@ static void print_settings(FILE *out, const struct settings *settings)
     }
 }
 
-/* Prints the time at which a static environment cube is drawn. */
+/* Prints the scene time, in seconds, at which a static environment cube is drawn. */
 static void print_cube_time(FILE *out, const struct settings *settings, const struct scene *scene)
 {
     const struct motion_params *motion = settings_of(settings, &motion_settings);
@@ -193,7 +193,7 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     add_text(texts, "firn/noise", texts->noise);
 }
 
-/* Returns the image rectangle in an output file; for an interleaved tile, its size at (0, 0). */
+/* Returns the part of the image in an output file. An interleaved tile is returned at (0, 0). */
 static struct tile pixels_of(const struct app_image *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
@@ -207,7 +207,7 @@ static struct tile pixels_of(const struct app_image *p)
     };
 }
 
-/* Returns a rectangular tile's position and the whole image's size; all 0 for other files. */
+/* Returns a rectangular tile's position and the whole image's size. Other files get zeros. */
 static struct image_window window_of(const struct app_image *p)
 {
     const struct tile tile = pixels_of(p);
@@ -327,7 +327,7 @@ uint32_t output_enough_samples(const struct image_header *head, uint32_t samples
 
 /* ---- new files ---- */
 
-/* Selects the planes to write: leaves out a layer that was drawn only for --show. */
+/* Copies the planes to be written. A layer that was drawn only for --show is left out. */
 static void select_planes(struct image *image, const struct image *drawn, const struct app_image *p)
 {
     const bool leave_out = p->show && !(p->layers & layer_image_bit(p->show));

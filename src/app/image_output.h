@@ -19,22 +19,22 @@ struct output {
     char *png_settings; /* for PNG files; differs with --show */
 };
 
-/* Describes options, camera and every setting in output->settings and png_settings, which are freed
- * first. A frame of a sequence is described like a single image with its time as motion.time,
- * because their pixels are the same. On failure logs and returns STATUS_TRY_AGAIN. */
+/* Writes options, camera and all settings as text to output->settings and png_settings. Frees old
+ * texts first. A sequence's frame gets the text of a single image at that motion.time, because the
+ * pixels are the same. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status output_describe(struct output *output);
 
 /* Frees what output_describe() allocated. */
 void output_finish(struct output *output);
 
-/* Returns true if a file is up to date: if its header has the size, layers, firn/settings and
- * firn/version that output_encode() would write to `path`. Does not notice damage, changed input
- * files or another device. */
+/* Returns true if a file is up to date: its size, layers, firn/settings and firn/version are those
+ * that output_encode() would write to `path`. Does not notice damage, changed input files or
+ * another device. */
 bool output_is_current(const struct output *output, const char *path,
                        const struct image_header *head);
 
-/* Returns the sample count in a reference image's header if it is sufficient, else 0. Sufficient
- * are `samples` or, if `noise` is above 0, fewer with at most this noise. */
+/* Returns the sample count in a reference image's header, or 0 if it is not `samples`. A smaller
+ * count is returned too if `noise` is above 0 and the header's noise is at most `noise`. */
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
 /* Checks --tiles and --tile against the other options. On failure logs and returns STATUS_USAGE. */

@@ -6,8 +6,8 @@
 #include "src/image/image.h"
 #include "src/reader/reader_process.h"
 
-/* Reads an EXR, HDR or PNG file into *image, which must be {0}. Returns a status of
- * image_reader_read(), or STATUS_USAGE for other file names. */
+/* Reads an EXR, HDR or PNG file into *image, which must be {0}. Returns STATUS_USAGE if the file
+ * name is of another type, else the status of image_reader_read(). */
 MUST_USE enum status input_image_read(const char *path, const struct reader_params *params,
                                       struct image *image);
 
@@ -15,8 +15,8 @@ MUST_USE enum status input_image_read(const char *path, const struct reader_para
 MUST_USE enum status input_image_check_size(const struct image *image, const char *path,
                                             const struct image *other, const char *other_path);
 
-/* Allocates *counted, to be freed by the caller: true for each pixel whose channel is above 0.
- * Returns STATUS_DATA if there is no such pixel; STATUS_TRY_AGAIN when out of memory. */
+/* Allocates a mask, *counted, that the caller frees. It is true for pixels with a channel above 0.
+ * Returns STATUS_DATA if there is no such pixel, STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status input_image_make_mask(const struct image *image, const char *path,
                                            const char *channel, bool **counted);
 

@@ -22,11 +22,11 @@
 #include "src/tech/techniques.h"
 #include "src/tech/water/pool.h"
 
-/* Overexposure, in stops above white, from which a file's lights are reported. */
+/* Lights of a file that overexpose the image by this many stops are reported. */
 #define BRIGHT_STOPS 4.0
 
-/* Sets the refractive index. Precedence: --set, --material, --preset, the model's own, the default.
- * Returns true if it is the model's. */
+/* Sets the refractive index from the first of --set, --material, --preset, the model and the
+ * default that has one. Returns true if it is from the model. */
 static bool choose_ior(struct app_scene *options, const struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -43,8 +43,8 @@ static bool choose_ior(struct app_scene *options, const struct scene *scene)
     return is_own;
 }
 
-/* Switches on shadows and caustics of the sun if it lights a model file's opaque surroundings,
- * unless the setting is given. */
+/* Switches on the sun's shadows and caustics if the sun lights a model file's opaque surroundings.
+ * Settings given by the user are kept. */
 static void choose_sun(struct app_scene *options, const struct scene *scene)
 {
     const struct setting *row =
@@ -73,7 +73,7 @@ static bool has_ice(const struct scene *scene)
            (scene->model.object_count > 0 && frame_media_are_from_settings(scene));
 }
 
-/* Returns true if a bundled asset, drawn without --material, sets the technique's main setting. */
+/* Returns true if a bundled asset sets the technique's main setting and --material is not given. */
 static bool has_default(const struct app_scene *options, const struct technique *technique)
 {
     return !options->material &&
@@ -93,7 +93,7 @@ static void switch_off_ice_effects(struct app_scene *options, const struct scene
         switch_off(options, &highlight);
 }
 
-/* Switches off inclusions, which support only one object, if the scene has several. */
+/* Switches off inclusions if the scene has several objects. Inclusions support only one. */
 static void check_inclusions(struct app_scene *options, const struct scene *scene, bool is_verbose)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
@@ -115,7 +115,7 @@ static void check_lights(const struct app_scene *options, const struct scene *sc
             options->name);
 }
 
-/* Logs a note if lights in physical units, as other programs write them, overexpose the image. */
+/* Logs a note if a file's lights, often in physical units, overexpose the image. */
 static void note_brightness(const struct app_scene *options, const struct scene *scene)
 {
     const struct setting *exposure = settings_find("tonemap.exposure");
@@ -135,7 +135,7 @@ static void note_brightness(const struct app_scene *options, const struct scene 
                  options->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
-/* Warns if the environment box is empty: no error, since a user may be editing the box. */
+/* Warns of an empty environment box. This is no error, because a user may be editing the box. */
 static void check_box(const struct app_scene *options, const struct scene *scene)
 {
     const struct refract_params *refract = settings_of(&options->settings, &refract_settings);
@@ -191,7 +191,7 @@ const struct asset *app_default_environment(const char *name)
     return asset ? asset_find(asset, ASSET_ENVIRONMENT) : NULL;
 }
 
-/* Sets the default environment (`studio` or an asset's own) unless options set one. */
+/* Sets the default environment (`studio` or the asset's) unless the options set one. */
 static void choose_environment(struct app_scene *options)
 {
     const struct asset *environment = app_default_environment(options->name);
@@ -207,7 +207,7 @@ static void choose_environment(struct app_scene *options)
                  environment->file);
 }
 
-/* Applies an asset's default settings, except those that --set or --preset set. */
+/* Applies an asset's default settings. Values of --set and --preset are kept. */
 static enum status apply_asset_settings(struct app_scene *options)
 {
     const struct asset *scene = asset_find(options->name, ASSET_SCENE);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Prints a line with an ID and a name, in which control characters are replaced. */
+/* Prints a line with an ID and a name. Control characters in the name are replaced. */
 static void print_line(FILE *out, uint32_t number, const char *name, const char *else_name)
 {
     fprintf(out, "%u ", number);

@@ -4,8 +4,8 @@
 
 #include "src/scene/scene.h"
 
-/* Returns lines "ID NAME", to be freed by the caller: one for each refractive object, one for the
- * unnamed surroundings, and one for each opaque object. NULL when out of memory. */
+/* Returns text with a line "ID NAME" for each refractive object, the unnamed surroundings and each
+ * opaque object. The caller frees the text. Returns NULL when out of memory. */
 char *object_names(const struct scene *scene);
 
 #endif

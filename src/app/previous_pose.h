@@ -13,9 +13,9 @@ struct previous_pose {
 /* Returns true if an image has the layer `motion`. */
 bool previous_pose_is_needed(const struct app_image *image);
 
-/* Poses an animated model at the time of the frame before `time`, copies its vertex positions and
- * finds its camera. Does nothing, and keeps *camera, for other models or if there is no previous
- * frame. Logs errors and returns the statuses of app_pose_scene() and app_camera(). */
+/* Poses an animated model at the time of the frame before `time`. Copies the vertex positions to
+ * *previous and the camera to *camera. Does nothing for other models, or without a previous frame.
+ * Logs errors. Returns a status of app_pose_scene() or app_camera(). */
 MUST_USE enum status previous_pose_find(struct previous_pose *previous, struct camera *camera,
                                         struct scene *scene, const struct app_image *image,
                                         float time);

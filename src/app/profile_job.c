@@ -69,7 +69,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     return true;
 }
 
-/* Writes the material's name, or the refractive index if no named material has it. */
+/* Writes the name of the material with the refractive index, or the index if there is none. */
 static void describe_material(struct profile *p, const struct app_scene *options)
 {
     const double ior = settings_get(&options->settings, settings_find("refract.ior"));

@@ -17,18 +17,18 @@ struct profile_job {
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures every image once, then every image again, and so on. The profiles must be empty before,
- * and must be freed with profile_finish(), even after a failure. */
+/* Measures all images in turn, several times. The profiles must be empty. The caller frees them
+ * with profile_finish(), even after a failure. */
 MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
                                          struct profile *profiles, uint32_t count);
 
 /* Writes the reports of job->sweep that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
-/* Returns true if no report is written to stdout, so that tables are printed there. */
+/* Returns true if tables are printed on stdout. A report on stdout prevents this. */
 bool profile_job_has_table(const struct app_profile *options);
 
-/* Writes a text to a file unless `made` is an error, which is then returned. Always frees it. */
+/* If `made` is an error, returns it, else writes the text to a file. Always frees the text. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,
                                             size_t size);
 

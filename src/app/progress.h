@@ -23,8 +23,8 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
 /* Draws the bar after `done` of the frame's `all` steps. Draws nothing for a single step. */
 void progress_show(const struct progress *progress, uint32_t done, uint32_t all);
 
-/* Writes the progress line to `line`: the bar, the steps and, after 2 seconds, the estimated
- * remaining time if it fits. `seconds` is the time since the start. */
+/* Writes the bar and the steps to `line`. After 2 seconds, adds the estimated remaining time if
+ * there is room. `seconds` is the time since the start. */
 void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *progress,
                     uint32_t done, uint32_t all, double seconds);
 

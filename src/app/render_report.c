@@ -54,7 +54,7 @@ bool render_report_is_mixed(const struct report *report)
            counts[RENDER_REPORT_DRAWN] + counts[RENDER_REPORT_CURRENT] > 0;
 }
 
-/* Returns a JSON string. JSON is UTF-8; if a file name is not, its non-ASCII bytes become '?'. */
+/* Returns a JSON string. If the text is not UTF-8, non-ASCII bytes become '?'. */
 static json_t *word(const char *text)
 {
     json_t *json = json_string(text);

@@ -1,6 +1,6 @@
-/* sample_sums_file.h: stores a reference's sample sums in a file, from which --resume continues.
- * For a.exr, this is a.sums.exr, with planes as described in reference_sample_sums.h and the
- * metadata of a.exr. It is parsed by a sandboxed reader process, like all input files. */
+/* sample_sums_file.h: stores a reference's sample sums, from which --resume continues. The sums of
+ * a.exr are in a.sums.exr, with the planes of reference_sample_sums.h and the metadata of a.exr. A
+ * sandboxed reader process parses this file. */
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
@@ -18,11 +18,11 @@ struct sample_sums_file {
 };
 
 /* Implements reference_load_fn; `user` is a struct sample_sums_file. Refuses sums of another image
- * or version, or of too many samples. A missing file is no error and has 0 samples. */
+ * or firn version, and too many samples. A missing file counts as 0 samples. */
 MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
 
-/* Implements reference_save_fn. Writes the sums so rarely that this takes at most a tenth of the
- * time, but always the last ones. Logs errors. */
+/* Implements reference_save_fn. Always writes the last sums. Writes earlier sums so rarely that
+ * this takes at most a tenth of the run time. Logs errors. */
 MUST_USE enum status sample_sums_file_store(void *user, const struct reference_sums *sums,
                                             bool is_last);
 

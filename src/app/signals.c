@@ -1,4 +1,4 @@
-/* signals.c: waits for termination signals in a thread; a handler would need global state. */
+/* signals.c: waits for termination signals in a thread. A handler would need global state. */
 #include "src/app/signals.h"
 #include <string.h>
 #include <unistd.h>

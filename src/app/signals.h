@@ -19,15 +19,15 @@ struct signals {
     void *user;
 };
 
-/* Blocks the signals and starts the waiting thread. Must be called before any other thread exists,
- * because threads inherit the signal mask. *stop must be empty except for `last` and `user`, and
- * must not be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
+/* Blocks the signals and starts the waiting thread. Must be called before other threads exist,
+ * because they inherit the signal mask. In *stop, only `last` and `user` may be set. *stop must not
+ * be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status signals_begin(struct signals *stop);
 
 /* Stops the waiting thread. The signals stay blocked and do nothing. An empty *stop is fine. */
 void signals_end(struct signals *stop);
 
-/* Delay signals between these calls, while a file is written or data for `last` is changed. */
+/* Signals are delayed from signals_hold() to signals_release(), such as while a file is written. */
 void signals_hold(struct signals *stop);
 void signals_release(struct signals *stop);
 

@@ -19,7 +19,7 @@ void standard_streams_begin(void)
     (void)signal(SIGXFSZ, SIG_IGN);
 }
 
-/* Returns true if the reader of stdout has closed its end. */
+/* Returns true if the reader of stdout has closed its end of the pipe. */
 static bool is_abandoned(void)
 {
     struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };

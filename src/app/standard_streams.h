@@ -4,14 +4,14 @@
 
 #include "src/base/status.h"
 
-/* Opens /dev/null for each standard stream that is closed, so that no output file gets its
- * descriptor number and receives messages. Reading stdin or writing the others fails as on a closed
- * stream. Ignores SIGPIPE and SIGXFSZ: closed pipes and file size limits become write errors. Must
+/* Opens /dev/null for each standard stream that is closed. Otherwise an output file could get the
+ * stream's descriptor and receive messages. Reading stdin or writing the others still fails.
+ * Ignores SIGPIPE and SIGXFSZ, so that closed pipes and file size limits become write errors. Must
  * be called before any file is opened. */
 void standard_streams_begin(void);
 
-/* Flushes stdout at the end of the program. Returns `status`, or STATUS_WRITE (logged) if not all
- * output was written. If the reader has gone (`firn list | head`), ends silently with SIGPIPE. */
+/* Flushes stdout at the end of the program. Returns `status`, or logs and returns STATUS_WRITE if
+ * output was lost. If the reader has gone (`firn list | head`), ends silently with SIGPIPE. */
 enum status standard_streams_end(enum status status);
 
 #endif

@@ -23,12 +23,12 @@ struct frame_range {
     uint32_t count;
 };
 
-/* Parses a frame list. Logs a syntax error in one line and returns STATUS_USAGE, or
- * STATUS_TRY_AGAIN when out of memory. On failure *range is {0}. */
+/* Parses a frame list. On failure clears *range, logs one line and returns STATUS_USAGE, or
+ * STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status frame_range_parse(struct frame_range *range, const char *text);
 
-/* Splits the list into n (up to 1000000) consecutive chunks, whose sizes differ by at most one, and
- * keeps chunk k (1 to n), which may be empty. The split depends on the list and n alone. */
+/* Splits the list into n consecutive chunks (n up to 1000000) of sizes that differ by at most one.
+ * Keeps only chunk k (1 to n), which may be empty. The split depends only on the list and n. */
 void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n);
 
 void frame_range_finish(struct frame_range *range); /* {0} is fine */

@@ -60,7 +60,7 @@ enum status option_chunk(const struct option *option, void *at, const char *valu
     return ok ? STATUS_OK : option_refuse(option, value, "K/N with K from 1 to N, such as 1/4");
 }
 
-/* Sets the output format. The same one may be given again, but not another. */
+/* Sets the output format. Refuses a format that contradicts an earlier option. */
 enum status option_format(const struct option *option, void *at, const char *value)
 {
     static const char *const names[APP_FORMAT_COUNT] = {
@@ -342,7 +342,7 @@ enum status option_background(const struct option *option, void *at, const char 
 
 /* ---- the camera ---- */
 
-/* Maximum coordinate in metres. Distances up to this have squares that are finite in float. */
+/* Maximum coordinate in metres. The square of such a distance does not overflow a float. */
 static const float position_max = 1e9f;
 
 enum status option_orbit(const struct option *option, void *at, const char *value)

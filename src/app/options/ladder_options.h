@@ -12,8 +12,8 @@ option_fn option_refraction_models; /* of struct app_ladder */
  * exact refraction. Must be called before the options are parsed. */
 void option_ladder_settings(struct settings *settings);
 
-/* Switches the inclusions and surface effects of ice on again, except those that --set or --preset
- * sets. Cracks are drawn as gaps, as in the reference. */
+/* Switches the inclusions and surface effects of ice back on. Settings of --set and --preset are
+ * kept. Cracks are drawn as gaps, as in the reference. */
 void option_ladder_whole(struct app_scene *scene);
 
 #endif

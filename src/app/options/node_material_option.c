@@ -66,7 +66,7 @@ static enum status set_key(struct material_override *made, const char *word, siz
     return STATUS_OK;
 }
 
-/* Finds the material name that follows the node's name and '='. Returns NULL if there is none. */
+/* Finds the material name after "NODE=" in an option's value. Returns NULL if there is none. */
 static const struct material_preset *find_material(const char *value, const char **end)
 {
     for (*end = strchr(value, '='); *end; *end = strchr(*end + 1, '=')) {

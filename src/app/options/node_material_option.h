@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-/* Adds a material for a node, whose name may contain '=' and ','. Logs errors. */
+/* Adds a material for a node. The node's name may contain '=' and ','. Logs errors. */
 enum status option_node_material(const struct option *option, struct app_scene *scene,
                                  const char *value);
 

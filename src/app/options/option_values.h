@@ -4,10 +4,10 @@
 
 #include "src/app/options/option.h"
 
-/* Set, in this order, a bool to true, a string, and a uint32_t from option->min to option->max. */
+/* Set a bool to true (flag), a string (text), or a uint32_t from option->min to max (count). */
 option_fn option_flag, option_text, option_count;
 
-/* Returns true if the option's value may be left out. If given, it follows '='. */
+/* Returns true for options whose value may be left out, such as --name[=VALUE]. */
 bool option_is_optional(const struct option *option);
 
 /* Logs "--option: expected EXPECTED, got 'value'". Returns STATUS_USAGE. */
@@ -23,8 +23,8 @@ enum option_names {
     OPTION_LAYERS,
 };
 
-/* Logs that the first `length` characters of `word` are not a known name of this kind, suggests a
- * similar name and refers to firn list. Returns STATUS_USAGE. */
+/* Logs that the first `length` characters of `word` are not a known name. Suggests a similar name
+ * and firn list. Returns STATUS_USAGE. */
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length);
 

@@ -40,8 +40,8 @@ enum {
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
-/* Initialise an option's `offset` and `set`. Does not compile if the field has another type. A type
- * cannot be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
+/* Initialises an option's `offset` and `set`. Does not compile if the field is not of `type`. Types
+ * cannot be in parentheses here. NOLINTBEGIN(bugprone-macro-parentheses) */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
 /* NOLINTEND(bugprone-macro-parentheses) */
@@ -362,7 +362,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
     return option->set(option, (char *)o + option->offset, value);
 }
 
-/* Adds an argument that is no option. Most commands take one, SCENE; some take several. */
+/* Adds a positional argument. Most commands accept only SCENE, some several arguments. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
@@ -524,7 +524,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     o->image.scene.quiet = o->run.quiet;
     if (o->ladder.whole)
         option_ladder_whole(&o->image.scene);
-    if (command != APP_FARM) /* firn farm adds it later, because an argument may name an output */
+    if (command != APP_FARM) /* firn farm first looks for outputs among its arguments */
         app_default_output(o, command);
     enum status status = check_layers(&o->image);
     if (command & (APP_RENDER | APP_FARM))

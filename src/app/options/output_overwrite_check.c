@@ -39,7 +39,7 @@ static const char *name_of(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Returns true if both paths lead to the same regular file, whether it exists yet or not. */
+/* Returns true if two paths lead to the same regular file, which need not exist yet. */
 static bool are_same_file(const char *a, const char *b)
 {
     struct stat infos[2];

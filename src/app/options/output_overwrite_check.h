@@ -4,8 +4,8 @@
 
 #include "src/app/options/option.h"
 
-/* Set a string like option_text(). Options with option_input() name files that are read; options
- * with option_report() name files that are written. */
+/* Set a file path. option_input() is for files that are read, option_report() for files that are
+ * written. */
 option_fn option_input, option_report;
 
 /* A file that a command reads or writes. */
@@ -15,9 +15,9 @@ struct option_file {
     bool is_written;
 };
 
-/* Refuses two outputs to one file, and an output that overwrites an input, even if their paths are
- * spelt differently. Files that are not regular, such as /dev/null, may be named several times.
- * Opens no file. Logs a conflict and returns STATUS_USAGE. */
+/* Logs and returns STATUS_USAGE if two outputs go to one file, or an output overwrites an input.
+ * Recognises different spellings of a path. Files that are not regular, such as /dev/null, may be
+ * named several times. Opens no file. */
 enum status option_check_files(const struct option_file *files, size_t count);
 
 #endif

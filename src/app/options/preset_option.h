@@ -4,8 +4,8 @@
 
 #include "src/app/app.h"
 
-/* Reads the scene's preset, if any, and applies its settings, except those that --set has set. Logs
- * errors and returns STATUS_DATA or a status of reader_process.h. */
+/* Reads the preset that the options name, if any, and applies it. Values of --set are kept. On
+ * failure logs and returns STATUS_DATA or a status of reader_process.h. */
 MUST_USE enum status option_preset_read(struct app_scene *scene);
 
 #endif

@@ -6,11 +6,11 @@
 
 option_fn option_noise, option_seconds; /* of a double */
 
-/* Returns the first EXR output, beside which --keep-sums stores the sums, or NULL. */
+/* Returns the first EXR output, or NULL. --keep-sums stores the sample sums beside this file. */
 const char *option_sums_image(const struct app_options *options);
 
-/* Returns the name of the file with an image's sample sums, "a.sums.exr" for "a.exr", to be freed
- * by the caller; NULL when out of memory. */
+/* Returns the name of an image's file of sample sums, "a.sums.exr" for "a.exr". The caller frees
+ * the name. Returns NULL when out of memory. */
 char *option_sums_file(const char *image);
 
 /* Checks that options for the reference are used only with it, and sets the default sample count
