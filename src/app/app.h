@@ -306,13 +306,13 @@ void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
 /* Sets *camera: from options, else the model's first camera, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
-                                const struct app_image *image);
+                                const struct app_image *p);
 
 struct renderer_params;
 
 /* Returns renderer parameters that point into `image`. The caller must add the sample count and the
  * outputs. */
-struct renderer_params app_renderer_params(const struct app_image *image, struct gpu *gpu,
+struct renderer_params app_renderer_params(const struct app_image *p, struct gpu *gpu,
                                            const struct scene *scene);
 
 #endif

@@ -38,7 +38,7 @@ bool output_is_current(const struct output *output, const char *path,
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
 /* Checks --tiles and --tile against the other options. On failure logs and returns STATUS_USAGE. */
-MUST_USE enum status output_check_tiles(const struct app_image *image,
+MUST_USE enum status output_check_tiles(const struct app_image *p,
                                         const struct app_outputs *outputs);
 
 /* Encodes the image for file_io_write(); the caller frees *data. Logs errors. */

@@ -50,7 +50,8 @@ struct exr_file;
  * Deep data, subsampled channels, DWAA and DWAB are not supported: STATUS_DATA. Logs and returns
  * STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *file is then NULL and *head {0}.
  */
-MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct image_header *head);
+MUST_USE enum status exr_open(struct exr_file **opened, const char *path,
+                              struct image_header *head);
 
 /* Sets *row to row y of a plane, owned by the file and valid until the next call. Texels may be
  * non-finite. Reading rows in ascending order is fastest. */

@@ -107,6 +107,6 @@ void ladder_finish(struct ladder *ladder);
 const struct ladder_model *ladder_base(const struct ladder *ladder);
 
 /* Returns a model's cost divided by that of ladder_base(), or NaN if costs were not measured. */
-double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_model *refraction);
+double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_model *model);
 
 #endif

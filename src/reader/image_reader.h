@@ -14,7 +14,7 @@ struct image_reader;
 
 /* Starts to read an image. `path` and `params` must outlive the reader. The caller frees *head. On
  * failure *image_reader is NULL and *head is zeroed. */
-MUST_USE enum status image_reader_open(struct image_reader **image_reader, const char *path,
+MUST_USE enum status image_reader_open(struct image_reader **opened, const char *path,
                                        const struct reader_params *params,
                                        struct image_header *head);
 

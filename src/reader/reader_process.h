@@ -66,7 +66,7 @@ struct reader_params {
 struct reader;
 
 /* Starts a reader process; `path` and `params` must outlive it. *reader is NULL on failure. */
-MUST_USE enum status reader_start(struct reader **reader, const struct reader_params *params,
+MUST_USE enum status reader_start(struct reader **started, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 
 /* Returns the data stream of a reader. Arrays in it may not exceed the reader's memory limit. */

@@ -1,5 +1,4 @@
-/* surroundings_radiance.c: radiance of sky and environment map; shading of the surroundings with
- * textures. */
+/* surroundings_radiance.c: radiance of sky and environment map; shading of the surroundings. */
 #include "src/reference/surroundings_radiance.h"
 #include <cglm/struct.h>
 #include <math.h>

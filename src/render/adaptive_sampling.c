@@ -1,5 +1,4 @@
-/* adaptive_sampling.c: adaptive sampling: estimates errors of cells, covers noisy cells with
- * rectangles. */
+/* adaptive_sampling.c: estimates errors of cells, and covers noisy cells with rectangles. */
 #include "src/render/adaptive_sampling.h"
 #include <math.h>
 #include <stdlib.h>

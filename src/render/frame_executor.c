@@ -18,9 +18,8 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Checks that the plan's memory fits. Host-visible buffers count once per frame in flight. For an
- * image drawn in tiles, a CPU device needs the memory of one tile, as it commits memory on first
- * use. */
+/* Checks that the plan's memory fits. Host-visible buffers count once per frame in flight. CPU
+ * devices commit memory on first use, so an image drawn in tiles needs the memory of one tile. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = lavapipe_tuning_is_cpu(gpu);

@@ -1,5 +1,4 @@
-/* lavapipe_tuning.c: tuning for software Vulkan drivers: environment variables and memory page
- * size. */
+/* lavapipe_tuning.c: environment variables and memory page size for software Vulkan drivers. */
 #define _DEFAULT_SOURCE /* for madvise */
 #include "src/render/lavapipe_tuning.h"
 #include <stdlib.h>

@@ -28,8 +28,7 @@ static enum status update(struct renderer *r, struct frame_executor *frame_execu
                                 : renderer_compile(r, frame_executor, request);
 }
 
-/* Updates all executors. `capture` is updated first but destroyed last, because `image` imports its
- * cube. */
+/* Updates all executors. Destroys `capture` last, because `image` imports its cube. */
 static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);

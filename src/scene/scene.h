@@ -153,7 +153,7 @@ const char *scene_name(uint32_t index);
 
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
  * does not fit in the pool) or STATUS_TRY_AGAIN. *scene is zeroed on failure. */
-MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
+MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *given);
 
 /* Generates the texels that params.defers_texels has deferred. Other threads may read the rest of
  * the scene meanwhile. When out of memory, returns what was being generated, such as "air"; else

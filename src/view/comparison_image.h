@@ -17,15 +17,14 @@ struct comparison_image {
 };
 
 /* Updates an outdated `image` from `linear` with the tone mapping of tonemap_encode(). */
-MUST_USE enum status comparison_image_show(struct comparison_image *comparison, struct gpu *gpu,
-                                           float gain, uint32_t curve);
+MUST_USE enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu, float gain,
+                                           uint32_t curve);
 
 /* Uploads sRGB-encoded pixels to `image` if it is outdated. */
-MUST_USE enum status comparison_image_upload(struct comparison_image *comparison, struct gpu *gpu,
+MUST_USE enum status comparison_image_upload(struct comparison_image *s, struct gpu *gpu,
                                              const uint8_t *rgba, VkExtent2D size);
 
-void comparison_image_leave_device(struct comparison_image *comparison, struct gpu *gpu);
-void comparison_image_finish(struct comparison_image *comparison,
-                             struct gpu *gpu); /* {0} is fine */
+void comparison_image_leave_device(struct comparison_image *s, struct gpu *gpu);
+void comparison_image_finish(struct comparison_image *s, struct gpu *gpu); /* {0} is fine */
 
 #endif

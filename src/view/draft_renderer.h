@@ -48,16 +48,16 @@ struct settings draft_renderer_settings(const struct settings *settings,
 
 /* Creates the draft renderers. Draws hidden frames to compile the shaders and to measure the frame
  * time. If memory runs out, succeeds without draft renderers. */
-MUST_USE enum status draft_renderer_create(struct draft_renderer *draft,
+MUST_USE enum status draft_renderer_create(struct draft_renderer *q,
                                            const struct draft_renderer_params *params,
                                            const struct renderer_shot *shot);
 
 /* Updates existing draft renderers to the viewport's current state. On failure, destroys them. */
-MUST_USE enum status draft_renderer_update(struct draft_renderer *draft,
+MUST_USE enum status draft_renderer_update(struct draft_renderer *q,
                                            const struct draft_renderer_params *params);
 
-MUST_USE enum status draft_renderer_draw(struct draft_renderer *draft,
-                                         const struct renderer_shot *shot, VkExtent2D view);
-void draft_renderer_finish(struct draft_renderer *draft); /* {0} is fine; keeps is_off */
+MUST_USE enum status draft_renderer_draw(struct draft_renderer *q, const struct renderer_shot *shot,
+                                         VkExtent2D view);
+void draft_renderer_finish(struct draft_renderer *q); /* {0} is fine; keeps is_off */
 
 #endif

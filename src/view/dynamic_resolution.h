@@ -24,10 +24,10 @@ struct dynamic_resolution {
 };
 
 /* Restarts the controller. `passes` is the GPU time at full size in seconds, 0 if unknown. */
-void dynamic_resolution_begin(struct dynamic_resolution *resolution, double passes);
+void dynamic_resolution_begin(struct dynamic_resolution *m, double passes);
 
 /* Adds the times, in seconds, of a frame drawn at the current size: whole frame and GPU passes. */
-void dynamic_resolution_add(struct dynamic_resolution *resolution, double frame, double passes);
+void dynamic_resolution_add(struct dynamic_resolution *m, double frame, double passes);
 
 /* Returns length * k / 16, rounded down to even. Returns `length` if that is 0 or if k is 16. */
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k);

@@ -43,14 +43,13 @@ const struct frame_layer *pixel_inspector_layer(uint32_t i);
 bool pixel_inspector_replaces_image(const struct pixel_inspector_choice *choice);
 
 /* Renders the layers that the choice and pixel_inspector_values() need. */
-MUST_USE enum status pixel_inspector_draw(struct pixel_inspector *inspector,
-                                          struct viewport *viewport,
+MUST_USE enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewport *p,
                                           const struct renderer_shot *shot);
 
 /* Computes `rgba`, `image` and the histogram for an image of `sample_count` samples. Call
  * presenter_wait() first. The old `image` is valid until pixel_inspector_show() is called again. */
 MUST_USE enum status pixel_inspector_show(struct pixel_inspector *inspector,
-                                          const struct viewport *viewport, uint32_t sample_count);
+                                          const struct viewport *p, uint32_t sample_count);
 
 /* ---- pixel under the cursor ---- */
 
@@ -65,8 +64,7 @@ struct pixel_inspector_values {
 };
 
 /* Reads the values of a pixel. Returns false outside the image or before the first rendering. */
-bool pixel_inspector_values(const struct pixel_inspector *inspector,
-                            const struct viewport *viewport, uint32_t x, uint32_t y,
-                            struct pixel_inspector_values *values);
+bool pixel_inspector_values(const struct pixel_inspector *inspector, const struct viewport *p,
+                            uint32_t x, uint32_t y, struct pixel_inspector_values *values);
 
 #endif

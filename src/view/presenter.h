@@ -42,35 +42,33 @@ struct presenter {
 };
 
 /* Initialises a presenter, which must not move. Borrows `surface` and `canvas` (may be NULL). */
-MUST_USE enum status presenter_init(struct presenter *presenter, struct gpu *gpu,
-                                    VkSurfaceKHR surface, VkPresentModeKHR mode,
-                                    const struct gpu_shared_window *canvas);
-void presenter_finish(struct presenter *presenter); /* {0} and half-built are fine */
+MUST_USE enum status presenter_init(struct presenter *s, struct gpu *gpu, VkSurfaceKHR surface,
+                                    VkPresentModeKHR mode, const struct gpu_shared_window *canvas);
+void presenter_finish(struct presenter *s); /* {0} and half-built are fine */
 
 /* Recreates a swapchain that is stale or has another size. *remade is then true, and the presenter
  * is disconnected. If swapchain.stale is still true afterwards, nothing can be presented. */
-MUST_USE enum status presenter_fit(struct presenter *presenter, VkExtent2D size, bool *remade);
+MUST_USE enum status presenter_fit(struct presenter *s, VkExtent2D size, bool *remade);
 
 /* Sets the user interface's font atlas (may be NULL). Disconnects the presenter. */
-void presenter_set_font(struct presenter *presenter, const struct gpu_image *font);
+void presenter_set_font(struct presenter *s, const struct gpu_image *font);
 
 /* Sets the images to present, which must be ready for sampling. Without a split view, `right` must
  * equal `left`. Must not be called between presenter_begin() and presenter_end(). */
-MUST_USE enum status presenter_connect(struct presenter *presenter,
-                                       const struct presenter_images *images);
+MUST_USE enum status presenter_connect(struct presenter *s, const struct presenter_images *images);
 
 /* Waits for the frames in flight and releases the images. */
-void presenter_disconnect(struct presenter *presenter);
+void presenter_disconnect(struct presenter *s);
 
 /* Acquires a swapchain image. If *ready is false, call presenter_fit() and try again. */
-MUST_USE enum status presenter_begin(struct presenter *presenter, bool *ready);
+MUST_USE enum status presenter_begin(struct presenter *s, bool *ready);
 
 /* Draws and presents a frame. `frame->overlay` refers to the presenter's buffers overlay_vertices
  * and overlay_indices. Members of window_frame after `overlay` need not be set. */
-MUST_USE enum status presenter_end(struct presenter *presenter, const struct window_frame *frame);
+MUST_USE enum status presenter_end(struct presenter *s, const struct window_frame *frame);
 
 /* Waits until no frame reads the source images. */
-MUST_USE enum status presenter_wait(struct presenter *presenter);
+MUST_USE enum status presenter_wait(struct presenter *s);
 
 /* ---- shared with screenshots ---- */
 

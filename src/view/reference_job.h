@@ -26,13 +26,13 @@ struct reference_job {
 
 /* Starts to trace a view of a scene. The scene must not change before reference_job_stop(). Must
  * not be called while a job is running. If no thread can be started, logs and returns false. */
-bool reference_job_begin(struct reference_job *job, const struct reference_request *request,
+bool reference_job_begin(struct reference_job *t, const struct reference_request *request,
                          const struct renderer_shot *shot);
 
 /* Stops a running job and discards its result. */
-void reference_job_stop(struct reference_job *job);
+void reference_job_stop(struct reference_job *t);
 
 /* Replaces *mean by the newest mean image. Returns false if there is no new one. */
-bool reference_job_take(struct reference_job *job, struct image *mean);
+bool reference_job_take(struct reference_job *t, struct image *mean);
 
 #endif

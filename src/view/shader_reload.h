@@ -18,16 +18,16 @@ struct shader_reload;
  * successful compilations are not logged. */
 MUST_USE enum status shader_reload_create(struct shader_reload **reload, const char *folder,
                                           bool quiet);
-void shader_reload_destroy(struct shader_reload *reload); /* may be NULL */
+void shader_reload_destroy(struct shader_reload *w); /* may be NULL */
 
 /* Makes shader_reload_replace() use the newly compiled shaders. Returns false if there are none. */
-bool shader_reload_take(struct shader_reload *reload);
+bool shader_reload_take(struct shader_reload *w);
 
 /* Restores the shaders before shader_reload_take(), for use if pipelines cannot be created. */
-void shader_reload_revert(struct shader_reload *reload);
+void shader_reload_revert(struct shader_reload *w);
 
 /* Returns a one-line compilation error, or "". The text is valid until shader_reload_take(). */
-const char *shader_reload_message(const struct shader_reload *reload);
+const char *shader_reload_message(const struct shader_reload *w);
 
 /* Callback by which executors get reloaded shaders. `user` must be a struct shader_reload. */
 rg_replace_shader_fn shader_reload_replace;

@@ -48,11 +48,11 @@ bool undo_stack_same_state(const struct view_state *a, const struct view_state *
 
 /* Pushes a state and drops all states that could be redone. If `gesture` is not 0 and is that of
  * the newest state, replaces that state: undo then reverts a whole slider drag in one step. */
-void undo_stack_push(struct undo_stack *stack, const struct view_state *state, uint32_t gesture);
+void undo_stack_push(struct undo_stack *h, const struct view_state *state, uint32_t gesture);
 
 /* Makes the previous or next state current and returns it; NULL if there is none. */
-const struct view_state *undo_stack_undo(struct undo_stack *stack);
-const struct view_state *undo_stack_redo(struct undo_stack *stack);
+const struct view_state *undo_stack_undo(struct undo_stack *h);
+const struct view_state *undo_stack_redo(struct undo_stack *h);
 
 /* Describes the difference of two states for the status bar, such as "cracks.count 2 -> 5". */
 void undo_stack_describe(const struct view_state *before, const struct view_state *after,

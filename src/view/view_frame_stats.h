@@ -43,24 +43,24 @@ struct view_frame_stats {
 };
 
 /* Excludes the time since `start` from the frame time. */
-void view_frame_stats_exclude(struct view_frame_stats *stats, double start);
+void view_frame_stats_exclude(struct view_frame_stats *c, double start);
 /* Counts the time since `start` as waiting for --fps-limit. */
-void view_frame_stats_limit(struct view_frame_stats *stats, double start);
+void view_frame_stats_limit(struct view_frame_stats *c, double start);
 
 /* Excludes the time until the next frame, since nothing was drawn for a while. */
-void view_frame_stats_pause(struct view_frame_stats *stats);
+void view_frame_stats_pause(struct view_frame_stats *c);
 
 /* Ends a frame. Records the newest GPU times of each plan, and the presentation time in seconds. */
-void view_frame_stats_end(struct view_frame_stats *stats, const struct rg_times *times,
+void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *times,
                           uint32_t time_count, double presentation);
 
 /* Starts latency measurements at the last mouse movement and release, seconds; 0 if none. */
-void view_frame_stats_input(struct view_frame_stats *stats, double moved, double released);
+void view_frame_stats_input(struct view_frame_stats *c, double moved, double released);
 
 /* Records that the ended frame shows a new image: interactive if `is_moving`, else in full size. */
-void view_frame_stats_image(struct view_frame_stats *stats, bool is_moving);
+void view_frame_stats_image(struct view_frame_stats *c, bool is_moving);
 
 /* Prints the number of frames and mean times, and interaction times if there were any. */
-void view_frame_stats_print(const struct view_frame_stats *stats, FILE *out);
+void view_frame_stats_print(const struct view_frame_stats *c, FILE *out);
 
 #endif

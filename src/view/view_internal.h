@@ -114,7 +114,7 @@ struct settings view_scene_settings(const struct view *view);
 bool view_apply_state(struct view *view, const struct view_state *state);
 
 /* Applies a state and pushes it to the undo stack. Returns false on failure. */
-bool view_edit(struct view *view, const struct view_state *state, uint32_t gesture);
+bool view_edit(struct view *view, const struct view_state *requested, uint32_t gesture);
 void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` */
 
 /* Load settings from a preset file, or save them to a new one. */

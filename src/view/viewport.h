@@ -58,15 +58,15 @@ struct shader_reload;
 MUST_USE enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
                                      const struct app_image *state, struct shader_reload *reload,
                                      bool quiet, bool refines);
-void viewport_destroy(struct viewport *viewport); /* may be NULL; waits for frames */
+void viewport_destroy(struct viewport *p); /* may be NULL; waits for frames */
 
 /* Frees all device resources. When the device is reopened, call viewport_upload(). Until that
  * succeeds, only viewport_upload() and viewport_destroy() are allowed. */
-void viewport_leave_device(struct viewport *viewport); /* may be NULL */
-MUST_USE enum status viewport_upload(struct viewport *viewport);
+void viewport_leave_device(struct viewport *p); /* may be NULL */
+MUST_USE enum status viewport_upload(struct viewport *p);
 
 /* Creates the renderers, or resizes them. On failure, there are no renderers. */
-MUST_USE enum status viewport_resize(struct viewport *viewport, VkExtent2D size);
+MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
 
 /* Applies settings and refraction model. *remade is true if the renderer was replaced; old results
  * of renderer_display_image() are then invalid. A reloaded scene keeps the camera. */
@@ -88,71 +88,70 @@ struct settings viewport_with_exposure(const struct settings *settings, const st
 
 /* Shows another refraction model as side B; NULL ends the split. Copies `settings`. If `settings`
  * is NULL, side B uses the settings of side A. On failure, nothing changes. */
-MUST_USE enum status viewport_split(struct viewport *viewport, const struct technique *refraction,
+MUST_USE enum status viewport_split(struct viewport *p, const struct technique *refraction,
                                     const struct settings *settings);
 
-bool viewport_is_split(const struct viewport *viewport); /* true if side B is shown */
+bool viewport_is_split(const struct viewport *p); /* true if side B is shown */
 
 /* Rotates the environment panorama, degrees. On failure nothing changes. */
-MUST_USE enum status viewport_rotate_panorama(struct viewport *viewport, float degrees);
+MUST_USE enum status viewport_rotate_panorama(struct viewport *p, float degrees);
 
 /* Returns true if a camera movement has changed the result of renderer_draws_beyond_image(). */
-bool viewport_is_outgrown(struct viewport *viewport);
+bool viewport_is_outgrown(struct viewport *p);
 
 /* Updates the renderers after a change of shaders, projection or viewport_is_outgrown(). On
  * failure, there are no renderers until viewport_resize() creates them. */
-MUST_USE enum status viewport_rebuild(struct viewport *viewport);
+MUST_USE enum status viewport_rebuild(struct viewport *p);
 
 /* Returns true if the model is not animated or has the pose of `time`, seconds. */
-bool viewport_is_posed(const struct viewport *viewport, float time);
+bool viewport_is_posed(const struct viewport *p, float time);
 
 /* Poses an animated model and frees the renderers; call viewport_resize() next. If the file cannot
  * be read, nothing changes. The file's camera animation applies until the user moves the camera. */
-MUST_USE enum status viewport_pose(struct viewport *viewport, float time);
+MUST_USE enum status viewport_pose(struct viewport *p, float time);
 
 /* Call renderer_draw() or renderer_wait() for the renderers of both sides. */
-MUST_USE enum status viewport_draw(struct viewport *viewport, const struct renderer_shot *shot);
-MUST_USE enum status viewport_wait(struct viewport *viewport);
+MUST_USE enum status viewport_draw(struct viewport *p, const struct renderer_shot *shot);
+MUST_USE enum status viewport_wait(struct viewport *p);
 
 /* Draws an interactive frame of at most full size, with draft renderers if there are any. */
-MUST_USE enum status viewport_draw_interactive(struct viewport *viewport,
-                                               const struct renderer_shot *shot, VkExtent2D view);
+MUST_USE enum status viewport_draw_interactive(struct viewport *p, const struct renderer_shot *shot,
+                                               VkExtent2D view);
 
 /* Returns true if draft renderers are needed but missing. viewport_create_draft() creates them. */
-bool viewport_wants_draft(const struct viewport *viewport);
-MUST_USE enum status viewport_create_draft(struct viewport *viewport,
-                                           const struct renderer_shot *shot);
+bool viewport_wants_draft(const struct viewport *p);
+MUST_USE enum status viewport_create_draft(struct viewport *p, const struct renderer_shot *shot);
 
 /* Call renderer_refine() or renderer_resolve() for the renderers of both sides. */
-MUST_USE enum status viewport_refine(struct viewport *viewport, const struct renderer_shot *shot,
+MUST_USE enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot,
                                      uint32_t sample);
-MUST_USE enum status viewport_resolve(struct viewport *viewport, uint32_t sample_count);
+MUST_USE enum status viewport_resolve(struct viewport *p, uint32_t sample_count);
 
 /* Returns the renderer of the left or right image. Without a split, the right one is NULL. */
-const struct renderer *viewport_renderer(const struct viewport *viewport, bool right);
+const struct renderer *viewport_renderer(const struct viewport *p, bool right);
 
 /* Returns the GPU time of the last frame's passes, in seconds. */
-double viewport_pass_seconds(const struct viewport *viewport);
+double viewport_pass_seconds(const struct viewport *p);
 VkImage viewport_left(const struct viewport *viewport);
 VkImage viewport_right(const struct viewport *viewport);     /* as on the left unless split */
 VkExtent2D viewport_extent(const struct viewport *viewport); /* size of the left image, pixels */
 VkExtent2D viewport_right_extent(const struct viewport *viewport); /* size of the right image */
 
 /* Returns the pixel column where the divider begins; PRESENT_NO_LINE without a split. */
-uint32_t viewport_divider_column(const struct viewport *viewport);
+uint32_t viewport_divider_column(const struct viewport *p);
 
 /* Returns the allowed range of the camera's distance from its target, metres. */
-void viewport_camera_range(const struct viewport *viewport, float *nearest, float *farthest);
+void viewport_camera_range(const struct viewport *p, float *nearest, float *farthest);
 
 struct signals;
 /* Renders the image with all samples and layers, as `firn render` does, and writes it with metadata
  * to each path. The extension selects the format. Of a split view, PNG files show both sides with
  * the divider; EXR files are written per side, as NAME-left.exr and NAME-right.exr. */
-MUST_USE enum status viewport_save(struct viewport *viewport, float time, const char *const *paths,
+MUST_USE enum status viewport_save(struct viewport *p, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
 /* Writes an image with `rgba` and one sample to a PNG file with firn's metadata. */
-MUST_USE enum status viewport_save_drawn(struct viewport *viewport, float time, const char *path,
+MUST_USE enum status viewport_save_drawn(struct viewport *p, float time, const char *path,
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);
 
@@ -161,7 +160,7 @@ MUST_USE enum status viewport_can_save(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 
 /* Return parameters for renderers of side A and side B. */
-struct renderer_params viewport_params(struct viewport *viewport);
-struct renderer_params viewport_right_params(struct viewport *viewport);
+struct renderer_params viewport_params(struct viewport *p);
+struct renderer_params viewport_right_params(struct viewport *p);
 
 #endif

@@ -63,8 +63,8 @@ static const char *const usages[] = {
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two images differ",
     [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction model with the ray "
                     "traced reference"),
-    [APP_BAKE] = "firn bake [options] SCENE: bake the environment of a scene's object to a cube "
-                 "map for --env",
+    [APP_BAKE] = ("firn bake [options] SCENE: bake the environment of a scene's object to a cube "
+                  "map for --env"),
     [APP_SHEET] = "firn sheet [options] SCENE: draw one image per value of a setting, side by side",
     [APP_FARM] =
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",

@@ -24,13 +24,13 @@ void closed_mesh_finish(struct closed_mesh *closed_mesh);
 
 /* Returns true if a point is inside: an upward ray from it hits an odd number of triangles. A ray
  * through a shared edge hits exactly one of the two triangles. */
-bool closed_mesh_contains(const struct closed_mesh *closed_mesh, vec3s point);
+bool closed_mesh_contains(const struct closed_mesh *s, vec3s point);
 
 /* Returns true if the surface is both above and below a point, for example in a cavity. */
-bool closed_mesh_surrounds(const struct closed_mesh *closed_mesh, vec3s point);
+bool closed_mesh_surrounds(const struct closed_mesh *s, vec3s point);
 
 /* Returns true if the bounding box of a triangle overlaps a box. */
-bool closed_mesh_may_overlap(const struct closed_mesh *closed_mesh, struct box box);
+bool closed_mesh_may_overlap(const struct closed_mesh *s, struct box box);
 
 /* Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are
  * bisected until no side exceeds `step` metres, then cut where sides cross the surface. Details

@@ -17,11 +17,11 @@ struct ui_thumbnails {
 };
 
 /* Reads the sheets. On failure, logs and leaves the thumbnails empty. */
-void ui_thumbnails_load(struct ui_thumbnails *thumbnails, const struct reader_params *reader);
-void ui_thumbnails_finish(struct ui_thumbnails *thumbnails); /* {0} is fine */
+void ui_thumbnails_load(struct ui_thumbnails *p, const struct reader_params *reader);
+void ui_thumbnails_finish(struct ui_thumbnails *p); /* {0} is fine */
 
 /* Return the thumbnail of preset or refraction model i; UI_THUMBNAIL_NONE if there is none. */
-uint32_t ui_thumbnails_material(const struct ui_thumbnails *thumbnails, uint32_t i);
-uint32_t ui_thumbnails_model(const struct ui_thumbnails *thumbnails, uint32_t i);
+uint32_t ui_thumbnails_material(const struct ui_thumbnails *p, uint32_t i);
+uint32_t ui_thumbnails_model(const struct ui_thumbnails *p, uint32_t i);
 
 #endif
