@@ -132,10 +132,10 @@ const struct renderer *viewport_renderer(const struct viewport *p, bool right);
 
 /* Returns the GPU time of the last frame's passes, in seconds. */
 double viewport_pass_seconds(const struct viewport *p);
-VkImage viewport_left(const struct viewport *viewport);
-VkImage viewport_right(const struct viewport *viewport);     /* as on the left unless split */
-VkExtent2D viewport_extent(const struct viewport *viewport); /* size of the left image, pixels */
-VkExtent2D viewport_right_extent(const struct viewport *viewport); /* size of the right image */
+VkImage viewport_left(const struct viewport *p);
+VkImage viewport_right(const struct viewport *p);           /* as on the left unless split */
+VkExtent2D viewport_extent(const struct viewport *p);       /* size of the left image, pixels */
+VkExtent2D viewport_right_extent(const struct viewport *p); /* size of the right image */
 
 /* Returns the pixel column where the divider begins; PRESENT_NO_LINE without a split. */
 uint32_t viewport_divider_column(const struct viewport *p);

@@ -204,7 +204,7 @@ class Scenes(Case):
             words = ('render', f'{name}.gltf', *SMALL, '-o', 'a.exr', '-r')
             what = b'1 with a second set of texture coordinates'
             said = self.succeed(*words, 'bounce').stderr
-            self.assertEqual(b'of 1 objects ' + what + b'; --refraction trace' in said, is_said)
+            self.assertEqual(b'of which ' + what + b'); --refraction trace' in said, is_said)
             self.assertEqual(said.count(b'\n'), is_said)
             self.assertEqual(self.succeed(*words, 'trace').stderr, b'')
             chosen, _, note = self.chosen(f'{name}.gltf')

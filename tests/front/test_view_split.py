@@ -238,7 +238,7 @@ class FirstMinutes(PanelsCase):
         self.do('which keys', 1, [key('F1')], lambda: 'Ctrl Shift Z' in self.printed())
         self.press(window, 'F1')
         self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do('type', 'shini')],
-                lambda: self.control('highlight.shininess'))
+                lambda: self.control('Highlight sharpness (highlight.shininess)'))
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
         self.names_come_first(window)
         self.press(window, 'slash')  # a line of text has the keys: Ctrl still acts
