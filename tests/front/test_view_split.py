@@ -191,8 +191,10 @@ class FirstMinutes(PanelsCase):
     def names_come_first(self, window):
         """Settings whose help alone has the word come after those that are called so."""
         self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        wait_until('names first', lambda: self.control('refract.ior_outside') and self.control(
-            'bubbles.seed')[1] < self.control('refract.ior_outside')[1], self.words,
+        named = 'Random seed of the bubbles (bubbles.seed)'
+        helped = 'Refractive index outside (refract.ior_outside)'
+        wait_until('names first', lambda: self.control(helped) and self.control(named)[1] <
+                   self.control(helped)[1], self.words,
                    act=lambda: self.desktop.do('key', 'ctrl+a', 'type', 'bub'), again=15)
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
 
