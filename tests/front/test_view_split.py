@@ -191,11 +191,11 @@ class FirstMinutes(PanelsCase):
     def names_come_first(self, window):
         """Settings whose help alone has the word come after those that are called so."""
         self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        named = 'Random seed of the bubbles (bubbles.seed)'
-        helped = 'Refractive index outside (refract.ior_outside)'
+        named = 'Reflectance model (refract.fresnel)'
+        helped = 'Refracted fraction (refract.crossfade)'
         wait_until('names first', lambda: self.control(helped) and self.control(named)[1] <
                    self.control(helped)[1], self.words,
-                   act=lambda: self.desktop.do('key', 'ctrl+a', 'type', 'bub'), again=15)
+                   act=lambda: self.desktop.do('key', 'ctrl+a', 'type', 'fresn'), again=15)
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
 
     @long
