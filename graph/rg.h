@@ -46,7 +46,7 @@ enum {
     RG_MAX_ROWS = 1 << 24,     /* maximum entries of other tables */
 };
 
-/* How a pass accesses a resource; compile/access_table.c has its Vulkan stages and access flags. */
+/* Access of a pass to a resource; compile/access_table.c has its Vulkan stages and access flags. */
 enum rg_access {
     RG_ACCESS_NONE,        /* no access; import: undefined content */
     RG_COLOR,              /* colour attachment; implied by rg_pass.color */
@@ -80,7 +80,7 @@ enum rg_load {
     RG_LOAD_DISCARD, /* undefined; the pass overwrites every texel */
 };
 
-/* How a fragment's colour is combined with the colour attachment. */
+/* Blending of a fragment's colour with the colour attachment. */
 enum rg_blend {
     RG_BLEND_NONE, /* overwrites the old value */
     RG_BLEND_OVER, /* source-over with premultiplied alpha */

@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-/* How the times of individual passes are measured. */
+/* Method by which the times of individual passes are measured. */
 enum rg_clock {
     RG_CLOCK_NONE, /* not at all */
     /* a timestamp after each pass: nearly free, but misattributes work where passes overlap */

@@ -144,7 +144,7 @@ PRIVATE_WORDS = tuple((re.compile(rf'\b(?:{words})\b'), term) for words, term in
 ))
 # How a comment does not begin, and how it does not name a sentinel.
 PRIVATE_SYNTAX = (
-    (re.compile(r'^(?:What|Whether|That of|Those|Of) '), 'begin with a verb or a noun'),
+    (re.compile(r'^(?:What|Whether|How|That of|Those|Of) '), 'begin with a verb or a noun'),
     (re.compile(r'(?:\b\d+|NULL|""|\{0\}|\{ 0 \}): (?:none|nothing)\b'), '"; 0 if there is none"'),
 )
 # The same for the parts of identifiers, between underscores.
@@ -431,6 +431,7 @@ SPEECH = (
     ('/* The ray meets no face. */', 'hits'),
     ('/* Requirements that meet here. */', None),
     ('/* Whether it is on. */', 'begin with a verb'),
+    ('/* How it is drawn. */', 'begin with a verb'),
     ('/* Returns true if it is on. */', None),
     ('int count; /* 0: none */', '0 if there is none'),
     ('int count; /* 0 if there is none */', None),

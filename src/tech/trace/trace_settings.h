@@ -20,7 +20,7 @@ struct trace_params {
     float branch;          /* minimum throughput; below 0: automatic */
     uint32_t surroundings; /* enum trace_surroundings */
     uint32_t rays;         /* enum trace_rays_by */
-    uint32_t footprint;    /* 1: lookups are filtered by ray differentials; 0: they are not */
+    uint32_t footprint;    /* 1 to filter lookups by ray differentials, else 0 */
 };
 
 extern const struct setting_group trace_settings;

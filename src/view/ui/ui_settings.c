@@ -253,7 +253,7 @@ bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group
     return changed;
 }
 
-/* How well the searched words match a setting. */
+/* Quality of the match between the searched words and a setting. */
 enum fit {
     MATCH_NAME,
     MATCH_HELP,
