@@ -1,7 +1,7 @@
 /* ice_depth.frag: fragment shader that writes the ice's front depth, back depth and thickness. */
 #version 460
 #include "ice/ice_depth.h"
-#include "lib/fitted_depth.glsl"
+#include "lib/linearize_depth.glsl"
 #include "lib/primary_ray.glsl"
 
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D front;

@@ -9,7 +9,8 @@
 
 #define BUBBLES_COUNT_MAX 4096
 
-/* Bubble in world space; src/scene/bubble.h has the object-space counterpart, struct bubble. */
+/* Bubble in world space; src/scene/bubble_intersect.h has the object-space counterpart, struct
+ * bubble. */
 struct bubbles_drawn {
     vec3s center;  /* metres */
     float radius;  /* perpendicular to the axis */

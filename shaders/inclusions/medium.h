@@ -3,7 +3,7 @@
  *
  * Ice freezes from its surface inwards and pushes dissolved air ahead: the rim is clear, and what
  * freezes last is white. The density depends on the depth below the surface relative to the maximum
- * depth in the object. src/scene/scattering_media.h stores it in 3D grids.
+ * depth in the object. src/scene/medium_density.h stores it in 3D grids.
  */
 #ifndef SHADERS_INCLUSIONS_MEDIUM_H
 #define SHADERS_INCLUSIONS_MEDIUM_H

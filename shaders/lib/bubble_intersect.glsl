@@ -1,5 +1,5 @@
 /* bubble_intersect.glsl: ray intersection with bubbles: ellipsoids of revolution and capsules (in
- * C: src/scene/bubble.c). Points are relative to the bubble's centre; axes are unit. */
+ * C: src/scene/bubble_intersect.c). Points are relative to the bubble's centre; axes are unit. */
 #ifndef BUBBLE_INTERSECT_GLSL
 #define BUBBLE_INTERSECT_GLSL
 

@@ -3,7 +3,7 @@
 #include "lib/object_pose.glsl"
 #include "surroundings/surroundings.h"
 #ifdef SURROUNDINGS_EXTRA
-#include "lib/vertex_extra.glsl"
+#include "lib/vertex_tangent_uv1.glsl"
 #endif
 
 layout(push_constant, scalar) uniform Push

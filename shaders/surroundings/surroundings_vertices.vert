@@ -9,7 +9,7 @@
 #include "lib/object_pose.glsl"
 #include "surroundings/surroundings.h"
 #ifdef SURROUNDINGS_EXTRA
-#include "lib/vertex_extra.glsl"
+#include "lib/vertex_tangent_uv1.glsl"
 #endif
 #ifdef SURROUNDINGS_CAUSTICS
 #include "lib/sun_light_space.glsl"

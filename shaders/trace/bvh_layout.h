@@ -23,11 +23,11 @@
  * follow: three tangents with handedness, and the second set of texture coordinates. The bits of
  * (3) from BVH_HORIZON_SHIFT on are the triangle's horizon, an occlusion cone: BVH_HORIZON_STEPS
  * times the sine of the elevation above its outer side beyond which rays hit no object, or
- * BVH_HORIZON_UNKNOWN (src/scene/bvh/bvh_horizon.h).
+ * BVH_HORIZON_UNKNOWN (src/scene/bvh/triangle_horizon.h).
  *
  * Corners of a crack store the opening there (cracks.h) as a half float in the upper half of the
  * fourth number; the lower half is 0. A bubble is stored as a triangle whose rows are: centre and
- * `stretch` (src/scene/bubble.h); axis and 1 for a capsule; (0, 0, 0, radius).
+ * `stretch` (src/scene/bubble_intersect.h); axis and 1 for a capsule; (0, 0, 0, radius).
  *
  * For a single object with horizons, BVH_HORIZON_GRID_WORDS words after the corners divide its
  * bounding box into BVH_HORIZON_GRID cells per axis, x first, 8 cells in a number. A cell holds the

@@ -9,7 +9,7 @@
 #include "src/frame/output_layers.h"
 #include "src/gpu/gpu.h"
 #include "src/gpu/gpu_swapchain.h"
-#include "src/metric/comparison.h"
+#include "src/metric/layer_comparison.h"
 #include "src/reader/reader_process.h"
 #include "src/render/pixel_filter.h"
 #include "src/scene/scene.h"

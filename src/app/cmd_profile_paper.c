@@ -14,7 +14,7 @@
 #include "src/app/profile_job.h"
 #include "src/base/log.h"
 #include "src/profile/statistics.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 
 enum {
     CASE_SETTINGS = 10

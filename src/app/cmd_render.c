@@ -22,10 +22,10 @@
 #include "src/image/file_io.h"
 #include "src/reader/image_reader.h"
 #include "src/reference/reference.h"
-#include "src/reference/reference_layers.h"
+#include "src/reference/reference_aov_planes.h"
+#include "src/render/frame_requests.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/renderer.h"
-#include "src/render/renderer_requests.h"
 #include "src/tech/refract/refract_reference.h"
 
 struct job {

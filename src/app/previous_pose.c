@@ -6,7 +6,7 @@
 #include "shaders/output/first_surface.h"
 #include "src/app/layer_image.h"
 #include "src/base/log.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 bool previous_pose_is_needed(const struct app_image *image)
 {

@@ -4,7 +4,7 @@
 
 #include "src/app/app.h"
 #include "src/app/progress.h"
-#include "src/profile/measure.h"
+#include "src/profile/measure_frames.h"
 #include "src/profile/sweep.h"
 
 struct profile_job {

@@ -5,7 +5,7 @@
 #include "graph/rg_cmd.h"
 #include "src/base/log.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 /* Copies the image (first resource use of the pass) to the readback buffer (second use). */
 static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)

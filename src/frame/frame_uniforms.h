@@ -3,7 +3,7 @@
 #define FIRN_FRAME_FRAME_UNIFORMS_H
 
 #include "shaders/specialization_constants.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 /* Returns the push constants of the image's camera. */
 struct surroundings_push frame_view_push(const struct frame_view *view);

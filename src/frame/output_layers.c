@@ -1,6 +1,6 @@
 /* output_layers.c: declaration of the beauty layer. */
 #include "src/frame/output_layers.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 const struct frame_layer frame_beauty = {
     .name = "beauty",

@@ -12,7 +12,7 @@
 #include "src/base/log.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/techniques.h"
 
 /* Limits of the automatically chosen face size of the environment cube, texels. */

@@ -8,7 +8,7 @@
 #ifndef FIRN_FRAME_THIN_LENS_H
 #define FIRN_FRAME_THIN_LENS_H
 
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 struct frame_lens {
     vec3s aside; /* camera to lens point, world, metres */

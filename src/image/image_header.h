@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "src/base/status.h"
+#include "src/image/color_primaries.h"
 #include "src/image/image.h"
-#include "src/image/primaries.h"
 
 enum {
     IMAGE_TEXT_COUNT_MAX = 16,

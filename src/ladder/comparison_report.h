@@ -7,7 +7,7 @@
 #define FIRN_LADDER_COMPARISON_REPORT_H
 
 #include <stdio.h>
-#include "src/ladder/model_comparison.h"
+#include "src/ladder/refraction_model_comparison.h"
 
 struct ladder_report {
     const struct ladder *ladder;

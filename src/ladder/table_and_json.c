@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/ladder/comparison_report.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 
 enum {
     NAME_COLUMNS = 12

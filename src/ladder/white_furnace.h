@@ -7,7 +7,7 @@
 #define FIRN_LADDER_WHITE_FURNACE_H
 
 #include <stdio.h>
-#include "src/ladder/model_comparison.h"
+#include "src/ladder/refraction_model_comparison.h"
 
 /* Maximum deviation from 1 at which a pixel passes. */
 extern const double furnace_tolerance;

@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 
 enum {
     NAME_COLUMNS = 30,

@@ -6,7 +6,7 @@
 #include "src/profile/json_fields.h"
 #include "src/profile/statistics.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 
 /* Key, offset and size of a struct member, for initialisers of struct profile_field. */
 #define KEY(key, object, member) \

@@ -6,7 +6,7 @@
 #include "src/profile/sweep.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 
 enum {
     PARAMETERS_COLUMNS = 42, /* maximum of all parameters together */

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/profile/table_rows.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 
 enum {
     NAME_COLUMNS = 32,

@@ -4,7 +4,7 @@
 
 #include "src/reference/embree_scene.h"
 #include "src/render/pixel_filter.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 struct camera_rays {
     struct frame_view view;

@@ -5,7 +5,7 @@
  * also ignores faces of the same object with the wrong orientation if they are closer than epsilon,
  * or if interpolated normals gave the ray a direction on the wrong side (`is_wrong_side`). Cracks
  * and planes of air closer than epsilon are ignored. Bubbles are intersected analytically
- * (src/scene/bubble.h): a ray that starts on a bubble hits it again only from inside.
+ * (src/scene/bubble_intersect.h): a ray that starts on a bubble hits it again only from inside.
  *
  * Thread safety: several threads may call embree_scene_intersect() at the same time.
  */

@@ -6,7 +6,7 @@
 #include "shaders/lighting/bump_normal.h"
 #include "shaders/surroundings/sky.h"
 #include "src/image/half_float.h"
-#include "src/reference/linear_filter.h"
+#include "src/reference/linear_texture_filter.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/cracks.h"
 #include "src/tech/inclusions/frost.h"

@@ -8,7 +8,7 @@
 #include "shaders/water/pool_tiles.h"
 #include "src/image/half_float.h"
 #include "src/image/srgb.h"
-#include "src/reference/linear_filter.h"
+#include "src/reference/linear_texture_filter.h"
 #include "src/scene/material_table.h"
 
 #define TILES_WIDTH ABI_VEC2(1e-4f, 1e-4f) /* texture filter width of procedural tiles */

@@ -5,7 +5,7 @@
 #include "src/reference/light_gather.h"
 #include "src/reference/photons.h"
 #include "src/reference/pool_scene.h"
-#include "src/reference/primary_hit_layers.h"
+#include "src/reference/primary_hit_aovs.h"
 #include "src/reference/ray_branch.h"
 #include "src/tech/output/gbuffer.h"
 

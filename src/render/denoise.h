@@ -19,8 +19,8 @@ enum {
 };
 
 /* Adds denoised lighting to those of the planes R, G and B that the image has. `ground` has the
- * averaged planes of frame_denoise_layers (src/tech/frame.h), and a plane "samples" with the sample
- * count of each pixel. Returns false when out of memory. */
+ * averaged planes of frame_denoise_layers (src/tech/frame_resources.h), and a plane "samples" with
+ * the sample count of each pixel. Returns false when out of memory. */
 bool denoise_light(struct image *image, const struct image *ground);
 
 #endif

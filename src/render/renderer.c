@@ -16,14 +16,14 @@
 #include "src/image/half_float.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/render/frame_executor.h"
-#include "src/render/frame_objects.h"
+#include "src/render/frame_requests.h"
+#include "src/render/object_draw_order.h"
 #include "src/render/renderer_internal.h"
-#include "src/render/renderer_requests.h"
 #include "src/render/sample_accumulation.h"
 #include "src/render/shader_warm_up.h"
 #include "src/render/uploaded_scene.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/techniques.h"
 
 /* ---- plans ---- */

@@ -2,10 +2,10 @@
 #include "src/base/log.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/render/denoise.h"
+#include "src/render/frame_requests.h"
 #include "src/render/renderer_internal.h"
-#include "src/render/renderer_requests.h"
 #include "src/render/sample_accumulation.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 bool renderer_denoise_begin(struct renderer *r)
 {

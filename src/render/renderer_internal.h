@@ -5,7 +5,7 @@
 #include "src/base/tile.h"
 #include "src/frame/env_cube_updates.h"
 #include "src/render/frame_executor.h"
-#include "src/render/frame_objects.h"
+#include "src/render/object_draw_order.h"
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
 

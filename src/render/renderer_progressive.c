@@ -3,8 +3,8 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/image/half_float.h"
+#include "src/render/frame_requests.h"
 #include "src/render/renderer_internal.h"
-#include "src/render/renderer_requests.h"
 #include "src/render/sample_accumulation.h"
 
 enum status renderer_set_view(struct renderer *r, VkExtent2D view)

@@ -11,7 +11,7 @@
 #include "src/gpu/gpu.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/settings/settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/techniques.h"
 
 enum {

@@ -4,16 +4,16 @@
 #define FIRN_SCENE_SCENE_H
 
 #include "src/scene/ao_occluders.h"
-#include "src/scene/bump_maps.h"
 #include "src/scene/bvh/bvh.h"
 #include "src/scene/environment/environment.h"
 #include "src/scene/generate/generate.h"
+#include "src/scene/ice_bump_map.h"
 #include "src/scene/import/model.h"
 #include "src/scene/import/sandboxed_load.h"
 #include "src/scene/material_override.h"
+#include "src/scene/medium_density.h"
 #include "src/scene/melt/melt.h"
 #include "src/scene/model_transform.h"
-#include "src/scene/scattering_media.h"
 
 enum scene_background {
     SCENE_SKY,

@@ -54,7 +54,7 @@ struct technique_config {
     bool is_nested;         /* nested objects are rendered together (ice_nested.h) */
     bool hits_surroundings; /* rays hit triangles of the surroundings */
     bool has_diffuse_light; /* ray-traced lighting of all surroundings */
-    /* True if traced lighting is denoised when the request allows it (renderer_requests.c). */
+    /* True if traced lighting is denoised when the request allows it (frame_requests.c). */
     bool is_lighting_denoised;
     bool queries; /* rays use hardware acceleration structures */
 };

@@ -4,7 +4,7 @@
 #ifndef FIRN_VIEW_PIXEL_INSPECTOR_H
 #define FIRN_VIEW_PIXEL_INSPECTOR_H
 
-#include "src/view/viewport.h"
+#include "src/view/view_renderers.h"
 
 enum {
     PIXEL_INSPECTOR_LAYER_MAX = FRAME_LAYER_MAX + 1,

@@ -3,7 +3,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/render/frame_executor.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_frame_stats.h"
 

@@ -15,9 +15,9 @@
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 #include "src/gpu/gpu_swapchain.h"
-#include "src/view/overlay.h"
 #include "src/view/overlay_draw_list.h"
-#include "src/view/present.h"
+#include "src/view/present_pass.h"
+#include "src/view/ui_overlay.h"
 
 struct presenter_images {
     VkImage left, right;

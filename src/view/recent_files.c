@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/image/file_io.h"
-#include "src/view/user_files.h"
+#include "src/view/xdg_folders.h"
 
 static char *file_name(bool make)
 {

@@ -5,7 +5,7 @@
 #define FIRN_VIEW_UNDO_SCENES_H
 
 #include "src/view/undo_stack.h"
-#include "src/view/viewport.h"
+#include "src/view/view_renderers.h"
 
 struct undo_scene {
     struct undo_scene *next;

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include "src/settings/scene_settings.h"
 #include "src/view/orbit_camera.h"
-#include "src/view/ui/ui_render_command.h"
-#include "src/view/user_files.h"
+#include "src/view/ui/ui_reproduce_command.h"
 #include "src/view/view_internal.h"
+#include "src/view/xdg_folders.h"
 
 static const float key_rotation_deg = 5.0f;
 static const float ui_scale_step = 0.25f;

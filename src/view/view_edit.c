@@ -9,9 +9,9 @@
 #include "src/image/file_io.h"
 #include "src/view/file_kind.h"
 #include "src/view/recent_files.h"
-#include "src/view/user_files.h"
 #include "src/view/view_internal.h"
 #include "src/view/worker_thread.h"
+#include "src/view/xdg_folders.h"
 
 enum {
     TEXT_SIZE = 200,

@@ -14,7 +14,7 @@
 #include "src/view/view_compare.h"
 #include "src/view/view_frame_stats.h"
 #include "src/view/view_progressive.h"
-#include "src/view/viewport.h"
+#include "src/view/view_renderers.h"
 #include "src/view/window.h"
 
 enum {

@@ -9,9 +9,9 @@
 #include "src/scene/bundled_assets.h"
 #include "src/view/recent_files.h"
 #include "src/view/session_file.h"
-#include "src/view/user_files.h"
 #include "src/view/view_internal.h"
 #include "src/view/worker_thread.h"
+#include "src/view/xdg_folders.h"
 
 _Static_assert((int)SESSION_FILE_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT,
                "sessions keep all bookmarks");

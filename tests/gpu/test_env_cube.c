@@ -12,7 +12,7 @@
 #include "src/frame/pass_list.h"
 #include "src/image/half_float.h"
 #include "src/render/uploaded_scene.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 

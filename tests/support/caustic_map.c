@@ -9,7 +9,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/water/caustics.h"
 #include "src/tech/water/pool.h"
 #include "tests/support/run_graph.h"

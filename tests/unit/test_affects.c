@@ -8,7 +8,7 @@
 #include "src/app/app.h"
 #include "src/frame/frame_plan.h"
 #include "src/frame/frame_uniforms.h"
-#include "src/scene/bump_maps.h"
+#include "src/scene/ice_bump_map.h"
 #include "tests/support/assertions.h"
 
 enum {

@@ -1,7 +1,7 @@
 /* Bodies around objects, and the light that they bring. */
 #include <cglm/struct.h>
 
-#include "src/scene/ao_light.h"
+#include "src/scene/ao_occluder_transmission.h"
 #include "tests/support/assertions.h"
 
 /* Puts a box, of 12 triangles, into arrays; indices[0] is that of its first vertex. */

@@ -1,5 +1,5 @@
 /* The map of the ice's surface: it repeats, has the slopes and smooth parts it promises. */
-#include "src/scene/bump_maps.h"
+#include "src/scene/ice_bump_map.h"
 
 #include <math.h>
 #include <string.h>

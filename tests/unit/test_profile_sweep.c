@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/profile/sweep.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"
 #include "tests/support/profile_sample.h"

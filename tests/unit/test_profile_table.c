@@ -5,7 +5,7 @@
 #include "src/profile/baseline_comparison.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text_columns.h"
+#include "src/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"
 #include "tests/support/profile_sample.h"

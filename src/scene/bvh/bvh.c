@@ -9,9 +9,9 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/image/half_float.h"
-#include "src/scene/bvh/bvh_horizon.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
+#include "src/scene/bvh/triangle_horizon.h"
 
 /* Factors by which deformation may raise a BVH's SAH cost before the BVH is rebuilt. The limit is
  * lower for the BVH of a whole scene part, which all rays traverse. */

@@ -14,7 +14,7 @@
 #define FIRN_SCENE_GENERATE_GENERATE_H
 
 #include "shaders/inclusions/bubbles.h"
-#include "src/scene/bubble.h"
+#include "src/scene/bubble_intersect.h"
 #include "src/scene/geometry/mesh.h"
 
 enum {

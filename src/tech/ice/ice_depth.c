@@ -11,7 +11,7 @@
 #include "src/tech/ice/ice_depth.h"
 #include "shaders/embedded.h"
 #include "shaders/ice/ice_depth.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 const struct rg_image ice_depth_front = {
     .name = "ice_depth.front",

@@ -4,7 +4,7 @@
 #include "src/tech/technique.h"
 
 /* Depth of the nearest front face and of the farthest back face, from 0 (near) to 1 (far). Without
- * ice, front depth is 1 and back depth is 0. fitted_depth.glsl converts depth to metres. */
+ * ice, front depth is 1 and back depth is 0. linearize_depth.glsl converts depth to metres. */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
 /* View-space depth of front and back face and thickness along the ray, metres; 0 without ice. */

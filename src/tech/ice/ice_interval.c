@@ -10,7 +10,7 @@
  */
 #include "src/tech/ice/ice_interval.h"
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/pass_builder.h"
 
 const struct rg_image ice_interval_count = {

@@ -11,8 +11,8 @@
 #include "src/tech/ice/ice_nested.h"
 #include <cglm/struct.h>
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
 #include "src/tech/frame_media.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/inclusions/medium_field.h"
 #include "src/tech/pass_builder.h"

@@ -12,7 +12,7 @@
 #include "src/tech/ice/ice_normal.h"
 #include "shaders/embedded.h"
 #include "shaders/ice/ice_textured.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/pass_builder.h"
 #include "src/tech/water/pool.h"

@@ -18,7 +18,7 @@
 #include "shaders/ice/ice_depth.h"
 #include "shaders/inclusions/air.h"
 #include "shaders/inclusions/medium.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
 
 static rg_record_fn record_planes;
@@ -97,7 +97,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &air_color, RG_LOAD_DISCARD }),
         .uses = layer_uses,
         .vert = &composite_vert,
-        .frag = &air_layer_frag,
+        .frag = &air_aov_frag,
         .record = frame_draw_screen,
     },
 };

@@ -26,7 +26,7 @@
 #include "shaders/inclusions/bubbles.h"
 #include "shaders/refract/refract.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/inclusions/cracks.h"

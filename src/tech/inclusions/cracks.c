@@ -25,7 +25,7 @@
 #include "src/tech/inclusions/cracks.h"
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
 #include "src/tech/ice/ice_interval.h"
 #include "src/tech/ice/ice_normal.h"

@@ -18,7 +18,7 @@
 #include "src/tech/inclusions/frost.h"
 #include "shaders/embedded.h"
 #include "shaders/inclusions/frost.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/refract/refract.h"
 

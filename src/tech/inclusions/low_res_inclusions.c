@@ -9,7 +9,7 @@
 #include "shaders/embedded.h"
 #include "shaders/output/composite.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 /* Image at reduced resolution; the builder owns it. */
 struct low_res_image {

@@ -4,12 +4,12 @@
  * Each object is approximated by a box (src/scene/ao_occluders.h). The sky light that it blocks at
  * a diffuse surface is the form factor of the box, a sum over its silhouette edges (Lambert 1760),
  * times the environment's radiance in that direction. In return the object adds sky and ground
- * light that it transmits or reflects, less absorption (src/scene/ao_light.h), so clear objects
- * occlude little, and not at all in a uniform environment. The result is stored in a map from above
- * for the plane of the objects' base; surroundings look it up and fade it with their distance from
- * that plane. Unlike screen-space ambient occlusion, boxes give analytic, noise-free and
- * view-independent results. The map also holds the occlusion of the sky by surroundings that stand
- * on the plane (height field, horizon search); they are taken to be light grey.
+ * light that it transmits or reflects, less absorption (src/scene/ao_occluder_transmission.h), so
+ * clear objects occlude little, and not at all in a uniform environment. The result is stored in a
+ * map from above for the plane of the objects' base; surroundings look it up and fade it with their
+ * distance from that plane. Unlike screen-space ambient occlusion, boxes give analytic, noise-free
+ * and view-independent results. The map also holds the occlusion of the sky by surroundings that
+ * stand on the plane (height field, horizon search); they are taken to be light grey.
  *
  * Limits: an object transmits equal fractions to all points around it; the light is that of the
  * whole sky, of the environment behind it or of the surface itself. Walls are not shaded. Hollow
@@ -24,9 +24,9 @@
 #include "shaders/embedded.h"
 #include "shaders/lighting/ao.h"
 #include "shaders/specialization_constants.h"
-#include "src/scene/ao_light.h"
-#include "src/tech/frame.h"
+#include "src/scene/ao_occluder_transmission.h"
 #include "src/tech/frame_media.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/inclusions/medium_field.h"
 
 static const struct rg_buffer bodies = {

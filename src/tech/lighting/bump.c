@@ -2,7 +2,7 @@
 #include "src/tech/lighting/bump.h"
 #include <math.h>
 #include "shaders/specialization_constants.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 const struct rg_image bump_map = {
     .name = "bump.map",

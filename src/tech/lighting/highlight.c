@@ -13,7 +13,7 @@
 #include "src/tech/lighting/highlight.h"
 #include "shaders/lighting/highlight.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 const struct rg_image highlight_radiance = {
     .name = "highlight.radiance",

@@ -28,7 +28,7 @@
 #include "shaders/refract/refract.h"
 #include "shaders/specialization_constants.h"
 #include "shaders/surroundings/surroundings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/pass_builder.h"
 #include "src/tech/refract/refract_bounce.h"
@@ -252,7 +252,7 @@ static const struct rg_pass layer_pass = {
     .depth_read_only = true,
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
     .vert = &surroundings_vert,
-    .frag = &ice_caustics_layers_frag,
+    .frag = &ice_caustics_aov_frag,
     .vertices = &frame_mesh_layout,
     .push_size = sizeof(struct surroundings_push),
     .record = record_layers,

@@ -10,7 +10,7 @@
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/bubbles.h"

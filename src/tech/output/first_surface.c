@@ -6,7 +6,7 @@
 #include "src/tech/output/first_surface.h"
 #include "shaders/embedded.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/technique.h"
 
 static rg_record_fn record_surroundings, record_objects;

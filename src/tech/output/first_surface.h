@@ -3,7 +3,7 @@
 #define FIRN_TECH_OUTPUT_FIRST_SURFACE_H
 
 #include "shaders/output/first_surface.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 extern const struct rg_image first_surface_object; /* the layer `object` */
 

@@ -7,7 +7,7 @@
  */
 #include "src/tech/output/gbuffer.h"
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 static rg_record_fn record_surroundings, record_object;
 

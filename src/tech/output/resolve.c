@@ -4,7 +4,7 @@
  * Samples are accumulated in float on the CPU. Tone mapping is not linear, so the mean is taken
  * first and copied to frame_color, where tonemap reads it.
  */
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/technique.h"
 
 static rg_record_fn record_upload;

@@ -10,7 +10,7 @@
 #include "shaders/embedded.h"
 #include "shaders/output/tonemap.h"
 #include "shaders/specialization_constants.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 static rg_record_fn record_screen;
 

@@ -1,6 +1,6 @@
 /* absorb.c: Beer-Lambert absorption of light in the object: settings and uniforms. */
 #include "src/tech/refract/absorb.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 static const struct setting rows[] = {
     {

@@ -1,7 +1,7 @@
 /* env_box.c: box of parallax-corrected environment lookups (refract.lookup=box). */
 #include "src/tech/refract/env_box.h"
 #include <math.h>
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 #define SIDE(field, former, what) \
     { \

@@ -3,7 +3,7 @@
 #include <assert.h>
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/medium_field.h"

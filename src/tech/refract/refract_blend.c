@@ -10,7 +10,7 @@
  */
 #include "shaders/refract/refract_blend.h"
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/refract/refract.h"
 

@@ -16,7 +16,7 @@
 #include "shaders/embedded.h"
 #include "shaders/refract/refract_bounce.h"
 #include "shaders/specialization_constants.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_nested.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/inclusions/cracks.h"

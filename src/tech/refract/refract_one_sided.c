@@ -8,7 +8,7 @@
  * (docs/truth.md).
  */
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/refract/refract.h"
 
 static const struct rg_use uses[] = {

@@ -12,7 +12,7 @@
 #include "src/tech/refract/refract_paper.h"
 #include "shaders/embedded.h"
 #include "shaders/refract/refract_paper.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/refract/refract.h"
 

@@ -9,7 +9,7 @@
  * finer than vertices and are ignored.
  */
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/refract/refract.h"
 
 static const struct rg_use uses[] = {

@@ -11,7 +11,7 @@
  */
 #include "shaders/embedded.h"
 #include "shaders/refract/refract_march.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/refract/refract.h"
 

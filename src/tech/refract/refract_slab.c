@@ -8,7 +8,7 @@
  * Error: all of the deviation, wherever the back is not parallel to the front.
  */
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/refract/refract.h"
 

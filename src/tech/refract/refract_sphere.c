@@ -10,7 +10,7 @@
  * cubes do.
  */
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/refract/refract.h"
 
 static const struct rg_use uses[] = {

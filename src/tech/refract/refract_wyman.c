@@ -11,7 +11,7 @@
  * reflected light leaves in the direction of its first reflection.
  */
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/refract/refract.h"
 

@@ -13,7 +13,7 @@
  * missing in any case.
  */
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/lighting/ice_caustics.h"
 #include "src/tech/surroundings/surroundings.h"
 

@@ -22,7 +22,7 @@
 #include "shaders/embedded.h"
 #include "shaders/surroundings/ssr.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/pass_builder.h"
 #include "src/tech/refract/refract.h"

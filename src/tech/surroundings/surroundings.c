@@ -7,7 +7,7 @@
 #include "shaders/embedded.h"
 #include "shaders/material_layout.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/lighting/ao.h"
 #include "src/tech/lighting/ice_caustics.h"
 #include "src/tech/pass_builder.h"

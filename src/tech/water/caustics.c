@@ -26,7 +26,7 @@
  */
 #include "src/tech/water/caustics.h"
 #include "shaders/embedded.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/water/pool.h"
 
 static rg_record_fn record_map, record_grid, record_photons, record_screen, record_strip,

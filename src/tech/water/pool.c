@@ -4,7 +4,7 @@
  * Fry 1997).
  */
 #include "src/tech/water/pool.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/refract/refract.h"
 
 struct water_push pool_push_of(const struct settings *settings)

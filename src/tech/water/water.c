@@ -25,7 +25,7 @@
 #include <math.h>
 #include "shaders/embedded.h"
 #include "shaders/water/wave_function.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_normal.h"
 #include "src/tech/output/gbuffer.h"
 #include "src/tech/pass_builder.h"
@@ -110,7 +110,7 @@ static const struct rg_pass layers_pass = {
 static const struct rg_pass below_pass = {
     .name = "water.below",
     .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
-    .vert = &water_below_vert,
+    .vert = &underwater_view_vert,
     .push_size = sizeof(struct water_push),
     .record = record_below,
     .when = is_below,
@@ -119,7 +119,7 @@ static const struct rg_pass below_pass = {
 static const struct rg_pass below_layers_pass = {
     .name = "water.below_layers",
     .color = RG_TARGETS({ &caustics_layer, RG_LOAD_KEEP }),
-    .vert = &water_below_vert,
+    .vert = &underwater_view_vert,
     .push_size = sizeof(struct water_push),
     .record = record_below,
     .when = is_below,
@@ -141,12 +141,12 @@ static const struct rg_shader *const layers_frags[2] = {
 };
 
 static const struct rg_shader *const below_frags[2][2] = {
-    { &water_below_frag, &water_below_caustics_frag },
-    { &water_below_iced_frag, &water_below_iced_caustics_frag },
+    { &underwater_view_frag, &underwater_view_caustics_frag },
+    { &underwater_view_iced_frag, &underwater_view_iced_caustics_frag },
 };
 static const struct rg_shader *const below_layers_frags[2] = {
-    &water_below_caustics_aov_frag,
-    &water_below_iced_caustics_aov_frag,
+    &underwater_view_caustics_aov_frag,
+    &underwater_view_iced_caustics_aov_frag,
 };
 
 /* Appends a copy of `pass` with the given resource uses and fragment shader. */

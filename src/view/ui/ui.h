@@ -12,7 +12,7 @@
 #include "src/view/ui/ui_frame_pacing.h"
 #include "src/view/ui/ui_thumbnails.h"
 #include "src/view/undo_stack.h"
-#include "src/view/viewport.h"
+#include "src/view/view_renderers.h"
 #include "src/view/window.h"
 #include "src/view/window_layout.h"
 

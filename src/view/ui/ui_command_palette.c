@@ -12,7 +12,7 @@
 #include "src/view/ui/ui_internal.h"
 #include "src/view/ui/ui_search_synonyms.h"
 #include "src/view/ui/ui_settings.h"
-#include "src/view/user_files.h"
+#include "src/view/xdg_folders.h"
 
 enum {
     ENTRIES_MAX = 400,

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/render/frame_executor.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/output/tonemap.h"
 
 enum {

@@ -11,7 +11,7 @@
 #include "shaders/output/tonemap.h"
 #include "shaders/refract/refract_paper.h"
 #include "src/frame/frame_uniforms.h"
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/refract_paper.h"
 

@@ -3,7 +3,7 @@
 
 #include "tests/bench/frame/by_hand_private.h"
 
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 #define TARGET VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
 #define DEPTHS VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT

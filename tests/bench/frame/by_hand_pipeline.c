@@ -1,7 +1,7 @@
 /* by_hand_pipeline.c: descriptors and pipelines. */
 #include "tests/bench/frame/by_hand_private.h"
 
-#include "src/tech/frame.h"
+#include "src/tech/frame_resources.h"
 
 static VkShaderModule make_module(const struct by_hand *h, const struct rg_shader *shader)
 {

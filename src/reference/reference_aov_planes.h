@@ -1,0 +1,62 @@
+/* reference_aov_planes.h: values computed for a camera ray, and the layers (AOVs) that store them.
+ */
+#ifndef FIRN_REFERENCE_REFERENCE_AOV_PLANES_H
+#define FIRN_REFERENCE_REFERENCE_AOV_PLANES_H
+
+#include <cglm/types-struct.h>
+#include "src/frame/output_layers.h"
+#include "src/settings/settings.h"
+
+/* Inclusion types hit by a path: bits of the layer `inclusions`. */
+enum reference_inclusion {
+    REFERENCE_INCLUSION_BUBBLES = 1,
+    REFERENCE_INCLUSION_CRACKS = 2,
+    REFERENCE_INCLUSION_AIR = 4, /* or a plane of air */
+};
+
+/* Float values computed for a camera ray; 0 if nothing is hit. */
+struct reference_ray_values {
+    vec3s color; /* linear radiance */
+    float alpha; /* 1; 0 for a hidden background */
+    float z;     /* view depth, metres; else GBUFFER_NOTHING */
+    vec3s normal, position;
+    /* Refracted path: direction `exit` of the leaving ray, length `path` inside the object in
+     * metres, number `bounces` of total internal reflections, and `tir`, 1 if `bounces` is not 0.
+     */
+    vec3s exit;
+    float path, bounces, tir;
+    float inclusion_bits;         /* inclusions hit by the refracted path */
+    vec3s refraction, reflection; /* radiance per primary branch */
+    float fresnel;                /* primary hit's reflectance; green if dispersive */
+    vec3s remaining;              /* throughput of terminated rays */
+    vec3s albedo;
+    float object; /* primary hit's object number */
+    float last;   /* refracted path's last object number */
+    vec2s motion; /* pixels since the previous frame */
+};
+
+enum {
+    REFERENCE_RAY_VALUE_COUNT = sizeof(struct reference_ray_values) / sizeof(float),
+    REFERENCE_RAY_VALUE_ERROR, /* standard error of a pixel (reference_sample_sums.h) */
+    REFERENCE_RAY_VALUE_NONE,
+};
+
+/* Returns the index of the value that an image plane stores. REFERENCE_RAY_VALUE_ERROR is the
+ * standard error, REFERENCE_RAY_VALUE_NONE an unknown plane. */
+size_t reference_layers_find(const char *plane);
+
+/* Returns the name of the plane that stores value `index`, or NULL. */
+const char *reference_layers_plane(size_t index);
+
+/* Returns true if the path tracer can compute a layer. */
+bool reference_has_layer(const struct frame_layer *layer);
+
+enum {
+    REFERENCE_NAMES_SIZE = 512 /* bytes for the names of reference_unsupported() */
+};
+
+/* Writes a comma-separated list of the enabled features that the path tracer lacks to `names`.
+ * Returns true if there are any. */
+bool reference_unsupported(const struct settings *settings, char *names, size_t size);
+
+#endif

@@ -1,0 +1,85 @@
+/* renderer_reconfigure.c: switches a renderer to other params, keeping the resources that both
+ * need. */
+#include <stdlib.h>
+#include "src/base/log.h"
+#include "src/render/frame_requests.h"
+#include "src/render/renderer_internal.h"
+#include "src/render/shader_warm_up.h"
+
+/* Replaces the plan of frame_executor by one compiled from the request. */
+static enum status replace(struct renderer *r, struct frame_executor *frame_executor,
+                           struct frame_request request)
+{
+    struct frame_executor next = { 0 };
+    enum status status = frame_executor_compile(&next, &r->params, request);
+    struct rg_exec_import *imports = status == STATUS_OK ? renderer_imports(r, next.frame) : NULL;
+    if (status == STATUS_OK && !imports)
+        status = log_out_of_memory(NULL);
+    if (status == STATUS_OK)
+        status = frame_executor_replace(frame_executor, &next, &r->params, imports);
+    frame_executor_destroy(&next);
+    free(imports);
+    return status;
+}
+
+static enum status update(struct renderer *r, struct frame_executor *frame_executor,
+                          struct frame_request request)
+{
+    return frame_executor->exec ? replace(r, frame_executor, request)
+                                : renderer_compile(r, frame_executor, request);
+}
+
+/* Updates all executors. Destroys `capture` last, because `image` imports its cube. */
+static enum status update_all(struct renderer *r)
+{
+    const bool captures = renderer_wants_capture(&r->params);
+    const bool resolves = renderer_wants_resolve(&r->params);
+    struct frame_executor unused = r->capture;
+    enum status status = STATUS_OK;
+    if (captures)
+        status = update(r, &r->capture, renderer_capture_request(&r->params));
+    else
+        r->capture = (struct frame_executor){ 0 };
+    if (status == STATUS_OK)
+        status = update(r, &r->image, renderer_image_request(&r->params));
+    if (!captures)
+        frame_executor_destroy(&unused);
+    if (!resolves)
+        frame_executor_destroy(&r->resolve);
+    else if (status == STATUS_OK)
+        status = update(r, &r->resolve, renderer_resolve_request(&r->params));
+    return status;
+}
+
+/* Discards sums and drawn cube faces. */
+static void discard_images(struct renderer *r)
+{
+    image_finish(&r->sums);
+    r->sum_count = 0;
+    r->captured = false;
+    r->cube.drawn = 0;
+    r->cube.next = 0;
+}
+
+enum status renderer_change(struct renderer *r, const struct renderer_params *params)
+{
+    shader_warm_up_end(r->warm_up); /* the warm-up reads the plan */
+    r->warm_up = NULL;
+    /* Wait here, because rg_exec_update() of the image does not wait for `capture`. */
+    enum status status = renderer_wait(r);
+    renderer_set_params(r, params);
+    discard_images(r);
+    if (status == STATUS_OK)
+        status = gpu_check_size(params->gpu, r->params.width, r->params.height);
+    if (status == STATUS_OK && renderer_uses_bvh(&r->params)) {
+        status = renderer_build_bvh(r);
+        if (status == STATUS_OK)
+            status = renderer_upload_bvh(r);
+    }
+    if (status == STATUS_OK)
+        status = update_all(r);
+    frame_objects_finish(&r->objects);
+    if (status == STATUS_OK)
+        status = frame_objects_init(&r->objects, &r->image.frame->list, r->params.scene);
+    return status;
+}

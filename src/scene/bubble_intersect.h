@@ -1,0 +1,37 @@
+/* bubble_intersect.h: air bubble: a sphere, an ellipsoid of revolution, or a capsule. A capsule is
+ * all points within a radius of its axis segment. Bubbles are convex. */
+#ifndef FIRN_SCENE_BUBBLE_INTERSECT_H
+#define FIRN_SCENE_BUBBLE_INTERSECT_H
+
+#include "src/scene/geometry/mesh.h"
+
+struct bubble {
+    vec3s center;
+    float radius; /* radius across the axis, metres */
+    /* half-length along the axis minus radius, metres; oblate bubbles have a negative value */
+    float stretch;
+    vec3s axis;      /* unit axis; may be zero for a sphere */
+    bool is_capsule; /* true for a capsule (stretch >= 0) */
+};
+
+static inline bool bubble_is_sphere(const struct bubble *bubble)
+{
+    return !(bubble->stretch < 0.0f || bubble->stretch > 0.0f);
+}
+
+struct box bubble_box(const struct bubble *bubble);
+
+bool bubble_contains(const struct bubble *bubble, vec3s point);
+
+/* Intersects the line of a ray with a bubble. The two distances are in lengths of `dir`, and may be
+ * negative. Returns false for a miss. */
+bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
+
+struct bubble_face {
+    vec3s position, normal; /* `normal` is unit, outward */
+};
+
+/* Returns the surface point nearest to a ray's hit, which may be off the surface by rounding. */
+struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec3s dir, double at);
+
+#endif

@@ -1,0 +1,100 @@
+/* model_resource_files.c: opens the files that a model refers to, confined to the model's folder.
+ */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "src/base/log.h"
+#include "src/scene/import/importer.h"
+
+static int hex_digit(char c)
+{
+    const char *digits = "0123456789abcdef";
+    const char *found = c ? strchr(digits, c | 0x20) : NULL;
+    return found ? (int)(found - digits) : -1;
+}
+
+static bool has_scheme(const char *name)
+{
+    const char *c = name;
+    while (isalnum((unsigned char)*c) || (c > name && (*c == '+' || *c == '-' || *c == '.')))
+        c++;
+    return c > name && *c == ':';
+}
+
+static bool leads_outside(const char *name)
+{
+    if (name[0] == '/' || strstr(name, "://"))
+        return true;
+    for (const char *part = name; part; part = strchr(part, '/')) {
+        part += *part == '/';
+        if (strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == '\0'))
+            return true;
+    }
+    return false;
+}
+
+bool model_file_clean(char *name, bool is_uri)
+{
+    const bool has_uri_scheme = is_uri && has_scheme(name);
+    char *to = name;
+    for (const char *from = name; *from; from++) {
+        int high = is_uri && *from == '%' ? hex_digit(from[1]) : -1;
+        int low = high >= 0 ? hex_digit(from[2]) : -1;
+        char c = *from;
+        if (low >= 0) {
+            c = (char)(high * 16 + low);
+            from += 2;
+        }
+        *to++ = (char)(c == '\\' ? '/' : c);
+    }
+    *to = '\0';
+    return !has_uri_scheme && !leads_outside(name);
+}
+
+char *model_file_join(const char *model, const char *name)
+{
+    const char *slash = strrchr(model, '/');
+    const size_t folder = slash ? (size_t)(slash - model) + 1 : 0;
+    const size_t length = strlen(name);
+    char *path = malloc(folder + length + 1);
+    if (path) {
+        memcpy(path, model, folder);
+        memcpy(path + folder, name, length + 1);
+    }
+    return path;
+}
+
+/* Returns the path of a file relative to the model's folder; the caller frees it. */
+static char *local_name(const struct model_import *import, const char *path)
+{
+    const char *slash = strrchr(import->path, '/');
+    const size_t folder = slash ? (size_t)(slash - import->path) + 1 : 0;
+    return strdup(strncmp(path, import->path, folder) == 0 ? path + folder : path);
+}
+
+/* Returns true if a file exists within the model's folder; else records its name in *import. */
+static bool is_allowed(struct model_import *import, const char *path)
+{
+    struct stat info;
+    char *name = local_name(import, path);
+    if (!name)
+        return false;
+    const bool is_inside = model_file_clean(name, false);
+    if (!is_inside && import->refused_file[0] == '\0')
+        snprintf(import->refused_file, sizeof(import->refused_file), "%s", path);
+    /* Opens only regular files, because opening a named pipe would block. */
+    const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
+    if (is_inside && !is_there && import->missing_file[0] == '\0')
+        snprintf(import->missing_file, sizeof(import->missing_file), "%s", name);
+    free(name);
+    return is_there;
+}
+
+FILE *model_file_open(void *user, const char *path)
+{
+    struct model_import *import = user;
+    const bool is_model = strcmp(path, import->path) == 0; /* the model file may be anywhere */
+    return is_model || is_allowed(import, path) ? fopen(path, "rb") : NULL;
+}

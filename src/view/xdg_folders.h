@@ -1,0 +1,27 @@
+/* xdg_folders.h: folders of the viewer's own files (XDG), and the next file in a folder. Strings
+ * are malloc'd; the caller frees them. */
+#ifndef FIRN_VIEW_XDG_FOLDERS_H
+#define FIRN_VIEW_XDG_FOLDERS_H
+
+#include <stdbool.h>
+
+/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets". With `make`, creates it. Returns
+ * NULL, without logging, if HOME is not set, creation fails or memory runs out. */
+char *user_files_presets(bool make);
+
+char *user_files_sessions(bool make); /* folder of session files, "$XDG_DATA_HOME/firn/sessions" */
+
+/* Returns the folder for state such as recent files, "$XDG_STATE_HOME/firn". */
+char *user_files_state(bool make);
+
+/* Returns the first unused file name "STEM-0001.ENDING" in a folder; NULL on failure. */
+char *user_files_new(const char *folder, const char *stem, const char *ending);
+
+/* Returns the path of file i with one of the extensions, in order of names; NULL after the last. */
+char *user_files_at(const char *folder, const char *const *endings, unsigned i);
+
+/* Returns the next (`step` 1) or previous (-1) model in the folder of `path`, by name, wrapping
+ * around. For a built-in name, returns a built-in scene. Returns NULL if there is no other. */
+char *user_files_next_model(const char *path, int step);
+
+#endif
