@@ -35,7 +35,7 @@
 extern "C" {
 #endif
 
-/* Limits of pass tables. Every device supports them; RG_COLOR_COUNT, every desktop device. */
+/* Limits of pass tables. Only RG_COLOR_COUNT exceeds what some mobile devices support. */
 enum {
     RG_COLOR_COUNT = 8,        /* maximum colour attachments per pass */
     RG_ALL_MIPS = UINT16_MAX,  /* full mip chain, for rg_image.mips */
@@ -46,7 +46,7 @@ enum {
     RG_MAX_ROWS = 1 << 24,     /* maximum entries of other tables */
 };
 
-/* Access of a pass to a resource; compile/access_table.c has its Vulkan stages and access flags. */
+/* Accesses of a pass to a resource; compile/access_table.c has their stages and access flags. */
 enum rg_access {
     RG_ACCESS_NONE,        /* no access; import: undefined content */
     RG_COLOR,              /* colour attachment; implied by rg_pass.color */
@@ -109,13 +109,13 @@ enum rg_memory {
 };
 
 /* A 2D or 3D image, transient unless imported or persistent. A transient image has content from the
- * first to the last pass of a frame that accesses it, and may share memory with others. A
+ * first to the last pass that accesses it in a frame, and may share memory with other images. A
  * persistent image keeps its content between frames (history) and is initially zero. */
 struct rg_image {
     const char *name;       /* unique; shown in dumps and captures */
     VkFormat format;        /* required; one of compile/format_table.c */
     uint32_t width, height; /* texels; 0 means view times `scale` */
-    float scale;            /* `scale`: size relative to view, rounded up to texels; 0 means 1 */
+    float scale;            /* of view, rounded up; default 1 */
     uint32_t layers;        /* array layers; default 1, cube 6 */
     uint32_t mips;          /* mip levels, or RG_ALL_MIPS; default 1 */
     /* samples per texel: a power of two up to 64; 0 means 1. A multisampled image has one mip
@@ -128,10 +128,10 @@ struct rg_image {
     bool persistent; /* keeps content; ignored for imports */
 };
 
-/* A buffer: transient, persistent or imported, like an image. One that is accessed as RG_TRACE,
- * RG_BUILD or RG_BUILD_SOURCE holds exactly one acceleration structure; `size` is its
- * accelerationStructureSize from vkGetAccelerationStructureBuildSizesKHR(). If it is persistent, it
- * is valid once a pass has built it. */
+/* A buffer: transient, persistent or imported, like an image. A buffer that is accessed as
+ * RG_TRACE, RG_BUILD or RG_BUILD_SOURCE holds exactly one acceleration structure; `size` is then
+ * accelerationStructureSize from vkGetAccelerationStructureBuildSizesKHR(). A persistent
+ * acceleration structure is valid once a pass has built it. */
 struct rg_buffer {
     const char *name;            /* unique among resources */
     VkDeviceSize size;           /* bytes, plus size_per_texel per texel */
@@ -162,7 +162,7 @@ struct rg_sampler {
 
 /* Colour of the 1x1 placeholder that a use samples if no pass and no import provides its image. */
 struct rg_fallback {
-    /* linear colour in the format's range (integers truncate); depth formats only use color[0] */
+    /* linear colour in the format's range; integer formats truncate, depth formats use color[0] */
     float color[4];
 };
 
@@ -177,12 +177,12 @@ struct rg_use {
     uint16_t element;
     bool texels;  /* storage texel buffer, of rg_buffer.format */
     bool partial; /* write preserves some earlier content */
-    /* each fragment reads only its own texel (RG_SAMPLED); rg_exec_set_region() then draws less */
+    /* true if each fragment samples only its own texel, which makes rg_exec_set_region() faster */
     bool same_texel;
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    /* placeholder for a missing single-sample image; if NULL, a missing image is a fault */
+    /* placeholder for a missing single-sample image, which is a fault if `fallback` is NULL */
     const struct rg_fallback *fallback;
-    /* shader stages of the access; 0 means compute or fragment, and also vertex if RG_UNIFORM */
+    /* shader stages of the access; 0 means compute or fragment, plus vertex for RG_UNIFORM */
     VkPipelineStageFlags2 stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
 };
@@ -192,36 +192,36 @@ struct rg_target {
     const struct rg_image *image; /* NULL: no attachment */
     enum rg_load load;            /* content when the pass begins */
     VkClearValue clear;           /* for RG_LOAD_CLEAR; depth 0 to 1 */
-    /* mip level and layer to draw to, in a repeated pass for the first repetition. Later
-     * repetitions advance one of the two if the image has several */
+    /* mip level and layer to draw to at the first repetition. Each further one draws to the next
+     * mip level or layer, unless the image has only one */
     uint32_t mip, layer;
     enum rg_blend blend; /* blend mode of a colour target */
-    /* custom blend state instead of `blend`, which must be 0; no dual-source blending */
+    /* custom blend state, which requires that `blend` is 0; no dual-source blending */
     const VkPipelineColorBlendAttachmentState *blend_state;
     /* image of the same format and size that receives the averaged samples of a colour target */
     const struct rg_image *resolve;
     uint32_t resolve_mip, resolve_layer; /* as `mip` and `layer`, of `resolve` */
 };
 
-/* SPIR-V code of one shader stage. The entry point is "main"; descriptors are in set 0, and in set
- * 1 if the pass has a `set`. rg_compile() compares the interface with the passes that use it. */
+/* SPIR-V code of one shader stage with entry point "main". Descriptors are in set 0, and in set 1
+ * if the pass has a `set`. rg_compile() checks passes against the interface of the shader. */
 struct rg_shader {
     const char *name;      /* for captures and messages */
     const uint32_t *words; /* the SPIR-V module; borrowed */
     size_t word_count;     /* 32-bit words; 0: unknown, not validated */
 };
 
-/* Descriptor set 1, owned and bound by the program, for resources such as bindless textures, which
- * the graph neither synchronises nor validates. rg_exec_params.sets has its layout. */
+/* Descriptor set 1, which the program owns and binds, for resources such as bindless textures. The
+ * graph neither synchronises nor validates these. rg_exec_params.sets has the set's layout. */
 struct rg_set {
     const char *name; /* required; for messages and dumps */
 };
 
-/* Layout of one vertex buffer, in a linked list in the order of bindings, which start at 0. */
+/* Layout of one vertex buffer. `next` links the layouts of bindings 0, 1 and so on. */
 struct rg_vertex_layout {
     uint32_t stride;          /* bytes, at most RG_MAX_STRIDE */
     uint32_t attribute_count; /* number of `attributes` */
-    /* borrowed; each has the binding of this layout and a unique location < RG_MAX_ATTRIBUTES */
+    /* attributes with this layout's binding and unique locations < RG_MAX_ATTRIBUTES; borrowed */
     const VkVertexInputAttributeDescription *attributes;
     VkVertexInputRate rate;              /* per vertex or per instance */
     const struct rg_vertex_layout *next; /* layout of the next binding */
@@ -329,8 +329,8 @@ struct rg_memory_requirements {
     uint32_t type_bits;           /* mask of allowed memory types; nonzero */
 };
 
-/* Callbacks by which rg_compile() queries a device; rg_exec_device() returns those of a VkDevice.
- * Each one receives `user`; a NULL callback imposes no limit. */
+/* Callbacks by which rg_compile() queries a device, as returned by rg_exec_device(). Each callback
+ * receives `user`. A NULL callback imposes no limit. */
 struct rg_device {
     const void *user; /* borrowed */
     /* Return the memory requirements of an image or buffer with this create info. */
@@ -343,7 +343,7 @@ struct rg_device {
     VkFormatFeatureFlags (*buffer_features)(const void *user, VkFormat format);
     /* Returns the sample counts supported for an image with this create info. */
     VkSampleCountFlags (*sample_counts)(const void *user, const VkImageCreateInfo *info);
-    /* maximum texels per side and maximum layers; 0 means the upper limits 65536 and 16384 */
+    /* device limits: texels per image side, and layers; 0 means 65536 and 16384 */
     uint32_t max_image_size, max_layers;
     uint32_t max_volume_size; /* texels per 3D side; default 16384 */
 };
@@ -356,7 +356,7 @@ enum rg_sharing {
     RG_SHARE_NOTHING,        /* no aliasing */
 };
 
-/* Overrides the declared size of an image; not allowed for images of the view's size. */
+/* Extent that replaces an image's declared width and height, which must not be 0. */
 struct rg_size {
     const struct rg_image *image;
     VkExtent2D extent; /* texels */
@@ -380,7 +380,7 @@ struct rg_compile_params {
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
     bool skip_shaders;              /* no shader validation (5 us each) */
-    /* rg_exec_params.constants, each of which must exist in a shader; NULL means no check */
+    /* rg_exec_params.constants, to check that a shader has each of them; NULL: no check */
     const VkSpecializationInfo *constants;
     /* Memory for compiling and for the plan; must outlive the plan and be aligned for any type. If
      * NULL or too small, malloc() provides the rest; rg_plan.arena_size bytes suffice. */
@@ -437,18 +437,18 @@ struct rg_fault {
 };
 
 /* Compiles the techniques of `params` in order. Returns a plan, which the caller destroys, or NULL
- * if out of memory; check its fault_count first. Invalid numbers or NULL pointers in the tables
- * only produce faults. Thread-safe. */
+ * if out of memory. Invalid numbers and NULL pointers in the tables only produce faults: a plan
+ * with a nonzero fault_count cannot be executed. Thread-safe. */
 RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
 /* Frees a plan. NULL is allowed. rg_compile_params.memory stays the caller's. */
 RG_API void rg_plan_destroy(struct rg_plan *plan);
 
-/* Returns the create info of a plan's image, with which the compiler also queries the device. */
+/* Returns the create info of a plan's image, for queries of memory and for vkCreateImage(). */
 RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image);
 
-/* Write a plan, or its faults, to `out`, which the caller checks for I/O errors. Equal tables give
- * bit-identical output. docs/render-graph.md describes the formats. */
+/* Write a plan, or its faults, to `out`. Equal tables give bit-identical output. The caller checks
+ * `out` for I/O errors. docs/render-graph.md describes the formats. */
 RG_API void rg_dump(const struct rg_plan *plan, FILE *out);      /* text, one item per line */
 RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);  /* Graphviz digraph */
 RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out); /* one JSON object */
@@ -473,7 +473,7 @@ struct rg_access_info {
     bool writes_content;
 };
 
-/* Returns the Vulkan mapping of an access; that of RG_ACCESS_NONE if out of range. Static data. */
+/* Returns the Vulkan mapping of an access, or of RG_ACCESS_NONE if out of range. Static data. */
 RG_API const struct rg_access_info *rg_access_info(enum rg_access access);
 
 /* Returns the descriptor type of a use; VK_DESCRIPTOR_TYPE_MAX_ENUM if it needs none. */

@@ -27,8 +27,8 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 
 /* ---- drawing and computing ---- */
 
-/* Binds the program's own descriptor set as set 1; its layout is the one in rg_exec_params.sets for
- * the pass's `set`. The set must exist, unmodified, until the frame has been executed. */
+/* Binds the program's own descriptor set as set 1. rg_exec_params.sets has the layout of that set.
+ * The set must exist, unmodified, until the frame has been executed. */
 RG_API void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set);
 
 /* Writes push constants from byte 0 on, for all stages; `size` must equal the pass's push_size. */
@@ -75,7 +75,7 @@ RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *
 RG_API void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                      VkDeviceSize offset);
 
-/* Indirect draws whose count is in a buffer. The pass declares all buffers as RG_INDIRECT. */
+/* Indirect draws whose number is in a buffer. The pass declares both buffers as RG_INDIRECT. */
 struct rg_indirect_count {
     /* VkDrawIndirectCommand or VkDrawIndexedIndirectCommand, tightly packed */
     const struct rg_buffer *commands;
@@ -100,15 +100,15 @@ RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_
 RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
                                         const struct rg_buffer *buffer, VkDeviceSize offset);
 
-/* Copies texels from a buffer to an image, in the layout of rg_cmd_copy_image_to_buffer(). The pass
- * declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
+/* Copies texels from a buffer to an image; their order is that of rg_cmd_copy_image_to_buffer().
+ * The pass declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
 
 /* ---- acceleration structures ---- */
 
-/* Return the acceleration structure in a buffer (owned by the executor), and the device address of
- * a buffer for structures, build input or scratch. The pass must declare the buffer. */
+/* Return the acceleration structure in a buffer, and the device address of a buffer. The pass must
+ * declare the buffer. The executor owns the acceleration structure. */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
@@ -118,8 +118,8 @@ RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_
 /* Returns the command buffer being recorded, for direct Vulkan calls. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
-/* Return the VkImage, or the frame slot's VkBuffer, of a resource that the pass declares. The
- * executor owns it. A use that is bound to its fallback has no image. */
+/* Return the VkImage or VkBuffer of a resource that the pass declares. The executor owns the
+ * result. A use whose image is missing (rg_use.fallback) has no VkImage. */
 RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
 RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 

@@ -33,13 +33,13 @@
 extern "C" {
 #endif
 
-/* The program's Vulkan object for an imported resource. */
+/* Vulkan object that the program provides for an imported resource. */
 struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
     VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
-    /* instead of `image`: several images, such as a swapchain's; each frame uses one of them. All
-     * such imports have equally many images, and each frame uses the same index for all of them */
+    /* several images instead of `image`, such as a swapchain's; each frame uses one of them. All
+     * such imports have equally many images, and a frame uses the same index in all imports */
     const VkImage *images;
     uint32_t image_count;
 };
@@ -50,9 +50,9 @@ struct rg_exec_set {
     VkDescriptorSetLayout layout; /* outlives executor and rg_exec_params.pipelines */
 };
 
-/* Cache that passes the pipelines of a destroyed executor to the next one of the same device, to
- * avoid recompilation. Pipelines that two consecutive executors do not need are freed. It outlives
- * the executors, and is destroyed before the device. */
+/* Cache of pipelines that outlives executors, so that a later executor of the same device need not
+ * compile them again. Pipelines that two consecutive executors do not need are freed. The cache is
+ * destroyed before the device. */
 struct rg_pipelines;
 
 /* Creates an empty cache. Returns NULL if out of memory. */
@@ -61,11 +61,11 @@ RG_API struct rg_pipelines *rg_pipelines_create(void);
 /* Frees a cache and its pipelines. NULL is allowed. */
 RG_API void rg_pipelines_destroy(struct rg_pipelines *pipelines);
 
-/* Returns the shader to use in place of one that a table refers to: that shader itself, or one with
- * the same interface. The returned shader is read until rg_exec_create() returns. */
+/* Returns the shader that replaces `shader`: `shader` itself, or one with the same interface. The
+ * code is read until rg_exec_create() or rg_exec_update() returns. */
 typedef const struct rg_shader *rg_replace_shader_fn(void *user, const struct rg_shader *shader);
 
-/* Receives the failed call and object ("vkCreateImage of depth"), in the executor's thread. */
+/* Receives a failed call with its object, such as "vkCreateImage of depth", and its result. */
 typedef void rg_log_fn(void *user, const char *what, VkResult result);
 
 /* Parameters of rg_exec_create(). */
@@ -85,16 +85,16 @@ struct rg_exec_params {
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
-    /* use VkRenderPass instead of dynamic rendering, for old synchronization validation layers */
+    /* VkRenderPass objects, not dynamic rendering, for old synchronization validation layers */
     bool render_passes;
-    /* executor only for rg_exec_warm_up(): no imports, no content; not with render_passes */
+    /* true for an executor that only warms up; needs no `imports`, excludes `render_passes` */
     bool warm_up_only;
     bool measured;   /* enables rg_time.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
-    /* specialization constants for shaders that declare them; NULL means defaults. Not kept. */
+    /* values of specialization constants, read only during the call; NULL means the defaults */
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn *replace_shader; /* called by rg_exec_create(); NULL: no replacement */
-    /* features enabled on the device (pNext: Vulkan 1.2 and 1.3 features); NULL: all supported */
+    /* enabled features, pNext with those of Vulkan 1.2 and 1.3; NULL means all supported ones */
     const VkPhysicalDeviceFeatures2 *features;
     rg_log_fn *log; /* NULL: failures are not logged */
     void *user;     /* passed to both callbacks */
@@ -139,7 +139,7 @@ struct rg_exec_external_sync {
     VkSemaphore signal;                /* binary semaphore, or VK_NULL_HANDLE */
 };
 
-/* Like rg_exec_submit(), with an image index and semaphores, which belong to the caller. */
+/* Submits as rg_exec_submit() does, with an image index and semaphores, which the caller owns. */
 RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                       const struct rg_exec_external_sync *sync);
 
@@ -153,7 +153,7 @@ RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer
 /* A region of the view, for tiled rendering of images that are too large to draw at once. */
 struct rg_exec_region {
     VkRect2D region; /* nonempty; at most max_region texels */
-    /* area of the view, of any size, in which fragments may sample texels of other fragments */
+    /* area of the view, of any size, from which fragments may sample texels of other fragments */
     VkRect2D reach;
 };
 
@@ -169,7 +169,7 @@ RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region
 /* Returns the VkImage of a declared image; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
-/* Returns the VkDeviceMemory of a block of the plan; content is undefined between frames. */
+/* Returns the VkDeviceMemory of a block of the plan. Between frames, its content is undefined. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
 
 /* ---- pipeline warm-up ---- */
@@ -190,7 +190,7 @@ struct rg_vulkan {
     VkDevice device;
 };
 
-/* Returns a device's properties for rg_compile(). `vulkan` is borrowed; it outlives the result. */
+/* Returns a device's properties for rg_compile(). `vulkan` must outlive the returned struct. */
 RG_API struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
 
 #ifdef __cplusplus

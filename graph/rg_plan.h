@@ -43,7 +43,7 @@ struct rg_plan_buffer {
     VkDeviceSize offset, memory_size; /* bytes; 0 in host memory */
 };
 
-/* A memory allocation that transient images share, or that transient buffers share. */
+/* A memory allocation shared by transient images, or by transient buffers. */
 struct rg_block {
     VkDeviceSize size, alignment; /* bytes */
     uint32_t type_bits;           /* mask of allowed memory types */

@@ -20,7 +20,7 @@
         .name = (title), .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0]) \
     }
 
-/* RG_TARGETS() initialises a pass's colour targets and color_count, RG_USES() its uses. */
+/* Initialisers of rg_pass: RG_TARGETS() for `color` and `color_count`, RG_USES() for `uses`. */
 #ifndef __cplusplus
 
 #define RG_TARGETS(...) \
@@ -31,7 +31,7 @@
 
 #else
 
-/* Tables omit fields that are zero; -Wextra would report this in C++. */
+/* Tables omit fields that are zero, about which -Wextra warns in C++. */
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif

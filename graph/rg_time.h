@@ -22,10 +22,10 @@ extern "C" {
 /* Method by which the times of individual passes are measured. */
 enum rg_clock {
     RG_CLOCK_NONE, /* not at all */
-    /* a timestamp after each pass: nearly free, but misattributes work where passes overlap */
+    /* a timestamp after each pass; nearly free, but inexact where passes overlap on the GPU */
     RG_CLOCK_STREAM,
     RG_CLOCK_EXACT, /* timestamp and full barrier per pass */
-    /* each pass is submitted alone and timed on the CPU, including its submit and wait */
+    /* one submission per pass, timed on the CPU from submission until the pass has finished */
     RG_CLOCK_SUBMITS,
     RG_CLOCK_COUNT,
 };
@@ -62,15 +62,15 @@ struct rg_times {
     uint64_t whole;  /* from start to end */
 };
 
-/* Returns true if a clock works. Clocks need `measured`; timestamps also need queue support. */
+/* Returns true if a clock works, which requires `measured` and, for timestamps, queue support. */
 RG_API bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock);
 
 /* Sets what frames measure, from the next rg_exec_begin() on. A clock that cannot be used counts as
  * RG_CLOCK_NONE. Has no effect on an executor created without `measured`. */
 RG_API void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure);
 
-/* Returns the times of the frame that finished last, as observed by rg_exec_wait() or
- * rg_exec_begin(). `passes` belong to the executor and are valid until the next of these calls. */
+/* Returns the times of the frame that finished last. `passes` are owned by the executor and valid
+ * until the next rg_exec_wait() or rg_exec_begin(). */
 RG_API struct rg_times rg_exec_times(const struct rg_exec *exec);
 
 #ifdef __cplusplus

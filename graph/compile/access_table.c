@@ -24,7 +24,7 @@
     .buffer_usage = (VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
 #define STRUCTURE ADDRESSED(ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
 
-/* Columns: name, stages, reads, writes, layout, image and buffer usage, features, descriptors. */
+/* Table columns: name, stages, reads, writes, layout, usage flags, format features, descriptors. */
 /* clang-format off */
 const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
     [RG_ACCESS_NONE] = { "none", NO_DESCRIPTOR },
@@ -81,7 +81,7 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                            ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
-    /* all stages, so that the frame's signal semaphore also waits for the layout transition */
+    /* all stages, so that the frame's semaphore is signalled after the layout transition */
     [RG_PRESENT] = { "present", STAGE(ALL_COMMANDS), 0, 0, LAYOUT(PRESENT_SRC_KHR), NO_DESCRIPTOR,
                      .reads_content = true },
 };
@@ -101,7 +101,7 @@ VkDescriptorType rg_use_descriptor(const struct rg_use *use)
     return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
 }
 
-/* First visibility bit of each access. Shader accesses have 3 bits: vertex, fragment, compute. */
+/* First bit of each access in cell.visible. Shaders have 3 bits: vertex, fragment, compute. */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
     [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
@@ -154,7 +154,7 @@ struct access rg_boundary_access(struct resource *r, enum rg_access kind)
 #define KIND_BIT(kind) (1u << (kind))
 #define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
 
-/* Bit mask, for each access, of the kinds of pass that support it. */
+/* Kinds of pass that support each access, as bit masks of enum rg_kind. */
 static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = BY_SHADERS,
     [RG_STORAGE_READ] = BY_SHADERS,

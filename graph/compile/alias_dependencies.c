@@ -1,15 +1,15 @@
 /* alias_dependencies.c: finds which accesses must finish before a transient resource may reuse
- * memory. In this frame, these are accesses of earlier owners of the same bytes. In the previous
- * frame, they are those of all owners. Earlier barriers cover only one resource each. */
+ * memory. Within a frame, these are the accesses of resources that used the same bytes earlier.
+ * Across frames, they are those of all resources that use the same bytes. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
-    /* maximum number of segments per block; beyond it, barriers may wait longer than needed */
+    /* maximum number of segments per memory block; if too few, barriers may wait too long */
     MAX_SEGMENTS = 256
 };
 
-/* Part of a memory block, with the last accesses. Extends up to the next segment's `begin`. */
+/* Byte range of a memory block, up to the next segment's `begin`, with the last accesses to it. */
 struct segment {
     VkDeviceSize begin;
     struct previous_owner pending;
@@ -50,7 +50,7 @@ static bool covers(const struct previous_owner *a, const struct previous_owner *
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Splits segments where an item begins and ends. Records the item's last accesses in its range. */
+/* Splits segments at both ends of an item's memory. Records the item's last accesses in between. */
 static void record_accesses(struct segments *s, const struct pack_item *item,
                             const struct previous_owner *pending)
 {
@@ -68,7 +68,7 @@ static void record_accesses(struct segments *s, const struct pack_item *item,
     }
 }
 
-/* Merges the last accesses to any byte of an item into `all`. */
+/* Merges the last accesses to each segment of an item's memory into `all`. */
 static void merge_owners(const struct segments *s, const struct pack_item *item,
                          struct previous_owner *all)
 {
@@ -82,7 +82,7 @@ static struct previous_owner *owner_of(const struct compiler *c, const struct pa
     return &c->owners[item->resource->item];
 }
 
-/* For each item of a block, finds the last earlier pass that used any of the item's bytes. */
+/* Finds, for each item, the last pass before it that used any of the item's bytes. */
 static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
                       uint32_t count)
 {
@@ -90,13 +90,13 @@ static void find_ends(struct compiler *c, struct segments *s, const struct pack_
         const struct previous_owner pending = { .end = item->last + 1 };
         struct previous_owner *owner = owner_of(c, item);
         merge_owners(s, item, owner);
-        if (owner->end > item->first) /* segments that were not split may report later passes */
+        if (owner->end > item->first) /* segments may be too coarse */
             owner->end = item->first;
         record_accesses(s, item, &pending);
     }
 }
 
-/* Merges the accesses to a resource that are still pending after the frame. */
+/* Collects the accesses to a resource that may still be running at the end of the frame. */
 static void find_pending(const struct resource *r, struct previous_owner *pending)
 {
     for (uint32_t k = 0; k < r->cell_count; k++) {
@@ -107,7 +107,7 @@ static void find_pending(const struct resource *r, struct previous_owner *pendin
     }
 }
 
-/* For each item, merges the accesses to its memory that are still pending after a frame. */
+/* Collects, for each item, the accesses to its memory that may still run at the end of a frame. */
 static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
                         uint32_t count)
 {

@@ -1,4 +1,4 @@
-/* arena.c: arena allocator: uses the caller's memory first, then malloc; freed as a whole. */
+/* arena.c: arena allocator that uses the caller's memory first, and then malloc(). */
 #include "graph/compile/arena.h"
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +27,7 @@ void rg_arena_init(struct arena *arena, void *memory, size_t size)
     }
 }
 
-/* Chunks grow geometrically, so that there are few of them. */
+/* Adds a chunk for at least `size` bytes. Chunks grow geometrically, so that there are few. */
 static bool add_chunk(struct arena *arena, size_t size)
 {
     size_t room = arena->used < CHUNK_SIZE ? CHUNK_SIZE : arena->used;

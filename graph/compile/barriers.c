@@ -13,7 +13,7 @@
 #include <assert.h>
 #include "graph/compile/subresource_state.h"
 
-/* Stores the newest batch's range of barriers in its pass or, after the last pass, in the plan. */
+/* Stores the newest batch's range of barriers in the pass after the batch, or else in the plan. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -69,7 +69,7 @@ static bool merge(struct compiler *c, uint32_t before)
     return true;
 }
 
-/* Merges a resource's barriers with indices from `start` on where possible, newest first. */
+/* Merges a resource's newest barriers, back to index `start`, as far as possible. */
 static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
 {
     while (c->barrier_count >= start + 2 && merge(c, c->barrier_count - 2))
@@ -98,7 +98,7 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
-/* Adds the barrier at c->barrier_count to the newest batch, or to a new one at pass `deadline`. */
+/* Appends barrier c->barrier_count to the newest batch, or to a new batch if that is too early. */
 static void append_barrier(struct compiler *c, const struct cell_walk *w, struct resource *r,
                            uint32_t release, uint32_t deadline)
 {
@@ -199,7 +199,7 @@ static void end_resource(struct compiler *c, struct resource *r)
     rg_add_barriers(c, &a, c->plan->pass_count, restores_import);
 }
 
-/* Adds a persistent resource's barriers between its zero fill and the first frame. */
+/* Adds the barriers that a persistent resource needs between its zero fill and the first frame. */
 static void begin_history(struct compiler *c, struct resource *r)
 {
     const struct access all = rg_boundary_access(r, RG_ACCESS_NONE);

@@ -37,7 +37,7 @@ void rg_check_target(struct compiler *c, const struct rg_target *target)
         "blend_state: expected Vulkan constants without dual-source blending, and no .blend");
 }
 
-/* Adds a layout's locations to the mask. Returns false for duplicates and invalid fields. */
+/* Adds a layout's vertex locations to a bit mask. Returns false if any is invalid or repeated. */
 static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32_t *locations)
 {
     bool fits = v->stride <= RG_MAX_STRIDE && (uint32_t)v->rate <= VK_VERTEX_INPUT_RATE_INSTANCE;

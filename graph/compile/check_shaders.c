@@ -180,7 +180,7 @@ static const char *format_name(VkFormat format)
     return info ? info->name : "an unknown format";
 }
 
-/* Returns how shaders declare a format's components: 'f' float, 'i' int, 'u' uint, '?' unknown. */
+/* Returns a format's component type in shaders: 'f' float, 'i' int, 'u' uint, '?' unknown. */
 static char component_of(VkFormat of, VkImageAspectFlags aspect)
 {
     const struct rg_format_info *format = rg_format_info(of);
@@ -376,7 +376,7 @@ static void check_bindings(const struct shaders *s)
 
 /* ---- vertex inputs, colour outputs ---- */
 
-/* Consecutive VkFormats of equal component count; kinds[i] is the component type of `first` + i. */
+/* Range of VkFormats of equal component count. kinds[i] is the component type of `first` + i. */
 struct format_group {
     VkFormat first;
     uint32_t components;
@@ -491,7 +491,7 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
               component_name(component), component_name(expected));
 }
 
-/* Checks fragment shader inputs against vertex shader outputs, and outputs against the targets. */
+/* Checks fragment shader inputs against vertex outputs, and fragment outputs against targets. */
 static void check_fragments(const struct shaders *s)
 {
     const struct spirv *frag = s->stages[1];

@@ -1,4 +1,4 @@
-/* compile_plan.c: rg_compile(): runs the stages of the compiler in order. */
+/* compile_plan.c: rg_compile(), which runs the stages of the compiler in order. */
 #include "graph/compile/compiler.h"
 
 /* A plan together with the arena that holds it. */

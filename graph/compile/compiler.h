@@ -13,7 +13,7 @@
 #include "graph/compile/spirv_reflection.h"
 #include "graph/rg.h"
 
-/* Values of cell.filled: whether earlier passes have written the subresource. */
+/* Values of cell.filled, which tells if earlier passes have written the subresource. */
 enum {
     CELL_EMPTY,
     CELL_FILLED,
@@ -111,7 +111,7 @@ struct pack_item {
     uint32_t block; /* index into the plan's blocks */
 };
 
-/* Pending accesses of the resources that previously occupied an item's memory. */
+/* Unfinished accesses of the resources that used a pack_item's memory before. */
 struct previous_owner {
     VkPipelineStageFlags2 stages; /* stages of pending accesses */
     VkAccessFlags2 writes;        /* writes not yet made available */
@@ -134,7 +134,7 @@ struct compiler {
     struct string_set resource_names, pass_names;
     struct map provided; /* images written or imported; for fallbacks */
 
-    /* Technique and index of the pass declaration being processed; NULL and RG_NONE if none. */
+    /* Technique and index of the current pass declaration, or NULL and RG_NONE. */
     const struct rg_technique *technique;
     uint32_t row;
     uint32_t row_first_fault;
@@ -209,14 +209,14 @@ static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
 
 extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
 
-/* All shader stages; assumed for imports and outputs that shaders access. */
+/* All shader stages. Imports and outputs that shaders access are assumed to use all of them. */
 #define RG_ANY_SHADER \
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
-/* Value of cell.visible for a write that is visible to all reads. Each bit is a pair of stage and
- * access. Bit 31 (any other shader stage) stays clear, so reads in such stages always get a
- * barrier. */
+/* Value of cell.visible for a write that is visible to all reads. Each bit stands for a pair of
+ * stage and access. Bit 31 stands for other shader stages and stays clear, so that reads in these
+ * stages always get a barrier. */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
 /* Returns true for accesses by shaders through a descriptor. */
@@ -231,7 +231,7 @@ static inline bool rg_is_structure_access(enum rg_access kind)
     return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
 }
 
-/* Makes `a` an access to a whole resource, with flags that follow from `kind`, and returns `a`. */
+/* Initialises `a` as an access of this kind to a whole resource, and returns `a`. */
 struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
                               VkPipelineStageFlags2 stages);
 
@@ -251,7 +251,7 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
 /* Returns an error hint if this kind of pass does not support a use, otherwise NULL. */
 const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use);
 
-/* Cell iterator: for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) */
+/* Cell iterator; usage: for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) */
 
 struct cell_walk {
     const struct access *access;
@@ -261,7 +261,7 @@ struct cell_walk {
     uint32_t mip, layer;
 };
 
-/* Returns the cell of a subresource; for depth and stencil together, the depth cell. */
+/* Returns the cell of a subresource. For depth and stencil together, returns the depth cell. */
 static inline struct cell *rg_find_cell(const struct resource *r, VkImageAspectFlags aspects,
                                         uint32_t mip, uint32_t layer)
 {
@@ -308,10 +308,10 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
 
 /* ---- check_params.c, check_pass.c ---- */
 
-/* Counts the passes, and checks the arrays in the params. Returns true if all can be read. */
+/* Counts the passes and checks the params' arrays. Returns true if all arrays can be read. */
 bool rg_check_params(struct compiler *c);
 
-/* Checks an import (if `arrives`) or output. Returns true if exactly one resource is named. */
+/* Checks an import if `arrives`, else an output. Returns true if exactly one resource is named. */
 bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
                        const struct rg_buffer *buffer, enum rg_access access, bool arrives);
 
@@ -328,7 +328,7 @@ enum {
 };
 
 bool rg_is_blended(const struct rg_target *target);  /* blending reads the old colour */
-bool rg_keeps_color(const struct rg_target *target); /* some of the old colour may remain */
+bool rg_keeps_color(const struct rg_target *target); /* old colour may partly remain */
 
 void rg_check_target(struct compiler *c, const struct rg_target *target);
 void rg_check_vertices(struct compiler *c, const struct rg_vertex_layout *v); /* may be NULL */
@@ -337,7 +337,7 @@ void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
 /* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 
-/* Begin and end a search for specialization constants that no shader has. Each one is a fault. */
+/* Begin and end a search for specialization constants that no shader has, which are faults. */
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
@@ -357,7 +357,7 @@ static inline bool rg_is_valid_use(const struct rg_use *use)
            use->access < RG_ACCESS_COUNT;
 }
 
-/* Returns how many entries of .color are safe to read, even if color_count is wrong. */
+/* Returns the number of .color entries that are safe to read, even if color_count is wrong. */
 static inline uint32_t rg_safe_color_count(const struct rg_pass *pass)
 {
     return rg_is_bad_table(pass->color, pass->color_count, RG_COLOR_COUNT) ? 0 : pass->color_count;
@@ -410,14 +410,14 @@ void rg_pack_blocks(struct compiler *c);
 /* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: rg_find_release_passes() finds the last earlier pass in each item's memory.
- * When cell states are final, rg_complete_alias_barriers() finds the accesses to wait for. */
+/* alias_dependencies.c: finds the last pass that used each resource's memory before the resource.
+ * Later, when cell states are final, completes the barriers that wait for that use. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 
 /* ---- subresource_state.c ---- */
 
-/* Resets every subresource's synchronisation state to that at the start of a frame. */
+/* Sets every subresource's synchronisation state to the state at the start of a frame. */
 void rg_begin_cells(struct compiler *c);
 
 typedef void rg_history_read_fn(struct compiler *c, const struct cell_walk *w,
@@ -433,7 +433,7 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
 void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
                      bool restores_import);
 
-/* Adds the barriers after the last pass, and the initial ones before the first frame. */
+/* Adds the barriers after the last pass, and those to record once before the first frame. */
 void rg_end_barriers(struct compiler *c);
 
 /* ---- pack_memory.c ---- */
@@ -446,7 +446,7 @@ struct pack_result {
     VkDeviceSize alignment; /* the largest of all items */
 };
 
-/* Assigns offsets to items that are sorted by first use and whose lifetimes end by pass `end`. */
+/* Assigns memory offsets to items sorted by first use. No item is alive after pass `end`. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
                            uint32_t end, bool unaliased);
 

@@ -4,10 +4,10 @@
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* maximum iterations; one more then treats all persistent content as needed */
+    MAX_ROUNDS = 4 /* maximum number of iterations */
 };
 
-/* Starts an iteration: marks outputs, and persistent content that the next frame needs. */
+/* Starts an iteration: marks outputs and persistent content of the next frame as needed. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
     uint32_t count = round ? c->resource_count : c->boundary_count;
@@ -34,7 +34,7 @@ static bool writes_needed_content(const struct access *a)
     return false;
 }
 
-/* Marks a pass's accesses with needed results. Returns true if there are any. */
+/* Marks the accesses of a pass whose results are needed later. Returns true if any is marked. */
 static bool find_needed(struct access *first, const struct access *end)
 {
     bool any = false;
@@ -46,7 +46,7 @@ static bool find_needed(struct access *first, const struct access *end)
     return any;
 }
 
-/* Marks what a live pass reads as needed, and what the pass overwrites as not needed. */
+/* Marks the content that a live pass reads as needed, and content that it replaces as unneeded. */
 static void mark_needed_content(const struct access *first, const struct access *end)
 {
     for (const struct access *a = first; a < end; a++) {
@@ -72,7 +72,7 @@ static void cull_round(struct compiler *c)
     }
 }
 
-/* Returns true if the next frame needs more persistent content than this round assumed. */
+/* Returns true if the next frame needs more persistent content than the last iteration assumed. */
 static bool needs_another_round(const struct compiler *c)
 {
     bool more = false;

@@ -32,7 +32,7 @@ static bool is_all(const struct resource *r, const VkImageSubresourceRange *rang
            !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
 }
 
-/* Initialises an access; keep_access() then adds it to the pass. Returns NULL if out of memory. */
+/* Initialises an access, to be added by keep_access(). Returns NULL if out of memory. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   VkPipelineStageFlags2 stages)
 {
@@ -41,7 +41,7 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
     return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Points an access at the cells of its range. Reports a fault and returns false if out of range. */
+/* Finds the cells of an access's range. Reports a fault and returns false for an invalid range. */
 static bool find_cells(struct compiler *c, struct access *a)
 {
     const VkImageSubresourceRange *range = &a->range;
@@ -261,8 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns the number of repetitions of a pass: the mip levels or layers of its first written image,
- * from the declared one on. Returns 1 if that is out of range, 0 if no image is written. */
+/* Returns a pass's number of repetitions: the mip levels or layers of its first written image, from
+ * the pass's own one on. Returns 1 if the image lacks that one, and 0 if no image is written. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

@@ -59,7 +59,7 @@ int rg_fault_text(const struct rg_fault *fault, char *text, size_t size)
                     fault->resource ? " " : "", messages[fault->error], fault->hint);
 }
 
-/* Returns true if an equal fault is listed already; repetitions of a pass report equal faults. */
+/* Returns true if an equal fault is listed, which a repetition of the same pass may have caused. */
 static bool is_known(const struct compiler *c, const struct rg_fault *fault)
 {
     for (uint32_t i = c->row_first_fault; i < c->fault_count; i++) {

@@ -1,4 +1,4 @@
-/* find_fallbacks.c: finds sampled images that no pass or import provides; binds placeholders. */
+/* find_fallbacks.c: binds placeholders for sampled images that no pass or import provides. */
 #include "graph/compile/compiler.h"
 
 static void provide(struct compiler *c, const struct rg_image *image)

@@ -50,7 +50,7 @@ static const struct rg_format_info formats[] = {
 
 const struct rg_format_info *rg_format_info(VkFormat format)
 {
-    size_t index = (size_t)format; /* a negative format is out of range, as it becomes large */
+    size_t index = (size_t)format; /* out of range if negative */
     if (index >= sizeof(formats) / sizeof(formats[0]) || !formats[index].name)
         return NULL;
     return &formats[index];

@@ -4,7 +4,7 @@
 
 #include "graph/compile/arena.h"
 
-/* Hash table with open addressing, at most 3/4 full. Initialise with {0}, then reserve slots. */
+/* Slot of a hash map with open addressing. Initialise the map with {0} and rg_map_reserve(). */
 
 struct map_slot {
     const void *key; /* NULL: empty slot */
@@ -20,7 +20,7 @@ struct map {
 /* Returns the slot of an address, or the empty slot where it would be inserted. */
 static inline struct map_slot *rg_map_find(const struct map *map, const void *address)
 {
-    /* adjacent addresses get adjacent slots; adding high bits spreads power-of-two strides */
+    /* adjacent addresses get adjacent slots, and addresses at power-of-two strides are spread */
     uintptr_t i = ((uintptr_t)address + ((uintptr_t)address >> 9)) >> 4;
     while (map->slots[i & map->mask].key && map->slots[i & map->mask].key != address)
         i++;
@@ -32,14 +32,14 @@ void rg_map_reserve(struct arena *arena, struct map *map, uint32_t count);
 /* Inserts an address into an empty slot. Returns a pointer to its value; NULL if out of memory. */
 void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address);
 
-/* Returns a pointer to an address's value (initially NULL). Returns NULL if out of memory. */
+/* Returns a pointer to an address's value, initially NULL. Returns NULL if out of memory. */
 static inline void **rg_map_value(struct arena *arena, struct map *map, const void *address)
 {
     struct map_slot *slot = rg_map_find(map, address);
     return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
 }
 
-/* A slot holds a hash and an index instead of the string, so that probing reads few cache lines. */
+/* Slot of a string set. The slot has no string, so that searching reads few cache lines. */
 struct string_slot {
     uint32_t hash;
     uint32_t number; /* `texts` index plus 1; 0: empty */

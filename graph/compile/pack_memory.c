@@ -11,11 +11,11 @@ enum {
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     FEW_ITEMS = 256,         /* Shell sort up to this count */
-    /* above this mean lifetime (in passes where items begin), only apply_time_order() runs */
+    /* mean number of live sets per item above which large plans only use apply_time_order() */
     LONG_LIFE = 32,
 };
 
-/* Greedy rules: items are sorted by descending size^size_power * lifetime^life_power. */
+/* Sort rules of the greedy orders: by descending size^size_power * lifetime^life_power. */
 static const struct rule {
     unsigned size_power; /* 0, 1 or 4 */
     unsigned life_power; /* 0 or 1 */
@@ -30,21 +30,21 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Range of allocated bytes. Span lists are ascending, with gaps between spans. The first span
- * begins at 0 and may be empty. The last is a sentinel at UINT64_MAX. */
+/* Range of allocated bytes. A list of spans is ascending, with gaps between the spans. The first
+ * span begins at 0 and may be empty. The last is a sentinel at UINT64_MAX. */
 struct span {
     VkDeviceSize begin, end;
 };
 
-/* Items alive at the same pass: a maximal clique of the interval graph of lifetimes. The next set
- * begins with the first item that begins after an item of this set has ended. */
+/* Maximal set of items that are alive at the same pass. A new set begins when an item begins after
+ * an item of the newest set has ended. */
 struct live_set {
     struct span *spans;
     struct span *next; /* span above the current item's gap */
     uint32_t alive;    /* number of items */
 };
 
-/* Changes in the live items since the previous pass. Unsigned: decreases wrap around. */
+/* Changes in the live items since the previous pass. Unsigned decreases wrap around. */
 struct change {
     VkDeviceSize taken;      /* live bytes */
     VkDeviceSize used;       /* live bytes counted from first use */
@@ -97,7 +97,7 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     }
 }
 
-/* Fills the live sets and size bounds. Returns an upper bound of the sum of `alive` of all sets. */
+/* Fills the live sets and the size bounds. Returns at least the sum of all sets' item counts. */
 static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
@@ -183,7 +183,7 @@ static void free_item(struct span *spans, const struct pack_item *item)
         remove_span(span);
 }
 
-/* Returns the lowest offset >= `begin` where an item fits in a live set. Sets set->next. */
+/* Returns the lowest free offset >= `begin` for an item. Sets set->next to the span above. */
 static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item,
                               VkDeviceSize begin)
 {
@@ -200,7 +200,7 @@ static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item
 
 /* ---- orders of placement ---- */
 
-/* Returns an item's sort key: a positive double as an integer of the same bits and order. */
+/* Returns an item's sort key: the bits of a positive double, which sort like the double. */
 static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
@@ -263,7 +263,7 @@ static void sort(struct packing *p, const struct rule *rule)
         sort_by_byte(p, shift);
 }
 
-/* Moves the item that ends at the highest offset forward in the order: halves its index. */
+/* Halves the index in p->order of the item whose end in memory is highest. */
 static void promote_highest(struct packing *p)
 {
     uint64_t *order = p->order;
@@ -282,7 +282,7 @@ static void place_item(const struct packing *p, struct pack_item *item)
 {
     struct live_set *first = p->changes[item->first].newest;
     struct live_set *last = p->changes[item->last].newest;
-    /* last live set to check, cyclically: the one before the set that last raised `begin` */
+    /* last live set to check: the one before the set that last raised `begin`, in cyclic order */
     const struct live_set *end = last;
     VkDeviceSize begin = 0;
     for (struct live_set *set = first;; set = set == last ? first : set + 1) {
@@ -316,7 +316,7 @@ static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
     return size < limit ? size : UINT64_MAX;
 }
 
-/* Tries all orders. Sets p->offsets if a block is smaller than `size`. Returns the least size. */
+/* Tries several orders. Stores the offsets of the smallest block below `size`. Returns its size. */
 static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
     uint32_t rule_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT;
@@ -336,12 +336,12 @@ static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceS
     return size;
 }
 
-/* Places each item, in the order of first use, at the lowest offset that is free then. The cost
- * does not grow with lifetimes. Returns the size of the block. */
+/* Places items in order of first use, each at the lowest offset that is free then, in time
+ * independent of lifetimes. Returns the block size. */
 static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
 {
     struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };
-    /* for each pass: head of the list of items that end there, as index + 1; 0 means none */
+    /* lists of the items that end at each pass: index + 1 of the first item, or 0 */
     uint32_t *ending = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1);
     uint32_t *next = ARENA_ARRAY(arena, uint32_t, p->count);
     uint32_t now = 0;

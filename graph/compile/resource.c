@@ -1,4 +1,4 @@
-/* resource.c: creates the compiler's record of each image and buffer: sizes, checks and cells. */
+/* resource.c: checks each image and buffer, and creates the compiler's record of it. */
 #include <math.h>
 #include "graph/compile/compiler.h"
 
@@ -85,8 +85,8 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* Allocates a resource's subresource states and sets them for the start of a frame. For imports,
- * persistent resources and aliased memory, subresource_state.c completes them. */
+/* Allocates the states of a resource's subresources and initialises them. subresource_state.c adds
+ * the states of imports, persistent resources and aliased memory. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;

@@ -95,7 +95,7 @@ static const char *text_of(const struct instruction *in, uint32_t word)
 
 /* ---- types ---- */
 
-/* Returns the definition of an id, or NULL if it is not an `op` of at least `count` words. */
+/* Returns an id's definition if its opcode is `op` and it has at least `count` words, else NULL. */
 static const uint32_t *definition(const struct spirv *s, uint32_t id, uint32_t op, uint32_t count)
 {
     const struct spirv_id *i = find_id(s, id);
@@ -367,7 +367,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
     }
 }
 
-/* Returns the index of an instruction's result id word; 0 if there is none or it is not needed. */
+/* Returns the word index of an instruction's result id; 0 if no result is needed. */
 static uint32_t result_word(uint32_t op)
 {
     if (op == OP_VARIABLE || op == OP_CONSTANT ||

@@ -76,10 +76,10 @@ const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
-/* Returns the unpadded byte size of a struct or of an array's struct element; else returns 0. */
+/* Returns the unpadded size in bytes of a struct, or of an array's struct; 0 for other types. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
-/* Fills *image for an image, a sampled image or an array of these; else returns false. */
+/* Describes an image, sampled image or array of these in *image. Returns false for other types. */
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
 /* Returns the component type of a scalar or vector: 'f' float, 'i' or 'u' integer of at most 32

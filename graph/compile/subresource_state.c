@@ -77,8 +77,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit)
     }
 }
 
-/* Treats a read of the previous frame's content as synchronised if that frame already has a barrier
- * for another read of the content. barriers.c extends that barrier to include this read. */
+/* Treats a read of the previous frame's content as synchronised if the previous frame has a barrier
+ * for another such read. barriers.c then extends the barrier to both reads. */
 static void expect_history_read(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a)
 {

@@ -40,7 +40,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
 }
 
-/* Updates a subresource's state after an access. `made_visible`: a barrier preceded the access. */
+/* Updates a subresource's state after an access, which follows a barrier if `made_visible`. */
 static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
                                    bool made_visible)
 {
@@ -60,8 +60,8 @@ static inline void rg_apply_access(struct cell *s, const struct access *a, uint3
         return;
     s->flags &= ~(uint32_t)CELL_FRESH;
     s->read_stages |= a->stages;
-    /* Only for writes of this frame, because some synchronization validation layers forget at the
-     * end of a frame that a read waited for a write. */
+    /* A wait for a write of an earlier frame is not recorded, because some synchronization
+     * validation layers forget it at the end of the frame. */
     if (s->flags & CELL_CERTAIN && !conditional)
         s->flags |= CELL_AWAITED;
     if (made_visible)

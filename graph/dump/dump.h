@@ -20,7 +20,7 @@ struct rg_dump {
  * MiB), %s a string as it is, and %n a name to escape. */
 void rg_dump_print(const struct rg_dump *d, const char *text, ...);
 
-/* Returns the UTF-8 character at *text, which must not be 0, and advances; U+FFFD if invalid. */
+/* Returns the nonzero UTF-8 character at *text, or U+FFFD if invalid, and advances *text. */
 uint32_t rg_dump_decode_utf8(const char **text);
 
 /* Returns the character, or U+FFFD for control characters and those that XML forbids. */

@@ -47,7 +47,7 @@ static const char *style_of(const struct rg_plan *plan, uint32_t index)
                                                                  : "copy";
 }
 
-/* Returns the first index >= `index` of a resource in `group` and `block` (RG_NONE: any block). */
+/* Returns the next index of a resource in a group and memory block (RG_NONE: any block). */
 static uint32_t next_in_group(const struct rg_plan *plan, enum group group, uint32_t block,
                               uint32_t index)
 {

@@ -73,7 +73,7 @@ static bool limits_depth_bias(const struct rg_plan *plan)
     return false;
 }
 
-/* Returns true if a raster pass writes storage in `stage`; a use without stages means fragment. */
+/* Returns true if a raster pass writes storage in a shader stage, by default the fragment stage. */
 static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++) {

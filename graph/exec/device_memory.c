@@ -74,8 +74,8 @@ struct placement {
     uint64_t salt; /* distinguishes keys of equal names */
 };
 
-/* Finds or allocates a resource's memory. Fails if the plan was compiled for another device, or for
- * none, and its memory does not suit the resource. */
+/* Finds or allocates a resource's memory. Fails if the plan's memory does not suit the resource,
+ * which can happen only if the plan was not compiled for this device. */
 static VkResult find_memory(struct rg_exec *exec, const struct placement *placement,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {
@@ -102,7 +102,7 @@ static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint
     return NULL;
 }
 
-/* Returns true if the program owns an object; with `warm_up_only` the executor owns imports too. */
+/* Returns true for imports, except with `warm_up_only`, where the executor creates them. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported)
 {
     return imported && !exec->params.warm_up_only;
@@ -248,7 +248,7 @@ fail:
     return result;
 }
 
-/* Creates the acceleration structure in a buffer. Its type is generic: the first build decides. */
+/* Creates the acceleration structure in a buffer. The first build determines its type. */
 static VkResult make_structure(struct rg_exec *exec, const struct rg_plan_buffer *plan,
                                struct exec_buffer *buffer)
 {
@@ -327,7 +327,7 @@ struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, 
     return &exec->buffers[(size_t)slot * exec->plan->buffer_count + buffer];
 }
 
-/* Flushes what the CPU wrote, or invalidates what it will read; coherent memory needs neither. */
+/* Flushes a slot's upload buffers or invalidates its readback buffers. Skips coherent memory. */
 VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory)
 {
     VkResult result = VK_SUCCESS;

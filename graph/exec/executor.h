@@ -24,8 +24,8 @@ struct exec_targets {
     VkFramebuffer framebuffer;
 };
 
-/* Objects that depend on which image of a multi-image import (swapchain) a frame uses. One set per
- * image index is created beforehand, so that a frame allocates nothing. */
+/* Objects for one image index of multi-image imports, such as swapchains. The sets for all indices
+ * are created beforehand, so that a frame allocates nothing. */
 struct exec_image_set {
     VkImage *images;               /* indexed by plan image */
     struct exec_targets *targets;  /* indexed by pass */
@@ -41,7 +41,7 @@ struct exec_pass {
     uint32_t coverage; /* COVER_... flags (render_region.c) */
 };
 
-/* The placeholder image of a use that is bound to its fallback. */
+/* Placeholder image that a use samples if no pass and no import provides its image. */
 struct exec_fallback {
     bool first; /* first use of a shared image */
     struct rg_plan_image described;
@@ -125,7 +125,7 @@ struct rg_exec {
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL if created without `measured` */
     bool initialized; /* persistent resources, placeholders are initialised */
-    /* for each image and then each buffer of the plan: true if it has kept its previous content */
+    /* array of flags, first for images and then for buffers: true if previous content is kept */
     bool *has_content;
     struct exec_transition *transitions;
     uint32_t transition_count;
@@ -149,12 +149,12 @@ struct rg_cmd {
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
 
-/* Logs a failed call on the object named `of` or, if that is NULL, the frame. Returns `result`. */
+/* Logs a failed call on the object `of`, or on the frame if that is NULL. Returns `result`. */
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
                        const char *of);
 
-/* Calls a function that logs its own failure, and jumps to `fail` if it fails. Like the macros
- * below, it needs a variable `result` and a label `fail`. */
+/* Calls a function that logs its own failures. Jumps to `fail` on failure. The caller has a
+ * variable `result` and a label `fail`. */
 #define RG_TRY(call) \
     do { \
         result = (call); \
@@ -168,15 +168,15 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 
 #define RG_NO_KEY 0
 
-/* Hashes data into a cache key, which starts as RG_NO_KEY; the data must not contain padding. */
+/* Hashes data, which must not contain padding, into a cache key. An initial key is RG_NO_KEY. */
 uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 
 /* Hashes a number, enum or handle into a cache key. */
 #define RG_KEY(key, value) \
     ((key) = rg_exec_key((key), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t)))
 
-/* Sets *handle to the cached object with this key; if there is none, creates an object with a
- * Vulkan function, and names it. The object is freed with the plan. */
+/* Sets *handle to the cached object with this key. Without such an object, creates and names one
+ * with a Vulkan function. The object is freed with the plan. */
 #define RG_MAKE_KEYED(exec, of, key, type, function, handle, ...) \
     do { \
         RG_TRY(rg_exec_reserve_object(exec)); \
@@ -189,8 +189,8 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 #define RG_MAKE(exec, of, type, function, handle, ...) \
     RG_MAKE_KEYED(exec, of, RG_NO_KEY, type, function, handle, __VA_ARGS__)
 
-/* Creates a zeroed array that is freed with the plan; false if out of memory. If `key` is not
- * RG_NO_KEY, it may be the previous plan's array with its content. */
+/* Creates a zeroed array that is freed with the plan. False if out of memory. For a `key` other
+ * than RG_NO_KEY, the result may be the previous plan's array of that key, with its content. */
 #define RG_MAKE_KEYED_ARRAY(exec, key, array, count) \
     ((array) = rg_exec_make_array((exec), (key), (count), sizeof(*(array))), (array) != NULL)
 #define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
@@ -222,7 +222,7 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
-/* Returns true if the program owns an object. Its handle may be reused, so it is no cache key. */
+/* Returns true if the program owns an object, whose handle is then unsuitable as a cache key. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
@@ -283,7 +283,7 @@ void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer comm
                                 const VkImageSubresourceRange *range,
                                 const VkClearColorValue *color);
 
-/* barrier_batch.c: adds barriers of the plan to the pending batch */
+/* barrier_batch.c: adds barriers of the plan to those that are recorded together later */
 void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
                        uint32_t count);
 /* Records the pending barriers. */
@@ -291,7 +291,7 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
 /* record_commands.c */
 extern const VkCommandBufferBeginInfo rg_exec_commands_once; /* for one-time submission */
-/* Records passes `first` to `first + count - 1`; after the last pass also the final barriers. */
+/* Records `count` passes from `first` on, and the final barriers after the last pass. */
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count);
 /* Records a pass without its barriers. */

@@ -41,7 +41,7 @@ void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer comm
         exec->vk.CmdClearDepthStencilImage(commands, image, clear_layout, &depth, 1, range);
 }
 
-/* Adds transitions from the layouts in which the previous plan left a persistent image. */
+/* Adds transitions of a persistent image from the layouts in which the previous plan left it. */
 static void add_moves(struct rg_exec *exec, const struct rg_exec *former, uint32_t index)
 {
     const struct rg_plan *plan = former->plan;

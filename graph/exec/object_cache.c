@@ -59,7 +59,7 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size)
     return key ? key : 1;
 }
 
-/* Returns true if several users can share an object, because it has neither content nor state. */
+/* Returns true for types of objects that several users can share, as they have no content. */
 static bool can_be_shared(VkObjectType type)
 {
     return type == VK_OBJECT_TYPE_SAMPLER || type == VK_OBJECT_TYPE_IMAGE_VIEW ||
@@ -123,7 +123,7 @@ void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, u
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
 
-/* Allocates at least one element: calloc() may return NULL for zero, which would mean failure. */
+/* Allocates at least one element, because calloc() may return NULL for zero elements. */
 void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size)
 {
     void *array;
@@ -182,7 +182,7 @@ static bool is_worth_keeping(const struct exec_object *object)
                                             object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT);
 }
 
-/* Moves the pipelines of a list to the executor's objects, and frees the rest. */
+/* Moves the pipelines in a list to the executor's objects, and frees all other objects. */
 static void keep_pipelines(struct rg_exec *exec, struct exec_objects *list)
 {
     for (uint32_t i = 0; i < list->count; i++) {

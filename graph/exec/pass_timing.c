@@ -1,11 +1,11 @@
-/* pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass.
- * A pass's timestamp precedes the next barriers, as a tile-based software rasteriser may execute a
- * later timestamp only after the next pass. */
+/* pass_timing.c: measures each pass by GPU timestamps, pipeline statistics or the host's clock. The
+ * timestamp of a pass is written before the next barriers. After the barriers, a tile-based
+ * software rasteriser may write the timestamp only when the next pass has finished. */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/executor.h"
 
-/* Statistics to query; results are in the order of these bits. */
+/* Pipeline statistics to query. The results of a query are in the order of these bits. */
 enum {
     COUNTED = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
               VK_QUERY_PIPELINE_STATISTIC_CLIPPING_INVOCATIONS_BIT |
@@ -48,7 +48,7 @@ fail:
     return result;
 }
 
-/* Returns a mask of a timestamp's valid bits; 0 for queue families beyond the 64th. */
+/* Returns a mask of the bits that are valid in a timestamp. Supports 64 queue families. */
 static uint64_t stamp_mask(const struct rg_exec *exec)
 {
     VkQueueFamilyProperties families[64];
@@ -191,7 +191,7 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
     }
 }
 
-/* Ends the measurement of a pass. A skipped pass gets no timestamp of its own, since llvmpipe
+/* Ends the measurement of a pass. No timestamp is written for a skipped pass, because llvmpipe
  * flushes all pending work at each timestamp. */
 void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn)
 {
@@ -212,7 +212,7 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
     time->record = rg_time_now() - slot->times.start - time->record_begin;
 }
 
-/* Reads the results of `count` queries, each of `values` 64-bit numbers. */
+/* Reads the results of `count` queries. Each result consists of `values` 64-bit numbers. */
 static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first, uint32_t count,
                           uint32_t values)
 {

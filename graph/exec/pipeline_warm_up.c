@@ -2,7 +2,7 @@
 #include <string.h>
 #include "graph/exec/executor.h"
 
-/* buffer size in bytes, enough for a vertex of any layout and for three indices */
+/* buffer size in bytes that suffices for three indices and for a vertex of any layout */
 static const VkDeviceSize blank_size = 1024;
 
 VkResult rg_exec_make_warm_up(struct rg_exec *exec)
@@ -19,7 +19,7 @@ VkResult rg_exec_make_warm_up(struct rg_exec *exec)
     RG_TRY(rg_exec_make_host_buffer(exec, &info, VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                                     "blank triangle", 0, &blank));
     exec->triangle = blank.buffer;
-    /* needs no flush, since host buffers are in coherent memory, which every device has */
+    /* host-coherent memory needs no flush */
     memset(blank.mapped, 0, blank_size);
 fail:
     return result;

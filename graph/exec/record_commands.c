@@ -94,7 +94,7 @@ static void bind(const struct rg_cmd *cmd)
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
-/* Advances `cmd` to the next pass that has the declaration `row` and the same repetition index. */
+/* Advances `cmd` to the next pass that is declared by `row` and has the same repetition index. */
 static void skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
 {
     const struct rg_plan *plan = cmd->exec->plan;
@@ -107,7 +107,7 @@ static void skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
     cmd->pass = &cmd->exec->passes[cmd->index];
 }
 
-/* Records the passes merged into the current one (rg_more_fn), each with its own descriptors. */
+/* Records the passes merged by rg_more_fn into the current one, each with its own descriptors. */
 static void record_merged_rows(const struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     struct rg_cmd other = *cmd;
@@ -294,7 +294,7 @@ void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
     cmd->exec->vk.CmdDispatch(cmd->commands, x, y, z);
 }
 
-/* Returns the pass's first use of a resource with `access` or, if that is 0, with any access. */
+/* Returns the pass's first use of a resource by `access`, where 0 stands for any access. */
 static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *resource,
                                           enum rg_access access)
 {

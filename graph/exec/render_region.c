@@ -2,7 +2,7 @@
 #include <assert.h>
 #include "graph/exec/executor.h"
 
-/* Parts of the view that a pass draws, or that later passes read from an image (bit flags). */
+/* Parts of the view that a pass draws, or that later passes read from an image, as bit flags. */
 enum {
     COVER_REGION = 1, /* the requested region */
     COVER_REACH = 2,  /* where fragments sample other texels */
@@ -19,7 +19,7 @@ static bool has_view_size(const struct rg_plan_image *image)
            !declared->depth && !image->imported && !image->persistent;
 }
 
-/* Returns true if a pass only draws to, or copies from, images of the view's size. */
+/* Returns true if a pass can be limited to a region: its images have the view's size. */
 static bool can_be_limited(const struct rg_exec *exec, const struct rg_plan_pass *pass)
 {
     const struct rg_plan_image *images = exec->plan->images;
@@ -61,7 +61,7 @@ static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
 
-/* Finds which part of the view a pass draws, and which parts of images it therefore reads. */
+/* Finds the part of the view that a pass draws, and the parts of images that it then reads. */
 static void find_coverage(struct rg_exec *exec, uint32_t index, uint8_t *needs)
 {
     const struct rg_plan_pass *pass = &exec->plan->passes[index];
@@ -99,7 +99,7 @@ bool rg_exec_is_limited(const struct rg_cmd *cmd)
     return cmd->exec->region.region.extent.width && !(cmd->pass->coverage & COVER_ALL);
 }
 
-/* Computes the intersection (`common`) or the bounding interval of two intervals. */
+/* Replaces an interval by its intersection with another one, or by their bounding interval. */
 static void combine_intervals(int32_t *offset, uint32_t *extent, int32_t other_offset,
                               uint32_t other_extent, bool common)
 {

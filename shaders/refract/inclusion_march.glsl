@@ -8,18 +8,18 @@
 #ifndef INCLUSION_MARCH_GLSL
 #define INCLUSION_MARCH_GLSL
 
-const uint inclusion_steps = 8u;       /* ray marching steps through the object's bounding sphere */
-const uint inclusion_refinements = 2u; /* number of iterations that refine a hit */
+const uint inclusion_steps = 8u;       /* marching steps per ray */
+const uint inclusion_refinements = 2u; /* iterations that refine a hit */
 const float inclusion_none = 1e30;
 
 struct inclusion_ray {
     vec4 from, dir;    /* origin and direction, projected to texels */
     float depth;       /* depth at the origin */
-    float depth_slope; /* derivative of the depth along the ray, never 0 */
-    bool is_across;    /* ray at over 45 degrees to the view axis; can hit steep inclusions */
+    float depth_slope; /* depth per unit distance, never 0 */
+    bool is_across;    /* over 45 degrees to view axis */
 };
 
-/* Returns a depth in the bounding sphere, 1 to 2. `from_center` is a point minus the centre. */
+/* Returns a point's depth in the bounding sphere, from 1 at the near end to 2 at the far end. */
 float inclusion_depth(vec3 from_center, vec3 forward, float radius)
 {
     return clamp(1.5 + 0.5 * dot(from_center, forward) / radius, 1.0, 2.0);
@@ -31,14 +31,14 @@ ivec2 inclusion_texel(inclusion_ray ray, float t)
     return ivec2(at.xy / at.w + 0.5);
 }
 
-/* Returns an inclusion's depth minus the ray's at `t`; below -2 if there is no inclusion. */
+/* Returns the depth of an inclusion minus the ray's depth at `t`; below -2 without inclusion. */
 float inclusion_depth_difference(sampler2D image, inclusion_ray ray, float t)
 {
     float depth = texelFetch(image, inclusion_texel(ray, t), 0).r;
     return (depth > 0.0 ? depth : -9.0) - (ray.depth + t * ray.depth_slope);
 }
 
-/* Returns the distance along a ray to the inclusion it hits, up to `max_t`, or inclusion_none. */
+/* Returns a ray's distance to the first inclusion up to `max_t`; inclusion_none without hit. */
 float inclusion_find(sampler2D image, inclusion_ray ray, float max_t)
 {
     float step_length = max_t / float(inclusion_steps);

@@ -3,22 +3,22 @@
 #define SHADERS_REFRACT_REFRACT_H
 #include "abi.h"
 
-#define REFRACT_ENV_CUBE 1 /* cube map of the radiance around the object */
-/* G-buffers of the ice: outward normals and depth-buffer values. A depth of 0 means no face. */
+#define REFRACT_ENV_CUBE 1 /* cube map of the surroundings */
+/* G-buffers of the ice: outward normals, and depth-buffer values, which are 0 without a face. */
 #define REFRACT_NORMAL_BACK  2
 #define REFRACT_DEPTH_BACK   3
 #define REFRACT_NORMAL_FRONT 4
 #define REFRACT_DEPTH_FRONT  5
 #define REFRACT_SHADING      7 /* shading normal of front faces */
 #define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_fullscreen.glsl) */
-/* Front depth map for ray marching with REFRACT_FULLSCREEN; may be larger than the image. */
+/* Front faces' depth map for ray marching with REFRACT_FULLSCREEN, perhaps with a margin. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
-/* Images of material parameters, written by ice_normal.c; used with REFRACT_MATERIAL. */
+/* Images of material parameters, as written by ice_normal.c and sampled with REFRACT_MATERIAL. */
 #define REFRACT_MATERIAL_FRONT 9
 #define REFRACT_MATERIAL_BACK  10
 #define REFRACT_MATERIAL_BASE  11
-/* Image of cracks, for models whose refracted rays are tested for cracks (cracks_hit.frag). */
+/* Image of the cracks that refracted rays can hit, as written by cracks_hit.frag. */
 #define REFRACT_CRACKS    6
 #define REFRACT_COMPOSITE 1 /* image that refract_composite.frag composites */
 

@@ -1,4 +1,4 @@
-/* refract.vert: vertex shader of the ice's front faces, with Fresnel reflectance by SN eq. 4. */
+/* refract.vert: vertex shader of the ice's front faces, with Seipel and Nivfors's Fresnel term. */
 #version 460
 #define HIGHLIGHT_VERTEX
 #include "lib/object_pose.glsl"
@@ -28,7 +28,7 @@ layout(location = REFRACT_REFRACTED) out vec3 out_refracted[3];
 
 void main()
 {
-    /* `precise`, so that image and AOV pass compute exactly the same depth for a face */
+    /* `precise` makes all passes compute exactly equal depths for a face */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

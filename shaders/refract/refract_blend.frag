@@ -1,4 +1,4 @@
-/* refract_blend.frag: fragment shader that refracts once, at a blend of front and back normal. */
+/* refract_blend.frag: refraction model that refracts once, at a blend of front and back normal. */
 #version 460
 #include "refract/refract_blend.h"
 #include "refract/refract_main.glsl"
@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Push
     refract_blend_params params;
 };
 
-/* Uses the front normal if there is no back face or the blended normal faces away. */
+/* Refracts at the blended normal. If it is missing or faces away, refracts at the front normal. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);

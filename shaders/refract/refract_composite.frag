@@ -1,4 +1,4 @@
-/* refract_composite.frag: fragment shader that copies a layer, to be blended over the image. */
+/* refract_composite.frag: copies an image with premultiplied alpha, for blending over the frame. */
 #version 460
 #include "refract/refract.h"
 

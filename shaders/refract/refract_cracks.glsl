@@ -14,8 +14,8 @@
 
 layout(set = 0, binding = REFRACT_CRACKS) uniform sampler2D cracks_hits;
 
-/* Below this cosine between ray and view axis, a ray counts as crossing the view. For other rays,
- * cracks are assumed parallel to the image plane, which keeps animations stable. */
+/* Cosine between a ray and the view axis. Above it, cracks are treated as parallel to the image
+ * plane, which avoids flicker in animations; below it, their slopes are taken into account. */
 const float cracks_across_cosine = 0.7;
 
 struct cracks_hit {

@@ -1,9 +1,8 @@
 /*
- * refract_depth_maps.glsl: lookups in the ice's screen-space depth and normal maps.
+ * refract_depth_maps.glsl: lookups in the screen-space depth and normal maps of the ice.
  *
- * Depths are compared as stored (reversed): near plane over view-space distance, 0 if there is no
- * face. On a plane, stored depths are linear in screen space, unlike distances. Clip coordinates
- * are linear in the distance along a ray.
+ * Depths are reversed: near plane distance over view-space distance, or 0 without a face. Such
+ * depths are linear in screen space on a plane. Clip coordinates are linear along a ray.
  */
 #ifndef REFRACT_DEPTH_MAPS_GLSL
 #define REFRACT_DEPTH_MAPS_GLSL
@@ -23,14 +22,14 @@ vec2 refract_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Returns the texel at a projected point, clamped to the image. */
+/* Returns the texel at a point in clip coordinates, clamped to the image. */
 ivec2 refract_texel(vec4 clip)
 {
     ivec2 size = textureSize(depth_back, 0);
     return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
 }
 
-/* Returns an interpolated depth; `at` is in texels, relative to the first texel's centre. */
+/* Returns the interpolated depth at a position in texels from the first texel's centre. */
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
@@ -44,7 +43,7 @@ float refract_depth_at_uv(sampler2D depths, vec2 uv)
     return refract_depth_at(depths, uv * size - 0.5, 1.0 / size);
 }
 
-/* Returns the mean normal of the nearest texels that have a face, or 0 if there are none. */
+/* Returns the mean normal of those of the nearest texels that have a face; 0 without any. */
 vec3 refract_normal_at(sampler2D normals, vec2 uv)
 {
     vec3 n = texture(normals, uv).xyz;

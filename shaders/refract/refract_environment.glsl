@@ -15,7 +15,7 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 #ifdef REFRACT_ENV_CUBE_POINTS
-/* the cube map with nearest filtering, which lavapipe samples in half the time */
+/* cube map with nearest filtering, which is twice as fast as linear filtering in lavapipe */
 layout(set = 0, binding = REFRACT_ENV_CUBE_POINTS) uniform samplerCube env_cube_points;
 #else
 #define env_cube_points env_cube
@@ -29,32 +29,32 @@ const float cube_nearest = 0.0;
 
 const int cube_refinements = 3; /* root search iterations per hit */
 
-/* If a ray gets farther behind a surface than this fraction of the surface's distance, it passes
- * behind the surface's edge. What the ray then hits is not in the cube map. */
+/* Depth behind a surface, as a fraction of the surface's distance, beyond which a ray passes behind
+ * the surface's edge. The cube map does not show what such a ray hits. */
 const float cube_occluded_min = 0.15;
 
-/* Returns how far a point is behind the surface in the cube map; negative in front. `point` is
- * homogeneous and relative to the cube's centre. The result is linear along a line for flat
- * surfaces. */
+/* Returns how far a point is behind the surface in the cube map, or a negative number in front. The
+ * result is linear along a ray if surfaces are flat. `point` is relative to the cube's centre, in
+ * homogeneous coordinates. */
 float cube_depth_behind(vec4 point)
 {
     return length(point.xyz) * textureLod(env_cube_points, point.xyz, 0.0).a - point.w;
 }
 
-/* Bracket of a ray's hit: two ray parameters, 0 to 1, on either side of the surface. */
+/* Bracket of a ray's hit: a ray parameter before the surface and one behind it, from 0 to 1. */
 struct cube_bracket {
     float before, behind;
     float at_before, at_behind; /* cube_depth_behind() at both ends */
 };
 
-/* Returns the root of the linearly interpolated distance behind the surface. */
+/* Returns the estimated ray parameter of the hit, by linear interpolation between both ends. */
 float cube_root(cube_bracket ends)
 {
     float fraction = ends.at_before / min(ends.at_before - ends.at_behind, -1e-9);
     return mix(ends.before, ends.behind, fraction);
 }
 
-/* Returns the bracket of the first step that passes a surface. If none does, both ends are 1. */
+/* Returns a bracket around the first surface on a line. Both ends are 1 if there is no surface. */
 cube_bracket cube_find_bracket(vec4 from, vec4 to)
 {
     cube_bracket ends = cube_bracket(0.0, 1.0, -1.0, 0.0);
@@ -72,8 +72,8 @@ cube_bracket cube_find_bracket(vec4 from, vec4 to)
     return ends;
 }
 
-/* Returns the start of a ray's search, as far from the cube's centre as the nearest surface.
- * Nothing can be hit before. An earlier start would make the steps longer. */
+/* Returns the point where a ray is as far from the cube's centre as the nearest surface. Since the
+ * ray hits nothing before this point, a search may start there. */
 vec3 cube_first_point(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)
@@ -85,9 +85,9 @@ vec3 cube_first_point(vec3 from_center, vec3 dir)
 }
 
 /*
- * Returns the direction in which a ray hits the cube map. If the ray passes behind a surface,
- * returns the direction beside the surface's edge. Steps are even in homogeneous coordinates, from
- * the ray's origin to infinity. The sampled directions are then about evenly spaced.
+ * Returns the direction from the cube's centre to a ray's hit. If the ray passes behind a surface's
+ * edge, returns the direction beside the edge. Steps are even in homogeneous coordinates, from the
+ * ray's origin to infinity, so that the sampled directions are evenly spaced.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
@@ -113,8 +113,8 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     return mix(from, to, is_past ? ends.before : cube_root(ends)).xyz;
 }
 
-/* Returns true if a point is behind the surfaces in the cube map, that is in the ground. Ice in wet
- * ground has no air below its base, and total internal reflection does not occur there. */
+/* Returns true if a point is behind the surfaces of the cube map, and so in the ground. Ice in wet
+ * ground has no air below it, and therefore no total internal reflection there. */
 bool refract_is_below_ground(vec3 point)
 {
     vec3 from_center = point - frame.cube_center;

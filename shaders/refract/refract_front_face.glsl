@@ -1,6 +1,6 @@
-/* refract_front_face.glsl: position and normal of the visible front face. By default they are
- * varyings, bump mapped with REFRACT_BUMP. With REFRACT_FULLSCREEN they are read from the G-buffer
- * ice_normal.front; with REFRACT_PHOTONS, main() sets them. */
+/* refract_front_face.glsl: position and normal of the visible front face, from varyings. With
+ * REFRACT_FULLSCREEN, both are read from a G-buffer instead. With REFRACT_PHOTONS, main() sets
+ * both. */
 #ifndef REFRACT_FRONT_FACE_GLSL
 #define REFRACT_FRONT_FACE_GLSL
 #include "lib/primary_ray.glsl"

@@ -1,6 +1,6 @@
 /* refract_fullscreen.glsl: reads the visible front face from the G-buffer ice_normal.front, for
- * deferred shading with a full-screen triangle. Rasterisers that shade blocks of pixels then shade
- * each block once, not once for each of its triangles. */
+ * deferred shading by a full-screen triangle. Rasterisers that shade blocks of pixels then shade a
+ * block only once. With the ice's own triangles, they shade a block once per triangle. */
 #ifndef REFRACT_FULLSCREEN_GLSL
 #define REFRACT_FULLSCREEN_GLSL
 #include "lib/primary_ray.glsl"
@@ -24,8 +24,7 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* Reads the front face of this pixel and discards pixels without visible ice. In the image pass,
- * the depth test has rejected most of these; only pixels that show other objects remain. */
+/* Reads the pixel's front face. Discards pixels without ice, or with ice behind other objects. */
 void refract_front_read()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,5 +1,5 @@
-/* refract_fullscreen.vert: full-screen-triangle vertex shader of per-pixel refraction models.
- * REFRACT_FULLSCREEN_WITH_MEAN adds the environment's mean radiance. */
+/* refract_fullscreen.vert: full-screen triangle for refraction models that shade each pixel. With
+ * REFRACT_FULLSCREEN_WITH_MEAN, also computes the mean radiance of the environment. */
 #version 460
 #define REFRACT_FULLSCREEN_VERTEX
 #define HIGHLIGHT_VERTEX
@@ -16,9 +16,9 @@ layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat out float out_nea
 
 const uint mean_count = 256u;
 const float mean_golden = 2.39996323; /* golden angle, radians */
-const float mean_brightest = 16.0;    /* maximum radiance, because few samples hit the sun */
+const float mean_brightest = 16.0;    /* maximum radiance; limits sparse sun samples */
 
-/* Computes the environment cube's mean radiance and nearest distance, sampled along a spiral. */
+/* Computes the cube map's mean radiance and nearest distance from directions along a spiral. */
 void mean_compute()
 {
     vec3 sum = vec3(0.0);
@@ -36,7 +36,7 @@ void mean_compute()
 }
 #endif
 
-/* Draws a full-screen triangle at depth 0, behind all faces, for a depth test against them. */
+/* Draws a full-screen triangle behind all faces, so that the depth test finds pixels with faces. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

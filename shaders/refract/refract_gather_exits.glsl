@@ -24,7 +24,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
-#ifdef REFRACT_SSR /* reflections are faint, so that one exit is enough */
+#ifdef REFRACT_SSR /* one exit for faint reflections */
 #define EXITS        1u
 #define EXITS_BRANCH 1.0
 #else
@@ -37,25 +37,25 @@ layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' r
 
 #include "refract/refract_cracks.glsl"
 
-/* A ray continues after a false exit at most this number of times. */
+/* Maximum number of times that a ray continues behind an apparent exit that is not a face. */
 const uint exits_false_max = 2u;
 
 /* Maximum number of reflections by cracks between two exits. */
 const uint exits_crack_reflections = 3u;
 
-/* Two successive crack hits count as one crack if the cosine between the normals exceeds this. The
- * image shows the crack that a ray just left beside the ray's origin. */
+/* Cosine between the normals of two successive crack hits. Above it, both hits count as one crack,
+ * because a crack that a ray has just left also appears in the image beside the ray's origin. */
 const float exits_same_crack = 0.9;
 
-/* Below this throughput, a ray gets at most one more reflection. Cubes cause long chains of total
- * internal reflection, and all rays of a SIMD unit wait for the longest chain. */
+/* Throughput below which a ray is reflected at most once more. This limits long chains of total
+ * internal reflection, as in cubes, for which a whole SIMD unit would wait. */
 const float exits_weak_throughput = 0.1;
 
 /* State of a path inside the object. */
 struct exits_ray {
     vec3 weight;       /* path throughput, relative to the pixel */
-    float crack;       /* distance to a reflecting crack, or inclusion_none */
-    vec3 crack_n;      /* unit normal of the last crack before the next face, 0 if none */
+    float crack;       /* distance to reflecting crack, or inclusion_none */
+    vec3 crack_n;      /* last crack's normal, or 0 */
     refract_path path; /* up to the next face */
     vec3 n;            /* next face's outward normal, or 0 */
     float reflectance; /* Fresnel reflectance of the face */
@@ -68,10 +68,10 @@ struct exits_ray {
 #endif
 };
 
-/* Radiance of a pixel, and the path branch that is still to be followed. */
+/* Radiance of a pixel, and a second branch of the path, which is followed later. */
 struct exits_pixel {
     vec3 light;
-    /* weaker branch of the path; weight is negative if there is no branch, 0 once it is followed */
+    /* second branch; its weight is negative if there is none, and 0 once the branch is followed */
     exits_ray other;
 };
 
@@ -80,8 +80,8 @@ float exits_mean(vec3 weight)
     return dot(weight, vec3(1.0 / 3.0));
 }
 
-/* Intersects a path with a crack in front of the next face. The path continues with the stronger
- * branch. The weaker branch is stored in `pixel` or looks up the environment at once. */
+/* Splits a path at a crack in front of the next face. The path continues along the stronger branch.
+ * The weaker branch is stored in `pixel`, or looks up the environment at once. */
 void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
 {
     cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);

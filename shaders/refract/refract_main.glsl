@@ -1,6 +1,6 @@
-/* refract_main.glsl: shading of the raster refraction models: environment lookup, absorption,
- * dispersion and reflection; writes AOVs with REFRACT_LAYERS, otherwise the image (Seipel and
- * Nivfors 2006, eq. 6). Each model defines refract_follow(), the path of light through the ice. */
+/* refract_main.glsl: main() of the raster refraction models, which shades the ice by environment
+ * lookup, absorption, dispersion and reflection (Seipel and Nivfors 2006, eq. 6). Each model
+ * defines refract_follow(). With REFRACT_LAYERS, writes AOVs instead of the image. */
 #ifndef REFRACT_MAIN_GLSL
 #define REFRACT_MAIN_GLSL
 #include "lib/specialization_constants.glsl"
@@ -34,7 +34,7 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Returns the proxy sphere's diameter in metres: the bounding sphere's divided by sqrt(3). */
+/* Returns the side in metres of the cube inscribed in the bounding sphere, as the ice's width. */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);
@@ -55,7 +55,7 @@ float refract_reflectance(vec3 e, vec3 n_f)
 }
 
 #ifndef REFRACT_EXITS
-/* Returns the refracted radiance of one colour channel and sets `path`. */
+/* Returns the refracted radiance of a colour channel. Sets `path` to the path through the ice. */
 vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 {
     path = refract_follow(e, n_f, channel);
@@ -77,7 +77,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 #include "refract/refract_gather_exits.glsl"
 #endif
 
-/* Shades a visible point of the ice; the result's `path` is that of green light. */
+/* Shades a visible point of the ice. The result's `path` is the path of green light. */
 refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;
@@ -95,7 +95,7 @@ refract_result refract_shade(vec3 e, vec3 n_f)
     return r;
 }
 
-#ifdef REFRACT_SSR /* the file that includes this one defines main() */
+#ifdef REFRACT_SSR /* the including file defines main() */
 #elif defined(REFRACT_LAYERS)
 layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
 layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;

@@ -4,8 +4,8 @@
 #include "refract/refract.h"
 
 struct refract_march {
-    uint32_t steps;    /* steps along a ray through the object's bounding sphere */
-    uint32_t halvings; /* number of bisections of the step that leaves the object */
+    uint32_t steps;    /* steps through the bounding sphere */
+    uint32_t halvings; /* bisections of the last step */
     uint32_t bounces;  /* maximum number of total internal reflections */
 };
 

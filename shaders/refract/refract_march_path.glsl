@@ -1,23 +1,23 @@
-/* refract_march_path.glsl: refraction by image-space ray marching to the exit point; with
- * REFRACT_BOUNCE also after total internal reflections. */
+/* refract_march_path.glsl: refraction models that march a ray in depth maps to its exit point and,
+ * with REFRACT_BOUNCE, beyond total internal reflections. */
 #ifndef REFRACT_MARCH_PATH_GLSL
 #define REFRACT_MARCH_PATH_GLSL
 #include "refract/refract_march_ray.glsl"
 #include "refract/refract_path.glsl"
 
 #ifdef MARCH_GROUND
-/* Returns true if a point is in the ground, where the ice's base touches no air. */
+/* Returns true if a point is in the ground, where no air is below the ice. */
 bool march_is_in_ground(vec3 point);
 #endif
 
 #ifdef REFRACT_MEDIUM
 #include "refract/refract_medium.glsl"
 
-vec3 march_scattered;            /* radiance scattered into the path traced last */
+vec3 march_scattered;            /* radiance scattered into the last path */
 float march_transmittance_media; /* medium transmittance; initialised by callers */
 #endif
 
-/* Traces a path to the exit. Sets `leaving` to the last face's transmittance; 0 without an exit. */
+/* Traces a path to its exit. Sets `leaving` to the exit face's transmittance; 0 without a face. */
 void march_continue(march_space space, float eta, inout refract_path path, out float leaving)
 {
     leaving = 0.0;
@@ -32,7 +32,7 @@ void march_continue(march_space space, float eta, inout refract_path path, out f
         path.point += t * path.dir;
         path.path += t;
         vec3 n = march_normal(space, path.point, path.dir, near_front);
-        if (dot(n, path.dir) <= 0.0) /* no face was found: the ray continues straight */
+        if (dot(n, path.dir) <= 0.0) /* no face: the ray goes straight */
             break;
 #ifdef MARCH_GROUND
         if (march_is_in_ground(path.point)) {

@@ -1,6 +1,6 @@
-/* refract_march_ray.glsl: ray marching inside the ice to the exit point, in screen-space depth
- * maps. Without REFRACT_BOUNCE, rays cannot leave through front faces, and points in front of front
- * faces count as inside. */
+/* refract_march_ray.glsl: marches a ray inside the ice through screen-space depth maps to the exit
+ * point. Without REFRACT_BOUNCE, only back faces are exits: points in front of the ice count as
+ * inside. */
 #ifndef REFRACT_MARCH_RAY_GLSL
 #define REFRACT_MARCH_RAY_GLSL
 #include "refract/refract_depth_maps.glsl"
@@ -27,9 +27,9 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 #endif
 
-/* Constants of a march, loaded once, because lavapipe loads uniforms for each ray separately. */
+/* Constants of ray marching, copied once because lavapipe would load uniforms for each ray. */
 struct march_space {
-    mat4 map_from_world; /* projection to texel coordinates x / w, y / w */
+    mat4 map_from_world; /* clip coordinates scaled to texels */
     vec2 texel;
     vec3 center; /* of the object's bounding sphere */
     float radius;
@@ -52,11 +52,11 @@ march_space march_space_of_frame()
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
-/* Marching starts at this distance along a ray, in bounding radii, since texels are coarse. */
+/* Distance in bounding radii where marching starts; coarse texels make nearer depths unreliable. */
 const float march_start = 0.02;
 
-/* Returns a point's signed distances: x to the back face, y to the front face, negative outside.
- * The unit is stored depth times w. Distances to flat faces are linear along a ray in this unit. */
+/* Returns a point's signed distances to the back face (x) and the front face (y), negative outside.
+ * The unit is depth times w, in which distances to a flat face are linear along a ray. */
 vec2 march_signed_distances(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -168,22 +168,22 @@ float march_find_exit(march_space space, vec3 point, vec3 dir, bool hidden, out 
             break;
     }
     near_front = ends.near_front;
-    /* Behind a continuous face, the signed distance changes little over 4 * exact. */
+    /* The signed distance changes only slowly behind the exit if the face is continuous. */
     float probe = march_signed_distance(
         march_signed_distances(space, fma(vec4(ends.within + 4.0 * exact), map_dir, from)));
     jumps = probe < -0.25 * difference && probe > march_outside_silhouette;
     return ends.within;
 }
 
-/* Returns the distance along a ray to its first apparent exit. */
+/* Returns the distance along a ray to the first point where it seems to leave the object. */
 float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
 {
     bool jumps;
     return march_find_exit(space, point, dir, false, near_front, jumps);
 }
 
-/* Returns the outward normal at a ray's end: the front face's if `near_front`, otherwise the back
- * face's. If the ray cannot leave through that face, returns the opposite face's normal. */
+/* Returns the outward normal at a ray's exit: of the front face if `near_front`, otherwise of the
+ * back face. If the ray cannot leave through that face, returns the opposite face's normal. */
 vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -200,7 +200,7 @@ vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 }
 
 #ifdef REFRACT_BOUNCE
-/* Returns the outward normal of the face at a ray's end: front if `near_front`, else back. */
+/* Returns the outward normal at a ray's exit, of the front face if `near_front`, else the back. */
 vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -211,7 +211,7 @@ vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 }
 
 #ifdef REFRACT_MATERIAL
-/* Returns the transmittance of the face at a ray's end: front if `near_front`, else back. */
+/* Returns the transmittance at a ray's exit, of the front face if `near_front`, else the back. */
 vec3 march_transmittance(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

@@ -1,4 +1,4 @@
-/* refract_material.glsl: transmittance and opaque base colour from images of ice_normal.c. */
+/* refract_material.glsl: reads transmittances and the opaque base's radiance from images. */
 #ifndef REFRACT_MATERIAL_GLSL
 #define REFRACT_MATERIAL_GLSL
 #include "refract/refract.h"
@@ -8,7 +8,7 @@ layout(set = 0, binding = REFRACT_MATERIAL_BACK) uniform sampler2D material_back
 layout(set = 0, binding = REFRACT_MATERIAL_BASE) uniform sampler2D material_base_light;
 
 #ifdef REFRACT_SSR
-ivec2 refract_pixel; /* image pixel of the face that the ray hits; set by main() */
+ivec2 refract_pixel; /* pixel of the hit face */
 #else
 #define refract_pixel ivec2(gl_FragCoord.xy)
 #endif
@@ -19,7 +19,7 @@ vec3 refract_front_transmittance()
     return texelFetch(material_front, refract_pixel, 0).rgb;
 }
 
-/* Returns the back face's transmittance, for models that do not know the exit point. */
+/* Returns the transmittance of the back face, at the pixel itself instead of the exit point. */
 vec3 refract_back_transmittance()
 {
     return texelFetch(material_back, refract_pixel, 0).rgb;

@@ -5,8 +5,8 @@
 #include "inclusions/medium_light.glsl"
 #include "lib/object_pose.glsl"
 
-/* Ray-marches a medium from a world-space point along `dir` up to length `t`. Returns scattered
- * radiance times `transmittance`. Then multiplies `transmittance` by that of the segment. */
+/* Ray-marches a medium over a segment of length `t`. Returns the scattered radiance, attenuated by
+ * `transmittance`. Then multiplies `transmittance` by the transmittance of the segment. */
 vec3 refract_in_scatter(medium_field field, vec3 point, vec3 dir, float t,
                         inout float transmittance)
 {

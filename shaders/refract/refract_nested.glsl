@@ -29,7 +29,7 @@ layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
 
 layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
-const float nested_start = 0.01;          /* distance at which marching starts, in bounding radii */
+const float nested_start = 0.01;          /* marching start, in bounding radii */
 const float nested_throughput_min = 0.01; /* minimum throughput of reflected rays */
 const int nested_pending_max = 3;
 const int nested_ends_max = 6;
@@ -68,7 +68,7 @@ nested_space nested_space_of_frame()
     return nested_space(m, 1.0 / size);
 }
 
-/* Returns a layer's interpolated depth; `at` is in texels, relative to the first texel's centre. */
+/* Returns a layer's interpolated depth at a position in texels from the first texel's centre. */
 float nested_depth_at(int layer, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
@@ -77,8 +77,8 @@ float nested_depth_at(int layer, vec2 at, vec2 texel)
     return depth_interpolate(textureGather(depths, coords), fraction);
 }
 
-/* Returns a point's signed distances, negative outside: x to a level's far faces, y to the level's
- * near faces. The unit is stored depth times w. */
+/* Returns a point's signed distances to a level's far faces (x) and near faces (y), negative
+ * outside the level. The unit is depth times w. */
 vec2 nested_signed_distances(nested_space space, int level, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -93,8 +93,8 @@ float nested_signed_distance(vec2 dists)
     return min(dists.x, dists.y);
 }
 
-/* Returns a point's signed distance to the nearest face of a level or of the next inner level. The
- * distance is negative if the point is outside the level or inside the inner level. */
+/* Returns the signed distance to the nearest face of a level or of the next inner level. The
+ * distance is negative outside the level and inside the inner level. */
 float nested_level_distance(nested_space space, int level, vec4 at, out bool is_in_next)
 {
     float dist = nested_signed_distance(nested_signed_distances(space, level, at));
@@ -114,9 +114,9 @@ float nested_length(vec3 point, vec3 dir)
     return sqrt(max(half_b * half_b - outside, 0.0)) - half_b;
 }
 
-/* Returns two distances along a ray: the last one inside the ray's level, and the first one beyond.
- * Sets `enters` to true if the ray enters the inner level. The Illinois method refines the
- * interval: if one end moves twice, the signed distance at the other end is halved. */
+/* Returns the last distance along a ray inside the ray's level, and the first one beyond. Sets
+ * `enters` if the ray enters the inner level. Refines the interval by the Illinois method: if the
+ * same end moves twice, the signed distance at the other end is halved. */
 vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
 {
     vec4 from = space.map_from_world * vec4(ray.point, 1.0);
@@ -163,8 +163,8 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
     return vec2(ends.within, ends.beyond);
 }
 
-/* Returns the outward normal of a level's face that is nearest to a point; 0 if no face is there.
- * Sets `medium` to the medium inside the level at that face. */
+/* Returns the outward normal of a level's face nearest to a point, or 0 if there is no face. Sets
+ * `medium` to the medium inside the face. */
 vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -180,7 +180,7 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
 }
 
-/* Appends to `ends` with constant indices. A variable index would move the array to memory. */
+/* Appends to `ends` by constant indices, since a variable index would move the array to memory. */
 void nested_push_end(vec3 point, vec3 dir, vec3 throughput)
 {
     for (int k = 0; k < nested_ends_max; k++)
@@ -206,7 +206,7 @@ nested_ray nested_pop_pending()
     return ray;
 }
 
-/* Returns true if a ray's point at distance `t` is in the level around the ray's level. */
+/* Returns true if a ray's point at distance `t` is inside the next outer level. */
 bool nested_is_in(nested_space space, nested_ray ray, float t)
 {
     vec4 at = space.map_from_world * vec4(fma(vec3(t), ray.dir, ray.point), 1.0);
@@ -226,7 +226,7 @@ struct nested_face {
 };
 
 /*
- * Moves a ray to its next face. The ray continues straight where the maps show no face.
+ * Moves a ray to its next face. Without a face in the maps, the ray continues straight.
  *
  * A cavity between two parts of an object is a level only where both parts are visible. Where the
  * cavity is open to the outside, a ray leaves cavity and surrounding level at once, without a face.
@@ -262,7 +262,7 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     face.reflectance = is_found ? optics_fresnel(ray.dir, n, eta) : 0.0;
     face.reflected = is_found ? reflect(ray.dir, n) : ray.dir;
     face.refracted = is_found ? optics_refract(ray.dir, -n, eta) : ray.dir;
-    if (refract_is_below_ground(ray.point)) { /* no reflection by ice in the ground */
+    if (refract_is_below_ground(ray.point)) { /* no reflection in the ground */
         face.next = -1;
         face.reflectance = 0.0;
         face.refracted = normalize(ray.point - frame.cube_center);
@@ -270,9 +270,9 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     return face;
 }
 
-/* Continues a ray from a face. If the ray ends there, the ray's throughput becomes zero. Returns
- * the throughput that no ray follows; the caller multiplies it by the mean radiance of
- * surroundings. */
+/* Continues a ray from a face by refraction or reflection. A ray that ends gets throughput 0.
+ * Returns the throughput of directions that are not followed, to be multiplied by the surroundings'
+ * mean radiance. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;
@@ -307,7 +307,7 @@ vec3 nested_scatter(nested_face face, inout nested_ray ray)
     return rest;
 }
 
-/* Records a face of the main path. The main path is refracted wherever possible. */
+/* Adds a face to the recorded path, which is refracted wherever possible. */
 void nested_record(nested_face face, nested_ray ray, bool is_first, inout refract_path path)
 {
     bool is_total = face.reflectance >= 1.0;

@@ -4,7 +4,7 @@
 #include "refract/refract.h"
 
 struct refract_paper_params {
-    float a; /* weight of the back face's normal, eq. 1 */
+    float a; /* weight of the back face's normal */
 };
 
 #endif

@@ -8,12 +8,12 @@
 struct refract_path {
     vec3 dir;      /* exit direction */
     vec3 point;    /* exit point in world space */
-    float path;    /* path length inside the ice, metres; 0 if the model does not compute it */
+    float path;    /* metres; 0 if not computed */
     float bounces; /* number of total internal reflections */
-    float tir;     /* 1 if the first inner face reflects totally, else 0 */
+    float tir;     /* 1 if first face reflects totally */
 };
 
-/* Returns the path of a colour channel (index of refract_frame.etas); defined by each model. */
+/* Returns the path for a colour channel, an index of refract_frame.etas; defined by each model. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel);
 
 vec3 refract_front_point()

@@ -3,8 +3,8 @@
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 
-/* Refracts as a slab with parallel faces: light is displaced but keeps its original direction. The
- * slab's thickness is that of the ice along the unrefracted ray. */
+/* Refracts as a slab with parallel faces does: light is displaced but keeps its direction. The slab
+ * is as thick as the ice along the unrefracted ray. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec3 inside = optics_refract(e, n_f, frame.etas[channel]);

@@ -2,7 +2,7 @@
 #version 460
 #include "refract/refract_main.glsl"
 
-/* Refracts as a sphere does: by the same angle on entry and exit, without total reflection. */
+/* Refracts as a sphere does: without total reflection, by equal angles on entry and exit. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];

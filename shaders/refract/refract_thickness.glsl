@@ -4,8 +4,8 @@
 #include "refract/refract_depth_maps.glsl"
 #include "refract/refract_front_face.glsl"
 
-/* Returns the thickness along the unrefracted ray in metres; 0 without a back face. Distance is
- * linear in 1 / stored depth in perspective views, in stored depth in orthographic views. */
+/* Returns the ice's thickness along the unrefracted ray in metres; 0 without a back face. Distance
+ * is proportional to 1 / depth in perspective views, and linear in depth in orthographic views. */
 float refract_thickness()
 {
     float back = texelFetch(depth_back, ivec2(gl_FragCoord.xy), 0).r;

@@ -1,6 +1,6 @@
-/* refract_uniforms.glsl: uniforms of the refraction models, as `refract_frame`. With
- * REFRACT_FULLSCREEN they are flat varyings, because lavapipe's fragment shaders fetch each float
- * of a uniform separately for each pixel (Mesa 22.3). */
+/* refract_uniforms.glsl: uniforms of the refraction models, as the block refract_frame. With
+ * REFRACT_FULLSCREEN, flat varyings replace the uniforms, because lavapipe's fragment shaders fetch
+ * each uniform float separately for each pixel (Mesa 22.3). */
 #ifndef REFRACT_UNIFORMS_GLSL
 #define REFRACT_UNIFORMS_GLSL
 #include "lib/globals.glsl"

@@ -3,8 +3,8 @@
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 
-/* Returns the thickness along the front normal. First guesses the proxy sphere's diameter. Halves
- * the guess while the pixel at that depth along the normal shows no ice. */
+/* Returns the ice's thickness along the front normal. Starts with refract_width(), and halves it
+ * while the depth map shows no back face at the end point. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();
@@ -25,7 +25,7 @@ float thickness_along(vec3 point, vec3 n_f)
     return guess;
 }
 
-/* Refracts as in Wyman 2005, eq. 2: interpolates two thicknesses by the ratio of the angles. */
+/* Refracts as in Wyman 2005, eq. 2: interpolates between two thicknesses by the ratio of angles. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];
@@ -33,7 +33,7 @@ refract_path refract_follow(vec3 e, vec3 n_f, int channel)
     vec3 inside = optics_refract(e, n_f, eta);
     float ci = clamp(-dot(n_f, e), 0.0, 1.0);
     float si = sqrt(1.0 - ci * ci);
-    /* eta exceeds 1 if the ice's index is below the outside's */
+    /* eta is over 1 if the ice's index is the lower one */
     float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
     float ray_thickness = refract_thickness();
     float path_length = mix(thickness_along(point, n_f), ray_thickness, ratio);
