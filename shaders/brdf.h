@@ -9,8 +9,8 @@
 #define SHADERS_BRDF_H
 #include "abi_math.h"
 
-/* Prefiltered environment map, an array of equirectangular images. The last layer is diffuse
- * irradiance; all other layers are specular, for roughness 1/7 to 1. */
+/* Size and layers of the prefiltered environment map, an array of equirectangular images. The last
+ * layer is diffuse irradiance. All other layers are specular, for roughness 1/7 to 1. */
 #define LIT_WIDTH         128
 #define LIT_HEIGHT        64
 #define LIT_ROUGH_LAYERS  7
@@ -26,7 +26,7 @@
 
 /* Columns of the RGBA32F light texture, one row per light (src/scene/punctual_light.c). */
 #define LIT_LIGHT_POSITION  0 /* position, metres; w: 0 if directional */
-#define LIT_LIGHT_DIRECTION 1 /* unit direction; w: range in metres, 0 if unlimited */
+#define LIT_LIGHT_DIRECTION 1 /* light's unit direction; w: range in metres, 0 if unlimited */
 #define LIT_LIGHT_COLOR     2 /* illuminance, lux, or intensity, candela */
 #define LIT_LIGHT_CONE      3 /* cosines of a spot light's inner and outer cone angles */
 #define LIT_LIGHT_WIDTH     4
@@ -38,7 +38,7 @@ struct lit_surface {
     float roughness; /* perceptual; its square is GGX's alpha */
 };
 
-/* Returns the BRDF of KHR_materials_specular: a dielectric with `dielectric_f0`, or a metal. */
+/* Returns the surface of KHR_materials_specular, from dielectric (`metallic` 0) to metal (1). */
 ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic, float roughness,
                                                     vec3s dielectric_f0, float specular)
 {
@@ -67,7 +67,7 @@ struct lit_environment_factors {
     vec3s specular, diffuse;
 };
 
-/* Returns the environment factors of a surface; `split` is its entry in the split-sum table. */
+/* Returns the factors on environment light. `split` is the surface's split-sum table entry. */
 ABI_FUNCTION ABI_STRUCT(lit_environment_factors)
     lit_environment_factors_of(ABI_STRUCT(lit_surface) s, vec2s split)
 {
@@ -132,7 +132,7 @@ ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s bas
     return glms_vec3_add(glms_vec3_scale(diffuse, fmaxf(glms_vec3_dot(base, l), 0.0f)), specular);
 }
 
-/* Returns the same as lit_by_light_on() for a surface without a water layer. */
+/* Calls lit_by_light_on() for a surface without a water layer, where both normals are `n`. */
 ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
 {
     return lit_by_light_on(s, n, n, v, l, spread);

@@ -1,4 +1,4 @@
-/* clear.frag: fragment shader that clears a colour target to zero where it is drawn. */
+/* clear.frag: fragment shader that writes zero to a colour target. */
 #version 460
 
 layout(location = 0) out vec4 color;

@@ -6,9 +6,10 @@
 #define MATERIAL_ROW_FACTORS  0 /* metallic, roughness, specular, alpha */
 #define MATERIAL_ROW_F0       1 /* rgb: dielectric reflectance at normal incidence; a: alpha mode */
 #define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
-/* xy: normal scale, occlusion strength; zw: flags for textured ice, water layer */
+/* x: normal scale; y: occlusion strength; z: 1 for textured ice; w: 1 for a water layer */
 #define MATERIAL_ROW_SCALES 3
-/* Two texels per texture: u transform, layer + 1; v transform, 9 * uv_set + 3 * wrap_v + wrap_u. */
+/* First of two texels per texture: transform of u, and array layer + 1. The second texel holds the
+ * transform of v, and 9 * uv_set + 3 * wrap_v + wrap_u. */
 #define MATERIAL_ROW_TEXTURES 4
 #define MATERIAL_ROW_WIDTH    22
 

@@ -17,7 +17,7 @@
 #define MESH_SURFACE_SHIFT 19u      /* first bit: material index + 1 */
 #define MESH_SURFACE_MAX   8191u
 
-/* Size of the texture of struct mesh_extra; each vertex has consecutive texels in one row. */
+/* Size of the texture that stores struct mesh_extra. Texels of a vertex are adjacent in one row. */
 #define MESH_EXTRA_WIDTH  4096 /* texels */
 #define MESH_EXTRA_HEIGHT 4096 /* maximum, supported by every device */
 #define MESH_EXTRA_TEXELS 2    /* texels per vertex: tangent; uv */

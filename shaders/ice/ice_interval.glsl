@@ -22,7 +22,7 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* Returns peeled layer `i` of this pixel; `near` stores the first layers, `far` the rest. */
+/* Returns this pixel's peeled layer `i`. `near` stores the first layers, `far` all later layers. */
 float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

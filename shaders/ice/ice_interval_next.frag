@@ -4,7 +4,7 @@
 
 layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray previous;
 
-/* Discards faces up to the previous layer. Of other faces, the depth test keeps the nearest. */
+/* Discards faces up to the previous layer. The depth test keeps the nearest remaining face. */
 void main()
 {
     float layer = ice_interval_layer(gl_FragCoord.z, gl_FrontFacing);

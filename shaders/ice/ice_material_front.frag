@@ -1,5 +1,5 @@
-/* ice_material_front.frag: fragment shader of the G-buffer of textured ice's front faces, which
- * also shades the opaque base. */
+/* ice_material_front.frag: fragment shader that writes the G-buffer of textured ice's front faces
+ * and the radiance of the ice's opaque base. */
 #version 460
 #include "ice/ice_textured.glsl"
 

@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 normal;
 
-/* xyz: unit normal that points out of the nesting level; w: 1 + index of the medium inside it */
+/* xyz: unit outward normal of the nesting level; w: index of the medium inside the level, plus 1 */
 layout(location = 0) out vec4 face;
 layout(location = 1) out float depth;
 

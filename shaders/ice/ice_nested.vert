@@ -9,7 +9,7 @@ layout(location = 0) out vec3 out_normal;
 
 void main()
 {
-    /* `precise`, because passes of inner levels compare depths with the outer level's */
+    /* `precise`, because depths of inner nesting levels are compared with those of outer ones */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

@@ -3,7 +3,7 @@
 #define SHADERS_INCLUSIONS_AIR_H
 #include "abi.h"
 
-#define AIR_LAYERS 3 /* texture array of opacities; r: bubbles, g: haze */
+#define AIR_LAYERS 3 /* texture array with the opacity of bubbles in r and of haze in g */
 
 /* Air planes fade out where the cosine between their normal and the view ray is below this. */
 #define AIR_EDGE 0.3f

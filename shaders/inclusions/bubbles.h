@@ -15,7 +15,7 @@ struct bubbles_drawn {
     vec3s center;  /* metres */
     float radius;  /* perpendicular to the axis */
     vec3s axis;    /* unit; unused for spheres */
-    float stretch; /* half the length along the axis, minus `radius`; 0 for a sphere */
+    float stretch; /* half the bubble's length along the axis, minus `radius`; 0 for a sphere */
     uint32_t is_capsule;
 };
 

@@ -50,7 +50,7 @@ bool march_is_in_ground(vec3 point)
     return refract_is_below_ground(point);
 }
 
-/* Low limits, because errors hardly show in the small, distorted images inside bubbles. */
+/* Few bounces and bisections suffice, because errors hardly show in small images inside bubbles. */
 const uint bubble_bounces = 2u;
 const uint bubble_halvings = 4u;
 
@@ -82,7 +82,8 @@ vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
     return light;
 }
 
-/* Traces the stronger of the reflected and transmitted ray; the other one looks up env_cube. */
+/* Returns the reflected and transmitted light of a bubble. Traces the stronger of the two rays and
+ * looks up env_cube for the weaker one. */
 vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
     bool is_reflected = fresnel >= cover;

@@ -16,7 +16,7 @@ layout(location = CRACKS_SHADING) flat in cracks_shading shading;
 
 const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour with cracks_shading.surface */
 
-/* View ray and normal at a point of a crack, object space. */
+/* Primary ray direction and normal at a point of a crack, in object space. */
 struct crack_point {
     vec3 e; /* direction of the primary ray */
     vec3 n; /* unit normal towards the camera */
@@ -34,7 +34,7 @@ crack_point crack_here()
     return c;
 }
 
-/* Returns the local width of the air gap, micrometres. */
+/* Returns the local width of the air gap in micrometres. */
 float crack_width()
 {
     return shading.gap * sqrt(max(open, 0.0));

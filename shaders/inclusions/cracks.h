@@ -10,7 +10,7 @@
 #define CRACKS_FAR      4
 #define CRACKS_ENV_CUBE 5 /* used with cracks.refract=gap */
 
-/* Outputs of the vertex shader, in object space. */
+/* Locations of the outputs of cracks.vert, which are in object space. */
 #define CRACKS_POSITION     0 /* in radii of the bounding sphere */
 #define CRACKS_NORMAL       1
 #define CRACKS_EYE_TO_POINT 2
@@ -18,7 +18,8 @@
 #define CRACKS_LIGHTS       4 /* vectors to lights; w: highlight strength */
 #define CRACKS_SHADING      8 /* struct cracks_shading */
 
-/* In the image cracks.hits, gaps with more reflectance than this hide less reflective gaps. */
+/* Reflectance threshold of the image cracks.hits. Cracks above the threshold hide cracks below the
+ * threshold, even nearer ones. */
 #define CRACKS_HIT_REFLECTANCE 0.2f
 
 #define CRACKS_MAX 64 /* maximum of cracks.count */

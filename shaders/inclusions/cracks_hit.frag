@@ -1,11 +1,11 @@
-/* cracks_hit.frag: writes the crack image with which refract_cracks.glsl intersects refracted rays.
- * A highly reflective crack hides less reflective ones, even if they are nearer. */
+/* cracks_hit.frag: writes the image of cracks that refracted rays may hit (refract_cracks.glsl). A
+ * highly reflective crack hides less reflective cracks, even nearer ones. */
 #version 460
 #include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
 #include "refract/inclusion_march.glsl"
 
-layout(location = 0) out vec4 hit; /* r: depth; gba: normal times (1 + width in micrometres) */
+layout(location = 0) out vec4 hit; /* r: depth; gba: normal times (1 + gap width in micrometres) */
 
 void main()
 {

@@ -58,7 +58,7 @@ ABI_FUNCTION vec3s crack_octave(vec3s p, float frequency, float shift)
         ABI_VEC3(p.x * frequency + shift, p.y * frequency + shift, p.z * frequency + shift));
 }
 
-/* Returns normal `n` perturbed by noise of slope `bump`. The unit of `p` is the bounding radius. */
+/* Returns normal `n` perturbed by noise of slope `bump`. `p` is in radii of the bounding sphere. */
 ABI_FUNCTION vec3s crack_perturbed(vec3s n, vec3s p, float bump)
 {
     vec3s slope = glms_vec3_add(glms_vec3_scale(crack_octave(p, 5.0f, 0.0f), 0.6f),

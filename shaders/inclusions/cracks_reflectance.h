@@ -14,7 +14,7 @@
 
 #define CRACKS_FADE_GAP 1.5f /* gap width in micrometres at which colours have faded to 1 / e */
 
-/* Returns a gap's reflectance at a wavelength in micrometres; see cracks_reflectance(). */
+/* Returns a gap's reflectance for cracks_reflectance() at a wavelength given in micrometres. */
 ABI_FUNCTION float cracks_reflectance_at(vec3s gap, float phase, float wavelength)
 {
     float x = phase / wavelength;

@@ -20,7 +20,7 @@ layout(location = REFRACT_NORMAL) in vec3 normal;
 
 layout(location = 0) out vec4 color; /* premultiplied alpha */
 
-/* Returns the irradiance from the procedural sky or, without it, from the blurred cube map. */
+/* Returns the irradiance from the procedural sky or, if there is none, the blurred cube map. */
 vec3 light_on(vec3 n)
 {
     if (constant_background == GLOBALS_SKY)

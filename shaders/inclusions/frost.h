@@ -11,7 +11,7 @@
 
 /* Push constants of one face of the blurred cube map. */
 struct frost_cube_push {
-    vec3s right;  /* vector from the face's centre to its right edge, at distance 1 */
+    vec3s right;  /* vector from centre to right edge of a face at distance 1 */
     float spread; /* GGX alpha of the crystals' slopes */
     vec3s up;
     vec3s forward;

@@ -14,10 +14,10 @@ layout(location = 0) out vec4 color;
 
 const uint count = 128u;
 const float golden = 2.39996323; /* golden angle, radians */
-const float brightest = 16.0;    /* radiance limit, so that the sun leaves no spot per sample */
+const float brightest = 16.0;    /* maximum radiance, so that samples of the sun leave no spots */
 
-/* Computes the mean radiance that the frost crystals scatter into a direction. The crystals' slopes
- * are GGX-distributed. A slope of angle d deflects refracted light by (n - 1) d. */
+/* Computes the mean radiance scattered into a direction. Crystal slopes are GGX-distributed. At
+ * refractive index n, a slope of angle d deflects refracted light by (n - 1) d. */
 void main()
 {
     vec2 ndc = gl_FragCoord.xy / float(FROST_CUBE_SIZE) * 2.0 - 1.0;

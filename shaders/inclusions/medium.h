@@ -22,9 +22,9 @@
 #define MEDIUM_CORE_BEGIN 0.55f /* relative depth at which the white core begins */
 #define MEDIUM_CORE_FULL  0.9f  /* relative depth at which the core reaches its full density */
 
-#define MEDIUM_VEIL_DENSITY 0.25f /* density of the veil relative to the core's */
+#define MEDIUM_VEIL_DENSITY 0.25f /* density of the thin veil relative to that of the white core */
 
-/* Density field of an object in object space, and the bounds of the field. */
+/* Density field of an object, with its bounding box. Coordinates are in object space. */
 struct medium_field {
     vec3s min_corner;       /* minimum corner of the grid's box */
     float extinction;       /* extinction coefficient at the maximum density, 1 / metre */

@@ -19,7 +19,7 @@
 
 layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray densities;
 
-const int medium_sun_steps = 3;       /* shadow ray steps, each twice as long as the one before */
+const int medium_sun_steps = 3;       /* number of shadow ray steps, whose length doubles */
 const float medium_blur = 4.55 - 1.0; /* prefiltered layer for the forward lobe */
 
 /* Returns the relative density, 0 to 1, of a field at an object-space point. */
@@ -54,8 +54,8 @@ float medium_phase(float cosine, float g)
     return (1.0 - g * g) / (base * sqrt(base));
 }
 
-/* Returns (x, y, z) of a quadratic fit x + y u + z u^2 to the optical depth towards the sun, for u
- * from 0 to 1 along a segment. The depth varies smoothly, so three shadow rays suffice. */
+/* Returns the coefficients x, y, z of a fit x + y u + z u^2 to the optical depth towards the sun,
+ * for u from 0 to 1 along a segment. The depth is smooth, so three shadow rays suffice. */
 vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_sun)
 {
     float near = medium_sun_depth(field, from + segment / 6.0, to_sun);
@@ -106,7 +106,7 @@ vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
     return vec2(max(enter.x, max(enter.y, enter.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
-/* Ray-marches a segment of length `t` from an object-space point. Returns its optical depth and
+/* Ray-marches a segment of length `t` from an object-space point. Returns the optical depth and the
  * in-scattered sunlight. `remaining` must be equal to `steps`, or 0 to skip the segment. */
 medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)

@@ -1,4 +1,4 @@
-/* air_light.glsl: radiance of air in the ice, which air.c draws as milky impostors. */
+/* air_light.glsl: radiance of milky air in the ice, which air.c draws as textured planes. */
 #ifndef LIB_AIR_LIGHT_GLSL
 #define LIB_AIR_LIGHT_GLSL
 #include "lib/procedural_sky.glsl"

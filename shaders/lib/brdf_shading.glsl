@@ -83,7 +83,7 @@ vec3 lit_specular(vec3 dir, float roughness, float lod)
     return mix(sharper, blurred, layer - first);
 }
 
-/* Returns a surface's radiance by unshadowed punctual lights; `base`: the diffuse base's normal. */
+/* Returns the radiance from unshadowed punctual lights. `base` is the diffuse base's normal. */
 vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
 {
     vec3 sum = vec3(0.0);

@@ -1,5 +1,6 @@
-/* bubble_intersect.glsl: ray intersection with bubbles: ellipsoids of revolution and capsules (in
- * C: src/scene/bubble_intersect.c). Points are relative to the bubble's centre; axes are unit. */
+/* bubble_intersect.glsl: ray intersection with bubbles: ellipsoids of revolution or capsules (C:
+ * src/scene/bubble_intersect.c). Points are relative to the bubble's centre. Axes are unit vectors.
+ */
 #ifndef BUBBLE_INTERSECT_GLSL
 #define BUBBLE_INTERSECT_GLSL
 
@@ -40,7 +41,7 @@ vec3 bubble_to_sphere(vec3 v, vec3 axis, float stretch, float radius)
     return v + (radius / (radius + stretch) - 1.0) * dot(v, axis) * axis;
 }
 
-/* Returns the distances at which a ray enters and leaves a bubble; x > y if it misses. */
+/* Returns the distances at which a ray enters and leaves a bubble; x > y if the ray misses. */
 vec2 bubble_intersect(vec3 from, vec3 dir, vec3 axis, float stretch, float radius, bool is_capsule)
 {
     if (is_capsule)

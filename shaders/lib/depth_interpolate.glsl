@@ -1,14 +1,14 @@
 /*
  * depth_interpolate.glsl: interpolation of depth maps in which 0 means no face.
  *
- * Its latency limits ray marching, so it avoids min(), which tests for NaN on CPUs, and has as few
- * dependent additions as possible.
+ * The latency of this function limits ray marching. The function therefore avoids min(), which
+ * tests for NaN on CPUs, and has as few dependent additions as possible.
  */
 #ifndef DEPTH_INTERPOLATE_GLSL
 #define DEPTH_INTERPOLATE_GLSL
 
-/* Returns the depth at `fraction`, 0 to 1, between four texels in textureGather() order. If all
- * have a face, interpolates bilinearly, otherwise returns the depth of the nearest texel. */
+/* Interpolates the depths of four texels, in textureGather() order, at `fraction` from 0 to 1. If a
+ * texel has no face, returns the nearest texel's depth instead. */
 float depth_interpolate(vec4 d, vec2 fraction)
 {
     float low = fma(fraction.x, d.z - d.w, d.w);

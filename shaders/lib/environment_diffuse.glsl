@@ -1,4 +1,4 @@
-/* environment_diffuse.glsl: diffuse environment light; needs LIT_ENVIRONMENT_BINDING (brdf.h). */
+/* environment_diffuse.glsl: diffuse environment light from binding LIT_ENVIRONMENT_BINDING. */
 #ifndef ENVIRONMENT_DIFFUSE_GLSL
 #define ENVIRONMENT_DIFFUSE_GLSL
 #include "brdf.h"

@@ -54,7 +54,7 @@ vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 #endif
 }
 
-/* Samples a material's texture; without one, returns white. `blur` scales the filter footprint. */
+/* Samples a material's texture, or returns white if there is none. `blur` scales the footprint. */
 vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
@@ -73,7 +73,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
-/* Returns a base colour. A material without a texture uses texture layer `layer` - 1. */
+/* Returns a base colour from the material's texture, or else from array layer `layer` - 1. */
 vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
     bool has_texture = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;

@@ -1,5 +1,4 @@
-/* object_pose.glsl: rotations of the object and of orbiting surroundings, for points and normals.
- */
+/* object_pose.glsl: rotates points and normals of the object and of orbiting surroundings. */
 #ifndef OBJECT_POSE_GLSL
 #define OBJECT_POSE_GLSL
 #include "lib/globals.glsl"

@@ -1,5 +1,5 @@
-/* pool_walls.glsl: geometry of the pool, a box of water, and sunlight in it. Pool coordinates have
- * z up and calm water at 0; x is the world's x, y is the world's -z. */
+/* pool_walls.glsl: geometry and sunlight of the pool, a box of water. Pool coordinates have z up
+ * and calm water at z = 0; x is the world's x, y is the world's -z. */
 #ifndef POOL_WALLS_GLSL
 #define POOL_WALLS_GLSL
 #include "lib/globals.glsl"
@@ -28,7 +28,7 @@ vec3 pool_sun_inside(float ior)
     return refract(-pool_sun_dir(), vec3(0.0, 0.0, 1.0), 1.0 / ior);
 }
 
-/* Returns the distance at which a ray from inside a box leaves it; components of `dir` may be 0. */
+/* Returns the distance along a ray from inside a box to its exit. Components of `dir` may be 0. */
 float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
 {
     vec3 far = mix(upper, lower, lessThan(dir, vec3(0.0)));

@@ -1,5 +1,5 @@
-/* sun_light_space.glsl: the sun's light space for shadow and caustic maps, as uniform `light`.
- * Depth is reversed: near plane over distance, 0 if there is no surface. */
+/* sun_light_space.glsl: light space of the sun for shadow and caustic maps (uniform `light`). Depth
+ * is reversed: the near plane's distance over the point's. Depth 0 means no surface. */
 #ifndef SUN_LIGHT_SPACE_GLSL
 #define SUN_LIGHT_SPACE_GLSL
 #include "lib/globals.glsl"
@@ -27,7 +27,7 @@ vec3 ice_light_biased(vec3 point, vec3 n)
     return point + (dot(n, frame.sun_dir) < 0.0 ? -light.shadow_bias : light.shadow_bias) * n;
 }
 
-/* Converts a clip-space position from the caustic map's to the shadow map's light space. */
+/* Converts a position from the caustic map's clip space to the shadow map's clip space. */
 vec4 ice_light_shadow_map_clip(vec4 clip)
 {
     return vec4(clip.xy * (light.reach / ICE_CAUSTICS_SHADOW_MAP_REACH), clip.zw);
@@ -48,8 +48,8 @@ bool ice_light_is_before(sampler2D front, vec4 clip)
     return depth > 0.0 && clip.z / clip.w > depth;
 }
 
-/* Returns true if the ground hides a point from the sun. Compares with the farthest of the four
- * nearest texels in the ground's light-space depth map, with a tolerance. */
+/* Returns true if the ground hides a point from the sun. Compares the point's depth with the
+ * farthest of the four nearest texels in the ground's light-space depth map, with a tolerance. */
 bool ice_light_is_hidden(sampler2D ground, vec4 clip)
 {
     const float tolerance = 0.02 / ICE_CAUSTICS_DISTANCE;

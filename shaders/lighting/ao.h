@@ -5,9 +5,9 @@
 
 /* Bindings; the others belong to surroundings.h. */
 #define AO_BINDING    13 /* struct ao_occluders */
-#define AO_MAP        14 /* occlusion map: change of light on the plane of the objects' base */
-#define AO_HEIGHTS    15 /* height field of the surroundings above the objects' base, 0 to 1 */
-#define AO_UNDERSIDES 16 /* height of the surroundings' lowest undersides; 1 if none */
+#define AO_MAP        14 /* occlusion map: change in irradiance on the plane below the objects */
+#define AO_HEIGHTS    15 /* heights of the surroundings above the objects' base, 0 to 1 */
+#define AO_UNDERSIDES 16 /* heights of the lowest undersides of surroundings; 1 where none are */
 
 #define AO_OCCLUDERS_MAX 4     /* maximum number of occluders */
 #define AO_MAP_SIZE      128   /* side of the occlusion map, texels */
@@ -15,7 +15,8 @@
 #define AO_HEIGHTS_RANGE 3.0f  /* range of the height fields, in units of ao_occluders.height */
 #define AO_HEIGHTS_GAP   0.01f /* minimum height, relative to AO_HEIGHTS_RANGE */
 
-/* Box occluder. Fractions `sky` and `ground` of sky and ground light reach the box's base. */
+/* Box that occludes environment light. `sky` and `ground` are the fractions of sky and ground light
+ * that the box passes on to the ground around it. */
 struct ao_occluder {
     vec3s min, max; /* box corners, object space, metres */
     vec3s sky, ground;
@@ -26,7 +27,7 @@ struct ao_occluders {
     ABI_STRUCT(ao_occluder) all[AO_OCCLUDERS_MAX];
     uint32_t count;
     float strength;  /* 0: no effect; 1: full occlusion */
-    vec3s center;    /* centre of the map, on the plane of the objects' base; world, metres */
+    vec3s center;    /* centre of the map at the height of the objects' base, world, metres */
     float half_side; /* half the map's side, metres */
     float height;    /* height above the objects' base beyond which nothing is occluded, metres */
 };

@@ -15,13 +15,13 @@ layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 layout(set = 0, binding = AO_HEIGHTS) uniform sampler2D heights;
 layout(set = 0, binding = AO_UNDERSIDES) uniform sampler2D undersides;
 
-/* rgb: change in irradiance of a level white diffuse surface; a: ground light that the objects
- * reflect back to the ground, as a fraction */
+/* rgb: change in irradiance of a level white diffuse surface; a: fraction of ground light that the
+ * objects reflect back to the ground */
 layout(location = 0) out vec4 map;
 
 const float wide_sine = 0.6;    /* minimum sine of undeflected light */
 const float blur_width = 0.65;  /* prefilter lobe width for a hemisphere */
-const float inner_limit = 0.15; /* relative depth inside a box at which it stops occluding */
+const float inner_limit = 0.15; /* relative depth inside a box at which the box stops occluding */
 const float reflected = 0.3;    /* reflectance of occluding surroundings */
 const int directions = 12;      /* azimuths of the horizon search */
 const int azimuth_steps = 10;   /* samples per azimuth, in geometric progression */
@@ -29,7 +29,7 @@ const float first_step = 1.5 / float(AO_HEIGHTS_SIZE); /* in sides of the map */
 const float full_radius = 0.6;                         /* relative radius where the fade begins */
 
 /* Returns an edge's term of the polygon form factor. `a` and `b` are unit directions to the edge's
- * ends. The term is the angle between them over 2 pi, along their plane's normal. */
+ * ends. The term is the angle between `a` and `b` over 2 pi, along the normal of their plane. */
 vec3 edge(vec3 a, vec3 b)
 {
     vec3 normal = cross(a, b);
@@ -85,8 +85,8 @@ vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
                textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
 }
 
-/* Returns the surroundings' height above the plane in metres. Returns 0 below overhangs such as
- * table tops, where the free space is higher than the surroundings are thick. */
+/* Returns the surroundings' height in metres above the objects' base. Returns 0 below overhangs
+ * that are thinner than the free space below, such as table tops. */
 float height_at(vec2 uv)
 {
     float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;
@@ -113,8 +113,8 @@ float occluded_by_surroundings(vec2 uv)
     return sum / float(directions);
 }
 
-/* Adds up the occluders' effect on a point of the plane. Light that is hardly deflected shows what
- * is behind an occluder, but not small bright sources, which are refracted aside. */
+/* Computes how the objects change the irradiance at a texel. Hardly deflected light shows the
+ * environment behind an object, except small bright sources, which are refracted aside. */
 void main()
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);

@@ -2,7 +2,7 @@
 #ifndef SHADERS_LIGHTING_BUMP_H
 #define SHADERS_LIGHTING_BUMP_H
 
-/* rg: slopes along u and v; b: smoothness; a: thickness of the frost layer */
+/* Binding of the bump map. rg: slopes along u and v; b: smoothness; a: thickness of the frost */
 #define BUMP_MAP 14
 
 #endif

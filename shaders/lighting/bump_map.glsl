@@ -1,5 +1,5 @@
-/* bump_map.glsl: samples the ice's bump map at the mesh's uv, or along the three axes of object
- * space, whose samples are blended (triplanar mapping). */
+/* bump_map.glsl: samples the ice's bump map, either at the mesh's uv or by triplanar mapping, which
+ * blends three projections along the axes of object space. */
 #ifndef BUMP_MAP_GLSL
 #define BUMP_MAP_GLSL
 #include "lib/globals.glsl"
@@ -8,7 +8,7 @@
 #include "lighting/bump_normal.h"
 #include "refract/refract.h"
 
-/* Uniforms arrive as varyings, because lavapipe's fragment shaders fetch each float separately. */
+/* Uniforms arrive as varyings, because lavapipe's fragment shaders read uniforms float by float. */
 layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* texture coordinates: object space, or uv */
 layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat in mat3 bump_world_from_object;
 
@@ -20,11 +20,11 @@ vec4 bump_read(vec2 at)
 }
 
 struct bump_planes {
-    vec4 texels[3]; /* samples on the planes perpendicular to x, y and z: yz, zx, xy */
+    vec4 texels[3]; /* samples of the projections along x, y and z: yz, zx, xy */
     vec3 weights;   /* blend weights, whose sum is 1 */
 };
 
-/* Samples the map on the three planes; `normal` is in world space. */
+/* Samples the bump map in three projections. `normal` is in world space. */
 bump_planes bump_read_planes(vec3 normal)
 {
     vec3 p = bump_at;
@@ -46,7 +46,7 @@ vec4 bump_read_uv()
     return mix(bump_read(at), textureLod(bump_map, at, 0.0), bvec4(is_point));
 }
 
-/* Returns the smoothness of the surface and the thickness of the frost, blended over the planes. */
+/* Returns surface smoothness and frost thickness, blended over the three projections. */
 vec2 bump_mask_on(bump_planes planes)
 {
     return planes.texels[0].ba * planes.weights.x + planes.texels[1].ba * planes.weights.y +

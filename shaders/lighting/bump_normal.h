@@ -7,7 +7,7 @@
 #define SHADERS_LIGHTING_BUMP_NORMAL_H
 #include "abi_math.h"
 
-/* Texture offsets of the projections along y and z, so that the three differ at the origin. */
+/* Texture offsets of the projections along y and z, so that all three differ at the origin. */
 #define BUMP_OFFSET_Y ABI_VEC2(0.37f, 0.61f)
 #define BUMP_OFFSET_Z ABI_VEC2(0.71f, 0.23f)
 

@@ -3,9 +3,9 @@
 #define SHADERS_LIGHTING_DIFFUSE_SAMPLING_H
 #include "abi_math.h"
 
-#define DIFFUSE_SAMPLING_RAYS 2 /* diffuse rays per sample; every second one is guided */
+#define DIFFUSE_SAMPLING_RAYS 2 /* diffuse rays per sample; odd rays sample the guide cone */
 
-/* Offsets that decorrelate the random sequences of the ray types; diffuse rays add their index. */
+/* Seeds that decorrelate the random sequences of ray types. Diffuse rays add their index. */
 #define DIFFUSE_SAMPLING_SEED          20u
 #define DIFFUSE_SAMPLING_GLOSSY_SEED   40u
 #define DIFFUSE_SAMPLING_SUN_SEED      41u
@@ -42,7 +42,7 @@ ABI_FUNCTION vec3s diffuse_sampling_cosine_dir(vec3s n, vec2s at)
 }
 
 /* Returns the direction of a diffuse ray. Guided rays sample the cone from which most light comes.
- * `guide`: the cone's unit axis and cosine of the half-angle; (0, 0, 0, 1) if there is no cone. */
+ * `guide` is the cone's unit axis and the cosine of its half-angle, or (0, 0, 0, 1) for no cone. */
 ABI_FUNCTION vec3s diffuse_sampling_dir(vec3s n, vec4s guide, uint32_t ray_index, vec2s at)
 {
     vec3s axis = ABI_VEC3(guide.x, guide.y, guide.z);

@@ -3,7 +3,6 @@
 #define SHADERS_LIGHTING_HIGHLIGHT_H
 #include "abi.h"
 
-/* member of struct globals */
 struct highlight_params {
     float strength;  /* peak radiance of the highlight of a light with strength 1 */
     float shininess; /* Blinn-Phong exponent */

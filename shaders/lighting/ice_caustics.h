@@ -13,7 +13,7 @@
 #define ICE_CAUSTICS_WEIGHT   4096.0f /* fixed-point weight of a lossless photon */
 #define ICE_CAUSTICS_GROUP    8       /* workgroup size along x and y */
 
-/* Bindings of ice_caustics_ground.* and of the photon pass; 2 to 5 are bindings of refract.h. */
+/* Bindings of the ground depth and photon passes, in addition to those of refract.h. */
 #define ICE_CAUSTICS_LIGHT  6 /* struct ice_caustics_light */
 #define ICE_CAUSTICS_GROUND 7 /* light-space depth of the ground */
 #define ICE_CAUSTICS_FRONT  8 /* light-space depth of the ice */
@@ -31,7 +31,7 @@
 /* Binding in shaders that look up the caustic map (lib/sun_light_space.glsl). */
 #define ICE_CAUSTICS_MAP 9 /* rgb: caustics; a: ice shadow coverage */
 
-/* View of the caustic map: the sun's view of the ice, made wider by the factor `reach`. */
+/* Light-space view of the caustic map, `reach` times as wide as the sun's view of the ice. */
 struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;

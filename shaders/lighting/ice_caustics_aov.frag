@@ -1,4 +1,4 @@
-/* ice_caustics_aov.frag: fragment shader of the sunlight AOV: shadows, ice caustics. */
+/* ice_caustics_aov.frag: fragment shader of the sunlight AOV, with shadows and ice caustics. */
 #version 460
 #include "lib/sun_shadow_caustics.glsl"
 #include "surroundings/surroundings.h"

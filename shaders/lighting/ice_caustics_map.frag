@@ -7,7 +7,7 @@ layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
 
 layout(location = 0) out vec4 map; /* rgb: caustics; a: ice coverage */
 
-/* Returns a texel's accumulated photon weights in rgb and the ice's coverage of it in a. */
+/* Returns a texel's accumulated photon weights in rgb and its coverage by ice in a. */
 vec4 counted(ivec2 texel)
 {
     ivec2 at = clamp(texel, ivec2(0), ivec2(ICE_CAUSTICS_SIZE - 1));
@@ -19,8 +19,8 @@ vec4 counted(ivec2 texel)
     return found;
 }
 
-/* Filters the photon counts with a 3 x 3 tent, which reduces noise and softens the shadow's edge.
- * Multiplies them by the area, in texels, that one photon represents. */
+/* Filters the photon counts with a 3 x 3 tent, which reduces noise and softens shadow edges.
+ * Multiplies the counts by the area, in texels, that one photon represents. */
 void main()
 {
     const float weights[3] = { 0.25, 0.5, 0.25 };

@@ -23,7 +23,7 @@ layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
 layout(location = 0) in vec3 ray; /* view ray at view-space depth 1 */
 #endif
 
-/* xy: position in the map; z: fraction of the photon's energy that arrives */
+/* xy: landing point in the caustic map; z: fraction of the photon's energy that arrives */
 layout(location = 0) out vec4 landing_red;
 layout(location = 1) out vec4 landing_green;
 layout(location = 2) out vec4 landing_blue;
@@ -33,7 +33,7 @@ const int ground_halvings = 12;
 const float ground_first = 0.02; /* first step, in bounding radii */
 const float ground_last = 64.0;  /* maximum ray length, in bounding radii */
 
-/* Returns two random numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
+/* Returns two random numbers from 0 to 1 for a texel (pcg2d, Jarzynski and Olano 2020). */
 vec2 random(uvec2 v)
 {
     v = v * 1664525u + 1013904223u;
@@ -84,7 +84,7 @@ bool march_is_in_ground(vec3 point)
 }
 
 /* Intersects a ray with the depth map of the ground by steps of growing length, then bisection.
- * Returns the map coordinates in xy, and in z 1 for a hit or 0. The depth map is treated as solid:
+ * Returns map coordinates in xy; z is 1 for a hit, otherwise 0. The depth map is treated as solid:
  * a ray that passes behind a surface hits the surface. */
 vec3 land(vec3 point, vec3 dir)
 {

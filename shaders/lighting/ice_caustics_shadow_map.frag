@@ -1,4 +1,4 @@
-/* ice_caustics_shadow_map.frag: fragment shader of the sun's shadow map: alpha test. */
+/* ice_caustics_shadow_map.frag: fragment shader of the sun's shadow map, which tests alpha. */
 #version 460
 #include "lib/material_textures.glsl"
 

@@ -8,7 +8,7 @@ layout(set = 0, binding = ICE_CAUSTICS_LANDED + 1) uniform sampler2D landing_gre
 layout(set = 0, binding = ICE_CAUSTICS_LANDED + 2) uniform sampler2D landing_blue;
 layout(set = 0, binding = ICE_CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
 
-/* Adds a photon to the map. Weights are integers: the sum does not depend on photon order. */
+/* Adds a photon to the map. Weights are integers, so photon order does not change the sum. */
 void splat(vec4 landed, int channel)
 {
     ivec2 texel = ivec2(floor(landed.xy * float(ICE_CAUSTICS_SIZE)));

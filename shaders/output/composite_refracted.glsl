@@ -1,5 +1,5 @@
-/* composite_refracted.glsl: finds where refracted rays hit bubbles, in the bubbles' depth image,
- * for composite.frag with BUBBLES_REFRACTED. Bubbles are shaded as if rays were not refracted. */
+/* composite_refracted.glsl: intersects refracted rays with the depth image of bubbles, for
+ * composite.frag with BUBBLES_REFRACTED. Bubbles are shaded as seen along unrefracted rays. */
 #ifndef COMPOSITE_REFRACTED_GLSL
 #define COMPOSITE_REFRACTED_GLSL
 #include "lib/optics.glsl"
@@ -14,7 +14,7 @@
 
 layout(location = COMPOSITE_REFRACTED) COMPOSITE_REFRACTED_IO vec3 view_ray;
 
-/* Uniforms of `frame`, passed as flat varyings as in refract_uniforms.glsl. */
+/* Members of `frame`, passed as flat varyings for the reason given in refract_uniforms.glsl. */
 layout(location = COMPOSITE_REFRACTED + 1) COMPOSITE_REFRACTED_IO CompositeView
 {
     flat mat4 clip_from_world;

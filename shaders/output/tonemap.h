@@ -16,7 +16,7 @@ struct tonemap_push {
     float gain; /* exp2(exposure) */
 };
 
-/* Khronos PBR Neutral: base colours up to 0.8 are unchanged, highlights compress to white. */
+/* Applies Khronos PBR Neutral. Base colours up to 0.8 are unchanged; highlights fade to white. */
 ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 {
     float start = 0.8f - 0.04f;
@@ -28,8 +28,8 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    /* Rearranged so that no division uses another's result. new_peak is above / below. The
-     * remaining fraction of the colour is 1 / (desaturation * (peak - new_peak) + 1). */
+    /* Divisions are rearranged so that none depends on another. In the published form, new_peak is
+     * above / below, and the colour's fraction is 1 / (desaturation * (peak - new_peak) + 1). */
     float below = peak + (range - start);
     float above = below - range * range;
     float scale = above / (peak * (desaturation * (peak * below - above) + below));
@@ -37,7 +37,7 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     return glms_vec3_add(glms_vec3_scale(c, scale), ABI_VEC3(white, white, white));
 }
 
-/* AgX curve of a channel (Sobotka 2022), as fitted by Wrensch (2023); the result has gamma 2.2. */
+/* Applies the AgX curve (Sobotka 2022, Wrensch 2023) to a channel. The result has gamma 2.2. */
 ABI_FUNCTION float tonemap_agx_channel(float c)
 {
     float min_ev = -12.47393f, max_ev = 4.026069f;
@@ -65,7 +65,7 @@ ABI_FUNCTION vec3s tonemap_agx(vec3s c)
                     powf(fmaxf(b, 0.0f), 2.2f));
 }
 
-/* ACES: reference rendering and output transforms, fitted by Hill (2016). */
+/* Applies the ACES curve (reference rendering and output transforms, Hill 2016) to a channel. */
 ABI_FUNCTION float tonemap_aces_channel(float v)
 {
     return (v * (v + 0.0245786f) - 0.000090537f) / (v * (0.983729f * v + 0.432951f) + 0.238081f);
@@ -82,7 +82,7 @@ ABI_FUNCTION vec3s tonemap_aces(vec3s c)
                     glms_vec3_dot(v, ABI_VEC3(-0.00327f, -0.07276f, 1.07602f)));
 }
 
-/* Hable's filmic curve (2010), with white point 11.2 and one extra stop of exposure. */
+/* Applies Hable's filmic curve (2010) to a channel. tonemap_hable() scales white, 11.2, to 1. */
 ABI_FUNCTION float tonemap_hable_channel(float x)
 {
     return (x * (0.15f * x + 0.05f) + 0.004f) / (x * (0.15f * x + 0.5f) + 0.06f) - 0.02f / 0.3f;

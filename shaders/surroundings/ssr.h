@@ -11,12 +11,12 @@
 #define SSR_SPECULAR     6 /* ssr_specular */
 #define SSR_REFRACTED    7 /* half resolution: reflected rays' refracted colour */
 
-/* Bindings of ssr_refract.frag, in addition to the refraction model's. */
+/* Bindings of ssr_refract.frag, in addition to those of the refraction model. */
 #define SSR_HIT_POINT 20 /* hit point of the reflected ray, relative to the camera */
 #define SSR_HIT_DIR   21 /* direction of the reflected ray */
 
-/* Clamp on reflected radiance. Sun glints depend on the view direction, so reflections show them in
- * wrong places. Glints also alias at half resolution. */
+/* Upper limit of reflected radiance. Sun glints depend on the view direction, so reflections show
+ * glints in wrong places. Glints also alias at half resolution. */
 #define SSR_RADIANCE_MAX 2.0f
 
 struct ssr_push {
@@ -24,9 +24,9 @@ struct ssr_push {
     uint32_t steps;           /* ray march steps inside the box */
     vec3s box_max;            /* object space, metres */
     float thickness;          /* assumed thickness behind front faces, metres */
-    vec2s area_min, area_max; /* scissored area, pixels; unlimited where it touches image edges */
+    vec2s area_min, area_max; /* scissored area, pixels; infinite where it touches image edges */
     vec2s area_edge;          /* fade width at the scissored area's edges, pixels */
-    float pixel; /* size of a pixel at distance 1 (orthographic: at any distance), metres */
+    float pixel; /* pixel size, metres; in perspective views at a depth of 1 metre */
 };
 
 #endif

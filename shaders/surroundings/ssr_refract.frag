@@ -1,4 +1,4 @@
-/* ssr_refract.frag: fragment shader of refraction where reflected rays hit objects (ssr.c). */
+/* ssr_refract.frag: fragment shader of refraction in objects that reflected rays hit (ssr.c). */
 #version 460
 #define REFRACT_BOUNCE
 #define REFRACT_EXITS

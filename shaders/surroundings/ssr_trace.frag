@@ -5,7 +5,7 @@
 layout(location = 0) out vec4 point; /* hit point of the reflected ray, relative to the camera */
 layout(location = 1) out vec4 dir;   /* direction of the reflected ray */
 
-/* Traces the reflected ray of one pixel in four and writes depth 1 where it hits an object. */
+/* Traces the reflected ray of one pixel in four. Writes depth 1 where the ray hits an object. */
 void main()
 {
     vec2 size = vec2(textureSize(depths, 0));

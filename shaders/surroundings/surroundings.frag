@@ -21,7 +21,7 @@ layout(location = 3) in vec2 uv;
 layout(location = 4) flat in uint material;
 layout(location = 0) out vec4 color;
 
-/* Returns the view vector, from the camera to the shaded point; not normalised. */
+/* Returns the unnormalised view vector towards the shaded point. */
 vec3 view_vector()
 {
     return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;

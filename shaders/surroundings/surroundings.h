@@ -10,20 +10,20 @@
 #define SURROUNDINGS_ENVIRONMENT_LIGHT 5 /* prefiltered environment light (brdf.h) */
 #define SURROUNDINGS_LIGHTS            11 /* light texture (brdf.h) */
 #define SURROUNDINGS_EXTRAS            12 /* vertex attributes (mesh_layout.h) */
-/* split-sum BRDF table; ice_caustics.h has bindings 6 to 9 */
+/* split-sum BRDF table; bindings 6 to 9 are in ice_caustics.h */
 #define SURROUNDINGS_BRDF_TABLE 10
 
 /* Additional outputs of the surroundings pass, which screen-space reflections read. */
 #define SURROUNDINGS_OUT_SURFACE  1 /* octahedral normal, roughness, mean specular reflectance */
-#define SURROUNDINGS_OUT_SPECULAR 2 /* environment's specular radiance, which SSR hits replace */
+#define SURROUNDINGS_OUT_SPECULAR 2 /* specular environment light, replaced where SSR rays hit */
 
-/* Push constants of one view: the camera's, or a face of a cube map. */
+/* Push constants of one view, the camera's or that of a cube map face. */
 struct surroundings_push {
     mat4s clip_from_world;
     vec3s eye;             /* camera position, world, metres */
     float environment_lod; /* mip level of the environment map that matches the size of a pixel */
-    vec3s right;           /* vector from the image's centre to its right edge, at distance 1 */
-    vec3s up;              /* vector from the image's centre to its top edge, at distance 1 */
+    vec3s right;           /* vector from centre to right edge of an image at distance 1 */
+    vec3s up;              /* vector from centre to top edge of an image at distance 1 */
     vec3s forward;         /* unit view direction */
     uint32_t inverse;      /* 1: output alpha is 1 / distance in metres; 0: output alpha is 1 */
 };

@@ -29,7 +29,7 @@ layout(location = SURROUNDINGS_OUT_SURFACE) out vec4 out_surface;
 layout(location = SURROUNDINGS_OUT_SPECULAR) out vec4 out_specular;
 #endif
 
-/* Returns the view vector, from the camera to the shaded point; not normalised. */
+/* Returns the unnormalised view vector towards the shaded point. */
 vec3 view_vector()
 {
     return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;
@@ -39,8 +39,8 @@ vec3 view_vector()
 #include "lib/sun_shadow_caustics.glsl"
 #endif
 
-/* Returns the factor, from 1/2 to 1, from an elongated texture footprint to a square one of equal
- * area. Cube maps are filtered with this instead of anisotropically. */
+/* Returns the square root of a texture footprint's width over its length, at least 1/2. Cube maps
+ * scale the footprint by this factor instead of filtering anisotropically. */
 float footprint_blur()
 {
     vec2 x = dFdx(uv), y = dFdy(uv);

@@ -22,7 +22,7 @@ layout(location = 9) in vec4 shadow_clip_lifted; /* with the shadow bias */
 #endif
 layout(location = 0) out vec4 color;
 
-/* Samples a texture array. `lookup` is the layer (-1: white) and the wrap mode. */
+/* Samples a texture array. `lookup` is the array layer and the wrap mode; layer -1 is white. */
 vec4 texel_at(sampler2DArray of, vec2 at, vec2 lookup)
 {
     vec3 wrapped = vec3(lit_wrapped(of, at, lookup.y), lookup.x);
@@ -32,7 +32,7 @@ vec4 texel_at(sampler2DArray of, vec2 at, vec2 lookup)
     return lookup.x < 0.0 ? vec4(1.0) : texel;
 }
 
-/* Returns the emission of textured emitters. Without a texture, the vertex shader has added it. */
+/* Returns the emission if there are emission textures. Otherwise the vertex shader has added it. */
 vec3 emitted()
 {
     if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)

@@ -39,7 +39,7 @@ layout(location = 8) flat out float out_direct;
 layout(location = 9) out vec4 out_shadow_clip_lifted;
 #endif
 
-/* Returns the radiance that a surface reflects, without that from direct sunlight. */
+/* Returns the radiance that a surface reflects, except direct sunlight. */
 vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float occlusion)
 {
     lit_environment_factors env =
@@ -84,8 +84,8 @@ void write_texture_lookups(uint row)
     out_lookups = vec4(base.layer, base.wraps, emissive.layer, emissive.wraps);
 }
 
-/* Computes a vertex's lighting and returns the sunlight on the diffuse base. All outputs are linear
- * in the base's albedo, by which the fragment shader multiplies the outputs. */
+/* Computes a vertex's lighting and returns the sunlight on the diffuse base. Diffuse light excludes
+ * the base colour texture, which the fragment shader applies. */
 vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
@@ -129,7 +129,7 @@ void main()
     bool is_lit = (material & MESH_UNLIT) == 0u;
     vec3 sun = is_lit ? write_lighting(row, point, n, to_eye) : vec3(0.0);
 #ifdef SURROUNDINGS_CAUSTICS
-    /* Unlit surfaces need the sunlight, too, because caustics are added to it. */
+    /* Unlit surfaces need the sunlight, too, because caustics are relative to sunlight. */
     out_sun = is_lit ? sun : sky_sun() * color * max(dot(n, frame.sun_dir), 0.0);
     out_shadow_clip = ice_light_clip(point);
     out_shadow_clip_lifted = ice_light_clip(ice_light_biased(point, n));

@@ -63,7 +63,7 @@ struct trace_path {
     int from;           /* triangle on which the segment starts; below 0 if there is none */
     float side, reach;  /* as in trace_ray; also trace_side_escaped */
     uint seed;
-    float kind; /* 1: reflection; 2: diffuse light; else 0 */
+    float kind; /* 1 for reflection, 2 for diffuse light, otherwise 0 */
     int left;   /* number of segments left */
     bool is_in_bubble;
     bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
@@ -84,7 +84,7 @@ struct trace_result {
     uint last;                            /* main path's last object, or 0 */
 };
 
-/* Per-pixel state; global, because lavapipe compiles arrays in function arguments slowly. */
+/* Per-pixel state in global variables, because lavapipe compiles array arguments slowly. */
 
 trace_path path;                       /* the path that is being followed */
 trace_path pending[trace_pending_max]; /* pending paths, the latest one first */
@@ -117,8 +117,8 @@ object_material trace_untextured(uint rank)
                            trace_medium(rank, TRACE_ABSORB).w);
 }
 
-/* Returns true if a path is inside an object. For a single closed object, the ray's side decides,
- * so that the medium stack need not be updated. */
+/* Returns true if a path is inside an object. For a single closed object, path.side is tested, so
+ * that the medium stack is not needed. */
 bool trace_is_in(trace_path path)
 {
     bool has_side =
@@ -137,7 +137,7 @@ struct trace_crossing {
     float horizon;            /* sine of the elevation above which outgoing rays hit no object */
     bool is_bumpy;            /* `n` comes from a normal map */
     object_material material; /* textured surface parameters, with TRACE_HAS_TEXTURED_OBJECTS */
-    vec3 d_origin, d_n;       /* ray differentials of hit point and `n` */
+    vec3 d_origin, d_n;       /* ray differentials of the hit point and of `n` */
 };
 
 #include "trace/trace_bvh_mask.glsl"
@@ -229,8 +229,8 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     return next;
 }
 
-/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced.
- * At grazing angles it must, because rasterised points are not exactly on triangles there. */
+/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced,
+ * as at grazing angles, where rasterised points are not exactly on triangles. */
 bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -292,7 +292,7 @@ void trace_add(vec3 light, float kind)
 }
 
 #ifndef TRACE_RAYS
-/* Appends to `ends` with constant indices. A variable index would move the array to memory. */
+/* Appends a path to `ends` with constant indices. A variable index would move `ends` to memory. */
 void trace_push_end(trace_path at)
 {
     for (int k = 0; k < trace_ends_max; k++)
@@ -302,7 +302,7 @@ void trace_push_end(trace_path at)
 }
 #endif
 
-/* Pushes a pending path, or stores it as ended if it has left the objects. */
+/* Pushes a pending path. Stores a path that has left the objects in `ends` instead. */
 void trace_push_pending(trace_path other)
 {
 #ifndef TRACE_RAYS
@@ -337,7 +337,7 @@ bool trace_is_split(vec3 throughput)
 #include "trace/trace_diffuse_light.glsl"
 #endif
 
-/* Returns the surface parameters at a hit, textured if there are textures. */
+/* Returns the surface parameters at a hit, with any textures applied. */
 object_material trace_material_at(trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -418,7 +418,7 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
 }
 
 /* Continues the path at a surface by refraction or reflection. If the throughput in the other
- * direction is high enough, pushes a path for it. Returns false if no throughput is left. */
+ * direction is high enough, pushes a second path. Returns false if no throughput is left. */
 bool trace_scatter(trace_hit hit, trace_crossing c)
 {
     trace_fresnel_split p = trace_fresnel_at(c);

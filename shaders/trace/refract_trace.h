@@ -13,7 +13,7 @@
 #define TRACE_CORNERS      15
 #define TRACE_FIRST_OBJECT 21 /* layer `object`, in the AOV pass */
 #define TRACE_CUBE_POINTS  22 /* the environment cube with nearest filtering */
-/* Bindings of the BVH as storage buffers, with TRACE_HAS_STORAGE_BUFFERS. */
+/* Bindings of the BVH's storage buffers, used with TRACE_HAS_STORAGE_BUFFERS. */
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
 #define TRACE_STORED_CORNERS   20

@@ -1,6 +1,6 @@
 /* trace_bvh.glsl: BVH traversal and intersection of triangles, cracks and bubbles (bvh_layout.h).
- * Front to back with a stack: descends to a leaf, then intersects its triangles ("while-while",
- * Aila and Laine 2009). Finished lanes must leave the loops, otherwise Mesa 22.3 loses hits. */
+ * Rays descend front to back to a leaf with a stack, then test its triangles ("while-while", Aila
+ * and Laine 2009). Finished lanes must leave the loops, otherwise Mesa 22.3 loses hits. */
 #ifndef TRACE_BVH_GLSL
 #define TRACE_BVH_GLSL
 #include "lib/bubble_intersect.glsl"
@@ -88,7 +88,7 @@ const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS;
 /* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
     vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
-    vec3 cull;                  /* 2 * side * dir to cull triangles, else 0 */
+    vec3 cull;                  /* 2 * side * dir to test normal cones, else 0 */
     int mask, shift;            /* lower plane's mask; upper plane's shift */
 };
 
@@ -106,8 +106,8 @@ trace_slabs trace_slabs_for(trace_ray ray, int root)
 }
 
 /* Returns true if the ray hits a child's bounding box before `far`. Sets `enter` to the distance.
- * Compares floats as integers, because lavapipe needs four instructions for a NaN-safe minimum. Bit
- * patterns of non-negative floats sort like the numbers. Negative bounds mean no hit anyway. */
+ * Compares floats as integers, because lavapipe needs four instructions for a NaN-safe minimum. The
+ * result is the same: non-negative floats sort like integers, and negative exits are misses. */
 bool trace_hits_box(trace_slabs slabs, uvec4 child, float far, out float enter)
 {
     ivec3 low = ivec3(child.xyz) & slabs.mask;
@@ -132,7 +132,7 @@ bool trace_cone_faces(trace_slabs slabs, uvec4 child)
     return dot(axis, slabs.cull) + float(sine) >= 0.0;
 }
 
-/* Returns the distances at which a ray enters and leaves a bubble; x > y if it misses. */
+/* Returns the distances at which a ray enters and leaves a bubble; x > y if the ray misses. */
 vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
 {
     vec3 from = ray.origin - first.xyz;
@@ -141,8 +141,8 @@ vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
     return bubble_intersect(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
 }
 
-/* Intersects a crack or a bubble. A ray inside a bubble hits only bubbles, where the ray leaves
- * them. Cracks nearer than trace.epsilon are ignored, because the ray may start on a crack. */
+/* Intersects a crack or a bubble. Rays inside a bubble ignore cracks. Cracks nearer than
+ * trace.epsilon are also ignored, because the ray may start on a crack. */
 bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 last, inout float t,
                           inout float u, inout float v)
 {
@@ -216,8 +216,8 @@ void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
     } while (node != trace_nothing);
 }
 
-/* Returns a BVH's rotation about the vertical axis as cosine and sine, then x and z of the
- * translation. With matrices, tracing would take a sixth longer. */
+/* Returns a BVH's pose: cosine and sine of the rotation about the vertical axis, then x and z of
+ * the translation. With matrices, tracing would take a sixth longer. */
 vec4 trace_bvh_pose(int bvh)
 {
     vec4 pose = bvh == BVH_MOVERS ? trace.movers_rotation : vec4(1.0, 0.0, 0.0, 0.0);
@@ -253,9 +253,9 @@ void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
     trace_hit_bvh(ray, int(trace.roots[bvh]), bvh, hit);
 }
 
-/* Returns a ray's nearest hit. An inactive ray hits nothing. Each ray has a list of BVHs, so that
- * lanes in surroundings and lanes in objects run at the same time. A ray inside an object skips
- * surroundings that are all outside the objects' bounding box. */
+/* Returns a ray's nearest hit. An inactive ray hits nothing. Each ray has a bit mask of BVHs, so
+ * that SIMD lanes may traverse different BVHs at the same time. A ray that hits an object from
+ * inside skips surroundings if all of them are outside the objects' bounding box. */
 trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
@@ -269,7 +269,7 @@ trace_hit trace_nearest_hit(trace_start start, bool is_active)
     return hit;
 }
 
-/* Returns the number of a triangle's object, as in the layer `object`. */
+/* Returns the number of a triangle's object, as in the AOV `object`. */
 uint trace_object_number(int triangle)
 {
     int at = BVH_CORNER_WORDS * max(triangle, 0);

@@ -19,7 +19,7 @@ uint trace_bvh_mask(trace_path path)
     uint surroundings = 0u;
 #endif
 #ifndef REFRACT_LAYERS
-    /* surroundings in front of the objects are composited by rasterisation */
+    /* primary rays skip surroundings, which rasterisation composites in front of objects */
     if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && is_first &&
         !trace_camera_is_inside())
         surroundings = 0u;

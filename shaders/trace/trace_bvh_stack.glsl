@@ -22,7 +22,6 @@ void stack_begin()
     stack[0] = trace_nothing;
 }
 
-/* Returns true if the stack has room for another node. */
 bool stack_has_room()
 {
     return true;

@@ -37,7 +37,7 @@ bool denoise_is_sampled()
     return trace.sample_index >= DENOISE_SPARSE || phase % 4u == 0u;
 }
 
-/* Returns a unit normal in octahedral encoding, 12 bits per axis: 1 + x + 4096 y. */
+/* Encodes a unit normal octahedrally with 12 bits per axis, as 1 + x + 4096 y. */
 float denoise_normal(vec3 n)
 {
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));

@@ -58,8 +58,8 @@ float light_gather_sun(trace_hit from, vec3 point, uint seed)
     return passing;
 }
 
-/* Returns the brightness of the unoccluded lighting `all` divided by that of the sky sample `some`.
- * Multiplies `throughput` by the ratio of the two colours, clamped to 0.5 to 2. */
+/* Returns the brightness of the unoccluded lighting `all` over that of the sky sample `some`.
+ * Multiplies `throughput` by the remaining ratio of the two colours, clamped to 0.5 to 2. */
 float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 {
     some = max(some, lighting_radiance_min);
@@ -188,7 +188,6 @@ void lighting_begin(trace_hit hit)
     is_main = false;
 }
 
-/* Returns the roughness of a lighting ray's sky lookup. */
 float lighting_sky_roughness(trace_path path)
 {
     return path.open > 0.0 ? 0.0 : path.open < 0.0 ? 1.0 : lighting_refracted_roughness;

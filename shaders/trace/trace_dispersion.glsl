@@ -1,9 +1,9 @@
-/* trace_dispersion.glsl: traces red, green and blue separately if their indices differ. */
+/* trace_dispersion.glsl: traces colour channels separately if their refractive indices differ. */
 #ifndef TRACE_DISPERSION_GLSL
 #define TRACE_DISPERSION_GLSL
 
-/* Traces a pixel. TRACE_DISPERSION traces one path per colour channel. All results except radiance
- * are then those of green. A loop keeps drivers from inlining trace_pixel() three times. */
+/* Traces a pixel. TRACE_DISPERSION traces one path per colour channel and takes all results except
+ * radiance from green. A loop keeps drivers from inlining trace_pixel() three times. */
 void trace_all_channels(vec3 eye, vec3 e)
 {
 #ifdef TRACE_DISPERSION

@@ -8,8 +8,8 @@ struct trace_fresnel_split {
     float fresnel, reflected_weight, refracted_weight;
 };
 
-/* Computes the reflected and refracted directions and returns the Fresnel reflectance. `n` is on
- * the incident side; `eta` is the incident index over the transmitted one. With `is_thin`, the
+/* Computes the reflected and refracted directions and returns the Fresnel reflectance. `n` points
+ * to the incident side; `eta` is the incident index over the transmitted one. With `is_thin`, the
  * result includes interreflections: 2F / (1 + F). */
 float trace_fresnel(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
 {

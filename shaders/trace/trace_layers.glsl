@@ -7,7 +7,7 @@ layout(set = 0, binding = TRACE_FIRST_OBJECT) uniform sampler2D first_object;
 layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
 #endif
 
-/* Returns true if surroundings hide a point; always false if rays hit surroundings. */
+/* Returns true if rasterised surroundings hide a point. TRACE_RAYS traces surroundings instead. */
 bool trace_is_hidden(vec3 point)
 {
 #ifdef TRACE_RAYS
@@ -18,7 +18,7 @@ bool trace_is_hidden(vec3 point)
 #endif
 }
 
-/* Returns the number of the last object on the refracted path; 0 if none follows the first. */
+/* Returns the number of the refracted path's last object, or 0 if the path hits only one object. */
 uint trace_last_object()
 {
 #ifndef TRACE_RAYS

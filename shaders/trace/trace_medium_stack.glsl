@@ -1,5 +1,5 @@
-/* trace_medium_stack.glsl: medium stack of a path, the priorities of all objects that contain it.
- * The stack is a bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list. */
+/* trace_medium_stack.glsl: medium stack of a path, which holds the priorities of all objects around
+ * the path's origin. It is a bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list. */
 #ifndef TRACE_MEDIUM_STACK_GLSL
 #define TRACE_MEDIUM_STACK_GLSL
 #include "trace/trace_bvh.glsl"
@@ -69,7 +69,7 @@ bool trace_camera_is_inside()
     return trace.inside[0] != 0u;
 }
 
-/* Returns the medium that a path is in: the one of highest priority on the stack. */
+/* Returns the medium that a path is in, which has the highest priority on the stack. */
 uint trace_current_medium(uvec4 medium_stack)
 {
     return trace_has(TRACE_HAS_MANY_OBJECTS) ? medium_stack.x & 0xffffu

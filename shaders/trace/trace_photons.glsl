@@ -18,7 +18,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
 
-/* xy: position in the map; z: fraction of the photon's energy that arrives */
+/* xy: landing point in the caustic map; z: fraction of the photon's energy that arrives */
 layout(location = 0) out vec4 landing_red;
 layout(location = 1) out vec4 landing_green;
 layout(location = 2) out vec4 landing_blue;

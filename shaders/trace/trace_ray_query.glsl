@@ -12,7 +12,7 @@
 
 layout(set = 0, binding = TRACE_STRUCTURE) uniform accelerationStructureEXT structure;
 
-/* Intersects a candidate triangle. Of equally distant triangles, the lowest index wins. */
+/* Intersects a candidate triangle. Of equally distant triangles, keeps the one of lowest index. */
 bool trace_hit_candidate(trace_ray ray, int i, int bvh, inout trace_hit hit)
 {
     trace_hit candidate = trace_hit(1e30, 0.0, 0.0, -1, bvh);

@@ -12,7 +12,7 @@
 
 /* Interpolated vertex attributes at a hit on surroundings. */
 struct trace_surface_point {
-    vec3 position, normal; /* world space; the unit normal faces the ray */
+    vec3 position, normal; /* world-space position and unit normal, which faces the ray */
     vec3 outward;          /* the interpolated vertex normal, not flipped */
     vec3 color;
     vec2 uv, other_uv;
@@ -221,7 +221,7 @@ vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passin
     vec3 mirrored = lit_specular(reflect(dir, top), s.roughness, 0.0),
          unoccluded_diffuse = lit_diffuse(n);
     vec3 ambient = lit_by_environment(s, split, mirrored, unoccluded_diffuse);
-    /* traced rays replace the ambient occlusion map */
+    /* traced rays replace the occlusion texture */
     vec3 unhidden = vec3(trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? 1.0 : mix(1.0, occlusion, scales.y));
     lobes = trace_lobes(lit_by_environment(s, split, vec3(0.0), unhidden),
                         lit_by_environment(s, split, unhidden, vec3(0.0)), unoccluded_diffuse,

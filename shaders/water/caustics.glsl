@@ -71,8 +71,8 @@ vec3 sun_disc(vec2 at)
     return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
 }
 
-/* Returns light map coordinates. A ray enters the water at `p` with a slope and lands on the floor,
- * at `depth`, or on a wall that faces the sun. */
+/* Returns the light map coordinates of a ray that enters the water at `p` with a slope. The ray
+ * lands on the floor, at `depth`, or on a wall that faces the sun. */
 vec2 map_landing(vec2 p, vec2 slope, float depth)
 {
     vec2 undeviated = sun_inside().xy / -sun_inside().z;

@@ -13,7 +13,7 @@
 #define CAUSTICS_PUBLISHED 1
 
 #define CAUSTICS_SIZE 512 /* side of the light map, texels */
-#define CAUSTICS_GRID 256 /* cells along each side of the surface grid, method `area` */
+#define CAUSTICS_GRID 256 /* method `area`: cells along each side of the surface grid */
 
 #define CAUSTICS_GROUP_2D     8       /* workgroup width and height */
 #define CAUSTICS_GROUP_1D     256     /* size of one-dimensional workgroups */
@@ -30,7 +30,7 @@ struct caustics_params {
     float sun;           /* angular diameter of the sun, degrees */
     uint32_t photons;    /* naive: number of photons */
     uint32_t directions; /* gather: directions per floor point */
-    float cone;     /* gather: maximum angle of directions to the ray in level water, degrees */
+    float cone;     /* gather: half-angle of the cone around the sun ray in level water, degrees */
     uint32_t slope; /* backtrace: CAUSTICS_SNELL, ... */
     float glow; /* backtrace: angular radius at which the sun's glow has fallen to 1 / e, degrees */
 };

@@ -16,8 +16,8 @@ vec2 image_of(vec2 at, float depth)
     return shift * depth / map_texel_size();
 }
 
-/* Blurs the light of the sun's centre with the sun disc's image below level water, an ellipse.
- * Samples of large ellipses are `pace` texels apart. */
+/* Blurs the light from the sun's centre over the sun disc's image below level water, an ellipse. In
+ * large ellipses, samples are `pace` texels apart. */
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);

@@ -33,7 +33,7 @@ float below_height(vec3 at)
     return at.z - wave_at(push.water, at.xy, frame.time).z;
 }
 
-/* Returns the distance along a ray to the water surface, or `last` if there is no hit before it. */
+/* Returns the distance along a ray to the water surface, or `last` if there is no nearer hit. */
 float below_surface(vec3 from, vec3 dir, float last)
 {
     float crest = below_crest();

@@ -102,7 +102,7 @@ float path_to_ground(vec3 from, vec3 dir)
                      vec3(vec2(half_size), 1e6));
 }
 
-/* Returns the radiance along a ray: of the ground or, above water, of dry walls and sky. */
+/* Returns the radiance along a ray, from the ground or, above water, from dry walls or the sky. */
 water_ground water_radiance_along(water_ray ray)
 {
     water_ground ground;
@@ -111,7 +111,7 @@ water_ground water_radiance_along(water_ray ray)
     float path = path_to_ground(ray.from, ray.dir);
     vec3 at = ray.from + path * ray.dir;
     vec3 n = box_normal(at, upper);
-    at.z = min(at.z, 0.0); /* walls under a crest are lit as at the water's rest level */
+    at.z = min(at.z, 0.0); /* walls above the rest level are lit as at the rest level */
     ground.caustics = water_sun_fraction(at, pool_sun_inside(push.water.ior));
     vec2 on_tiles = n.z > 0.5 ? at.xy : vec2(n.x != 0.0 ? at.y : at.x, at.z);
     vec3 light = light_below(at, n, ground.caustics);

@@ -35,7 +35,7 @@ water_ray ice_outside(water_ray ray)
     return ray;
 }
 
-/* Traces a ray from inside the ice through total internal reflections until it leaves. */
+/* Traces a ray from inside the ice through total internal reflections to its exit. */
 water_ray ice_through(water_ray ray)
 {
     vec3 point = pool_to_world(ray.from);
@@ -60,7 +60,7 @@ water_ray ice_through(water_ray ray)
     return ice_outside(ray);
 }
 
-/* Returns the distance along a ray in the water to the ice; negative if it misses the ice. */
+/* Returns the distance along a ray in the water to the ice; negative if the ray misses. */
 float ice_distance(vec3 point, vec3 dir)
 {
     march_space space = march_space_of_frame();

@@ -1,4 +1,4 @@
-/* water_ice_color.frag: ice above water; reflected rays that point down are mirrored upwards. */
+/* water_ice_color.frag: ice above water. Reflected rays that point down are mirrored upwards. */
 #version 460
 #define WATER_WITH_ICE
 #include "water/water.glsl"

@@ -52,7 +52,7 @@ ABI_FUNCTION vec3s wave_at(ABI_STRUCT(water_params) w, vec2s p, float time)
     return ABI_VEC3(wave.x, wave.y, wave.z * w.scale);
 }
 
-/* Returns the unit normal, which points up. */
+/* Returns a wave's unit normal, which points up. */
 ABI_FUNCTION vec3s wave_normal(vec3s wave)
 {
     return glms_vec3_normalize(ABI_VEC3(-wave.x, -wave.y, 1.0f));
