@@ -58,7 +58,7 @@ struct app_scene {
     const char *bump, *bump_mask, *air; /* image files; NULL: generated */
     struct material_override material_overrides[APP_NODE_COUNT];
     uint32_t material_override_count;
-    const char *animation; /* animation name, or "none"; NULL for the first animation */
+    const char *animation; /* name or number of an animation, or "none"; NULL selects the first */
     struct model_transform model_transform;
     bool has_transform;           /* set by an option */
     bool has_default_environment; /* `environment` is the asset's default */
@@ -117,13 +117,13 @@ struct app_run {
     char *const *args;   /* from the command on; NULL-terminated */
 };
 
-/* Options of firn render. firn farm passes all of them but `json` to its tasks. */
+/* Options of firn render. firn farm accepts only `frames` of these. */
 struct app_render {
     const char *frames;          /* unparsed; NULL: a single image */
     uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
     bool resume;
     bool keep_sums;        /* see sample_sums_file.h */
-    double noise, seconds; /* noise and time limits of the reference; 0: unlimited */
+    double noise, seconds; /* limits of the reference's noise and time; 0 means no limit */
     const char *json;      /* report file, or NULL */
 };
 
@@ -229,8 +229,8 @@ enum app_command {
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/* Prints those of a command's arguments that firn render accepts too. Each is quoted and has a
- * space before it. The first `skip` positional arguments are left out. */
+/* Prints the command's arguments that firn render accepts too, each after a space and quoted for a
+ * shell. Leaves out all others and the first `skip` positional arguments. */
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
 
@@ -251,8 +251,8 @@ enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);
 
-/* Sets an image option ("size") or a setting ("cracks.count") by its name. The value is as on the
- * command line. On failure logs and returns STATUS_USAGE. */
+/* Sets an image option ("size") or a setting ("cracks.count") by its name. `value` is written as on
+ * the command line. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status app_set_option(struct app_image *image, const char *name, const char *value);
 
 /* Adds the command's default output file if the options name no output. */
@@ -281,11 +281,12 @@ void app_apply_scene_settings(struct app_scene *options, const struct scene *sce
 /* Returns a loaded scene's settings without changes by --set, --preset, --plain or the user. */
 struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene);
 
-/* Load a scene in two steps. app_begin_scene() finds all errors. app_fill_scene() does the slow
- * work while other threads may read the scene. When out of memory, it returns the name of what did
- * not fit, else NULL. app_log_fill_failure() logs this name and returns STATUS_TRY_AGAIN. */
+/* Begins to load a scene. Finds all errors except a lack of memory in app_fill_scene(). */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *options);
+/* Does the slow part of loading while other threads may read the scene. Returns the name of what
+ * did not fit in memory, or NULL. */
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *options);
+/* Logs that memory ran out for `lacking`, named by app_fill_scene(). Returns STATUS_TRY_AGAIN. */
 enum status app_log_fill_failure(const char *lacking);
 
 /* Poses an animated model at `time`, in seconds, by reloading and filling the scene. Does nothing
@@ -304,7 +305,7 @@ void app_choose_refraction(struct app_image *image, const struct scene *scene,
 /* Logs a warning if trace.traversal asks for ray queries that the device does not support. */
 void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
-/* Sets *camera: from options, else the model's first camera, else one that frames the object. */
+/* Finds the camera that the options or the model set, else makes one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_image *p);
 

@@ -20,7 +20,7 @@
 #include "src/tech/refract/refract_bounce.h"
 #include "src/tech/trace/refract_trace.h"
 
-/* Scale of a box for tests of what is inside it. Surroundings that touch the box are outside. */
+/* Scale factor that shrinks a box, so that surroundings that only touch the box are outside. */
 #define INNER_FRACTION 0.9f
 
 static bool is_rough(const struct material *material)
@@ -47,8 +47,8 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Counts the nested objects that `bounce` draws as if they were not enclosed: those nested too
- * deeply, and those that share an enclosing object with others. */
+/* Counts the nested objects that `bounce` wrongly draws as if they were not enclosed. These are
+ * nested too deeply, or share an enclosing object with others. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -86,7 +86,7 @@ static void add_count(char *text, size_t size, uint32_t count, const char *name)
         snprintf(&text[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Writes how many objects only `trace` and the reference draw correctly, such as "1 rough". */
+/* Writes the number of objects that need `trace` or the reference, such as "1 rough". */
 static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
 {
     static const struct {
@@ -188,16 +188,16 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
 }
 
-/* Returns true if a refraction model draws bumps. The reference does (it has no shaders). Models
- * that trace rays on the device do not. */
+/* Returns true if a refraction model draws bumps. The reference, which has no shaders, draws them.
+ * Models that trace rays on the device do not. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
     return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||
                                                                 refraction->shaders->bump_frag));
 }
 
-/* Warns of settings given with --set that have no effect: bump.strength if the refraction model
- * draws no bumps, and crack settings with ray tracing. */
+/* Warns if bump.strength or a crack setting is given with --set, but has no effect with the
+ * refraction model. */
 static void warn_of_settings(const struct app_image *image)
 {
     static const struct {
@@ -276,7 +276,7 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
         log_note("ground.denoise: no effect with tiles, since the filter needs the whole image");
 }
 
-/* Warns if the refraction model draws scattering media without scattering or as planes. */
+/* Warns if the refraction model draws media without scattering, or air bubbles only as planes. */
 static void warn_of_media(const struct app_image *image, const struct scene *scene)
 {
     const struct settings *settings = &image->scene.settings;

@@ -52,7 +52,7 @@ static enum status read_mask(struct job *job)
     return status;
 }
 
-/* ---- checks of options and results ---- */
+/* ---- checks ---- */
 
 static enum status check_options(struct job *job)
 {
@@ -144,7 +144,7 @@ static enum status encode_png(const struct job *job, void **data, size_t *size)
     return (o->only_heat ? diff_sheet_heat : diff_sheet_all)(&sheet, data, size);
 }
 
-/* Encodes the comparison's planes of errors as EXR. */
+/* Encodes the per-pixel errors of the comparison as an EXR file. */
 static enum status encode_exr(const struct job *job, void **data, size_t *size)
 {
     const struct comparison *c = &job->comparison;

@@ -80,7 +80,7 @@ static void name_job(char name[static NAME_SIZE], const char *path)
         name[length] = '\0';
 }
 
-/* Returns the program's name, `called`, if the shell found it in PATH, else its absolute path. */
+/* Returns `called` (argv[0]) if the shell found the program in PATH, else the absolute path. */
 static const char *find_program(char path[static PATH_SIZE], const char *called)
 {
     const ssize_t length =

@@ -56,7 +56,7 @@ static int by_rank(const void *a, const void *b)
 
 /* ---- text ---- */
 
-/* Replaces control characters in a file's names, because they might control the terminal. */
+/* Replaces control characters in the model's names, because they could control the terminal. */
 static void clean_names(struct model *model)
 {
     for (uint32_t i = 0; i < model->object_count; i++)
@@ -85,7 +85,7 @@ static void print_objects(const struct model *model)
         printf("  %-24s %10u  %-8s %s", object->name, object->index_count / 3,
                object_is_closed(object, &model->object) ? "closed" : "open",
                model->materials[object->material].name);
-        if (object->container_rank) /* ranks count from 1, and objects are sorted by rank */
+        if (object->container_rank) /* container_rank counts from 1; 0 means no container */
             printf(", inside %s", model->objects[object->container_rank - 1].name);
         printf("\n");
     }
@@ -510,7 +510,7 @@ enum status app_info(const struct app_options *o)
     struct app_image image = o->image;
     struct app_scene *options = &image.scene;
     struct scene scene;
-    options->plain = true; /* without the ice effects that firn would add */
+    options->plain = true; /* without added ice effects */
     options->background.is_given = true;
     options->quiet = true;
     enum status status = app_load_scene(&scene, options);
@@ -523,7 +523,7 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* a scene too large for a BVH was logged, but can be printed */
+    status = STATUS_OK; /* a scene that is too large for a BVH can still be printed */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

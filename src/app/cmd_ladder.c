@@ -345,7 +345,7 @@ static void job_finish(struct job *job)
     free(job);
 }
 
-/* Runs one scene; prints `prefix` before its results. */
+/* Compares the refraction models in one scene. Prints `prefix` and then the results. */
 static enum status run_scene(const struct app_options *options, const char *name,
                              const char *prefix, struct summary *summary)
 {
@@ -363,7 +363,7 @@ static enum status run_scene(const struct app_options *options, const char *name
     return status;
 }
 
-/* Runs all scenes, up to the first error. A failed furnace test only affects the exit code. */
+/* Measures all scenes and stops at the first error. Failed furnace tests only set the exit code. */
 static enum status run_scenes(const struct app_options *o)
 {
     const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;

@@ -17,8 +17,8 @@ struct input {
 };
 
 struct job {
-    struct tiling tiling; /* image tiling; columns are 0 until the first file is read */
-    bool interleaved;     /* tiles are interleaved: each has every n-th pixel of the image */
+    struct tiling tiling; /* tiling of the image, zero until the first file is read */
+    bool interleaved;     /* each tile has pixels from the whole image, not a rectangle */
     struct input tiles[APP_POSITIONAL_COUNT]; /* by tile number */
     const struct input *first;                /* the tile that was opened first */
     struct image image;                       /* merged image, with the planes of `first` */
@@ -41,7 +41,7 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
     return *interleaved || !text[length];
 }
 
-/* Finds the merged image's size. Returns false if the file's window is wrong for tile `number`. */
+/* Finds the merged image's size. Returns false if the file's area is not that of tile `number`. */
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {

@@ -96,7 +96,7 @@ static enum status run_frame(struct profile_job *job)
 
 /* ---- a sweep ---- */
 
-/* Refuses reports that can describe only one frame, because several will be measured. */
+/* Refuses reports that describe a single frame, because several frames will be measured. */
 static enum status refuse_reports(const struct app_profile *options, const char *many)
 {
     if (!options->baseline && !options->csv && !options->trace && !options->capture)

@@ -50,7 +50,7 @@ enum {
     CASE_COUNT,
 };
 
-/* Measured cases. The object covers a fifth of the screen, or all of it in WHOLE_SCREEN. */
+/* Measured cases. The object covers a fifth of the image, but all of it in case WHOLE_SCREEN. */
 static const struct paper_case cases[CASE_COUNT] = {
     [SPHERE_PLAIN] = { "sphere", "sphere", { "orbit=28,9,4.27", INSIDE("0", "0"), STATIC_CUBE } },
     [SPHERE_FULL] = { "sphere with cracks and air",
@@ -281,7 +281,7 @@ enum status profile_paper(struct profile_job *job)
     job->sweep.figures = figures;
     job->sweep.figure_count = FIGURE_COUNT;
     if (job->o.profile.time_step <= 0)
-        job->o.profile.time_step = 0.04; /* seconds; not 0, so that objects and lights move */
+        job->o.profile.time_step = 0.04; /* time step (seconds) that moves objects and lights */
     struct app_image *images = calloc(CASE_COUNT, sizeof(*images));
     status = measure_cases(job, images);
     free(images);

@@ -37,7 +37,7 @@ struct job {
     bool is_opened;       /* open_renderer() has logged its warnings */
     bool is_filled;       /* textures and meshes are filled */
     const char *missing;  /* result of app_fill_scene() */
-    struct camera camera; /* camera at time 0; it may be animated */
+    struct camera camera; /* camera at time 0, before any animation */
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
     struct reference *reference;    /* NULL until a frame needs it */
@@ -151,7 +151,6 @@ static bool assemble_image(const struct job *job, const struct render_result *ti
     return !tile->rgba || image->rgba;
 }
 
-/* Copies a tile's pixels to their positions in the whole image. */
 static void copy_tile(const struct job *job, uint32_t index, const struct render_result *tile,
                       struct render_result *image)
 {
@@ -205,7 +204,7 @@ static const char *sums_image(const struct job *job, const struct frame *frame)
     return NULL;
 }
 
-/* Renders with the reference, from stored sums if any. Records how many samples were drawn. */
+/* Renders with the reference, or continues from stored sample sums. Records the sample count. */
 static enum status trace_image(struct job *job, struct frame *frame)
 {
     const char *image = sums_image(job, frame);
@@ -256,7 +255,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* Makes the PNG pixels that the renderer cannot: of layers, with 16 bits, alpha or dithering. */
+/* Makes PNG pixels of a layer, or with 16 bits, alpha or dithering. The renderer makes others. */
 static bool make_png(const struct app_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -396,7 +395,7 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
-    /* writing to a pipe may block forever, so signals are not delayed then */
+    /* signals are not delayed while writing to a pipe, which may block forever */
     const bool is_direct = file_io_is_direct(path);
     void *data = NULL;
     size_t size = 0;
@@ -517,7 +516,7 @@ static enum status write_report(const struct job *job, int code)
     return status;
 }
 
-/* Writes the report when a signal ends the program, but not to pipes. They could block forever. */
+/* Writes the report when a signal ends the program. Skips a pipe, because it could block. */
 static void write_last_report(void *user, int code)
 {
     const struct job *job = user;

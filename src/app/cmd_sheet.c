@@ -78,7 +78,7 @@ static enum status check(struct job *job)
 
 /* ---- the sheet ---- */
 
-/* Returns the grid of the sheet. With several parameters, the values of the last one form a row. */
+/* Returns the layout of the sheet. With several parameters, each row varies the last parameter. */
 static struct sheet_grid grid_of(const struct job *job)
 {
     const uint32_t last = job->sweep.parameter_count - 1;

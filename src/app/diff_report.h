@@ -14,7 +14,7 @@ struct diff_report {
     bool failed[COMPARISON_METRIC_COUNT]; /* the metric exceeds its --fail-above limit */
 };
 
-/* Prints the report as text. Only long names make lines longer than 100 columns. */
+/* Prints the report as text. Lines have at most 100 columns unless they contain long names. */
 void diff_report_text(const struct diff_report *report, FILE *out);
 
 /* Prints the report as one JSON object. Returns false when out of memory. */

@@ -12,7 +12,7 @@
 /* States of a file, from best to worst. A frame has the state of its worst file. */
 enum state {
     DONE,
-    STALE, /* complete, but with different settings or firn version */
+    STALE, /* complete, but with other settings */
     DAMAGED,
     MISSING,
     STATE_COUNT,
@@ -40,7 +40,7 @@ struct job {
 
 /* ---- files ---- */
 
-/* Returns the settings stored in a file, without the frame's time; NULL when out of memory. */
+/* Copies the settings stored in a file, except motion.time. Returns NULL when out of memory. */
 static char *copy_settings(const struct image_header *head)
 {
     static const char time[] = " motion.time=";

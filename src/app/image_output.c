@@ -26,7 +26,7 @@ enum {
     TEXT_COUNT_MAX = 7
 };
 
-/* Metadata texts of a file. --resume compares the first compared_count. */
+/* Metadata texts of a file. --resume compares only the first compared_count texts. */
 struct texts {
     struct image_text all[TEXT_COUNT_MAX];
     uint32_t count, compared_count;
@@ -69,7 +69,7 @@ static void print_transform(FILE *out, const struct app_scene *scene)
         fprintf(out, " scale=%.9g", (double)model_transform->scale);
     if (glms_vec3_norm2(model_transform->rotate_deg) > 0.0f)
         print_vector(out, "rotate", model_transform->rotate_deg);
-    /* --material makes a model without transmissive materials one refractive object */
+    /* with --material, a model without transmissive materials is one refractive object */
     if (scene->material && !scene_find_builtin(scene->name))
         fprintf(out, " material=%s", scene->material);
     for (uint32_t i = 0; i < scene->material_override_count; i++)
@@ -193,7 +193,7 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     add_text(texts, "firn/noise", texts->noise);
 }
 
-/* Returns the part of the image in an output file. An interleaved tile is returned at (0, 0). */
+/* Returns the rectangle of the image that a file contains. Interleaved tiles are at (0, 0). */
 static struct tile pixels_of(const struct app_image *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
@@ -207,7 +207,7 @@ static struct tile pixels_of(const struct app_image *p)
     };
 }
 
-/* Returns a rectangular tile's position and the whole image's size. Other files get zeros. */
+/* Returns a rectangular tile's position and the whole image's size, or zeros for other files. */
 static struct image_window window_of(const struct app_image *p)
 {
     const struct tile tile = pixels_of(p);
@@ -353,7 +353,7 @@ static enum status encode_exr(const struct output *output, const struct render_r
         .texts = texts->all,
         .text_count = texts->count,
         .frames_per_second = output->is_frame ? (double)motion->fps : 0.0,
-        /* same memory layout as EXR's row-major matrices, which multiply row vectors */
+        /* cglm matrices have the memory layout of EXR's row-major matrices for row vectors */
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
         .window = window_of(p),

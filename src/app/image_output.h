@@ -7,7 +7,7 @@
 #include "src/image/image_header.h"
 #include "src/render/renderer.h"
 
-/* A frame, before and after it is drawn. */
+/* A frame to be drawn, and its metadata. */
 struct output {
     const struct app_image *image; /* loaded by app_load_scene() */
     const struct scene *scene;
@@ -20,8 +20,8 @@ struct output {
 };
 
 /* Writes options, camera and all settings as text to output->settings and png_settings. Frees old
- * texts first. A sequence's frame gets the text of a single image at that motion.time, because the
- * pixels are the same. On failure logs and returns STATUS_TRY_AGAIN. */
+ * texts first. A frame of a sequence gets the same text as a single image at its motion.time. On
+ * failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status output_describe(struct output *output);
 
 /* Frees what output_describe() allocated. */
@@ -33,8 +33,8 @@ void output_finish(struct output *output);
 bool output_is_current(const struct output *output, const char *path,
                        const struct image_header *head);
 
-/* Returns the sample count in a reference image's header, or 0 if it is not `samples`. A smaller
- * count is returned too if `noise` is above 0 and the header's noise is at most `noise`. */
+/* Returns the sample count in a reference image's header, or 0 if it is not `samples`. Also accepts
+ * a smaller count if `noise` is above 0 and the header's noise is at most `noise`. */
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
 /* Checks --tiles and --tile against the other options. On failure logs and returns STATUS_USAGE. */

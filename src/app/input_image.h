@@ -15,8 +15,8 @@ MUST_USE enum status input_image_read(const char *path, const struct reader_para
 MUST_USE enum status input_image_check_size(const struct image *image, const char *path,
                                             const struct image *other, const char *other_path);
 
-/* Allocates a mask, *counted, that the caller frees. It is true for pixels with a channel above 0.
- * Returns STATUS_DATA if there is no such pixel, STATUS_TRY_AGAIN when out of memory. */
+/* Allocates a mask, *counted, that the caller frees. The mask is true for pixels whose `channel` is
+ * above 0. Returns STATUS_DATA if there is no such pixel, STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status input_image_make_mask(const struct image *image, const char *path,
                                            const char *channel, bool **counted);
 

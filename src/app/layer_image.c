@@ -79,7 +79,7 @@ static float stretch(const struct source *source, uint32_t p, float x)
 
 static float shade(const struct source *source, enum frame_shown shown, uint32_t p, size_t i)
 {
-    const float darkest = 0.125f; /* darkest shade of a value; black means no value */
+    const float darkest = 0.125f; /* shade of the darkest value; black marks missing values */
     const float x = source->planes[p][i];
     switch (shown) {
     case FRAME_SHOWN_AMOUNT:

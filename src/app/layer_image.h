@@ -15,17 +15,16 @@ const struct frame_layer *layer_image_find(const char *name);
 /* Returns the layer's bit in renderer_params.layers; 0 for NULL. */
 uint32_t layer_image_bit(const struct frame_layer *layer);
 
-/* Return RGBA pixels for png_image_source, which the caller frees. When out of memory, log and
- * return NULL. The image must have the layer's planes. */
+/* Return RGBA pixels of a layer with 8 or 16 bits per channel. The caller frees them. When out of
+ * memory, log and return NULL. The image must have the layer's planes. */
 uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* Tone-maps the layer `beauty`, keeping alpha. Writes to `rgba` (8 bits, dithered if tonemap.dither
- * is on) or, if it is NULL, to `rgba_16`. Logs and returns false when out of memory. */
+/* Tone-maps the layer `beauty`, keeping alpha. Writes 16-bit pixels if `rgba` is NULL, else 8-bit
+ * pixels, dithered if tonemap.dither is on. Logs and returns false when out of memory. */
 bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
                         uint16_t **rgba_16);
 
-/* Returns true if tonemap.dither is on. */
 bool layer_image_is_dithered(const struct settings *settings);
 
 #endif

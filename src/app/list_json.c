@@ -14,7 +14,7 @@
 #include "src/settings/quality.h"
 #include "src/tech/refract/refract_reference.h"
 
-/* In this file, a NULL json_t means out of memory. jansson's functions accept and return it. */
+/* In this file, a NULL json_t means out of memory. jansson functions that are given NULL fail. */
 
 /* Appends the assets of a kind. */
 static json_t *append_assets(json_t *all, enum asset_kind kind)

@@ -22,11 +22,11 @@
 #include "src/tech/techniques.h"
 #include "src/tech/water/pool.h"
 
-/* Lights of a file that overexpose the image by this many stops are reported. */
+/* Number of stops by which lights must overexpose the image for a note to be logged. */
 #define BRIGHT_STOPS 4.0
 
-/* Sets the refractive index from the first of --set, --material, --preset, the model and the
- * default that has one. Returns true if it is from the model. */
+/* Sets the refractive index from the first available source: --set, --material, --preset, the
+ * model, the default. Returns true if the model's index is used. */
 static bool choose_ior(struct app_scene *options, const struct scene *scene)
 {
     const struct model *model = &scene->model;

@@ -15,7 +15,7 @@
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 
-/* ---- the device and its clock ---- */
+/* ---- device and clock ---- */
 
 static enum status open_device(struct profile_job *job)
 {
@@ -69,7 +69,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     return true;
 }
 
-/* Writes the name of the material with the refractive index, or the index if there is none. */
+/* Writes the name of a material with the scene's refractive index, or the index if none has it. */
 static void describe_material(struct profile *p, const struct app_scene *options)
 {
     const double ior = settings_get(&options->settings, settings_find("refract.ior"));

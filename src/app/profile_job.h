@@ -25,10 +25,10 @@ MUST_USE enum status profile_job_measure(struct profile_job *job, const struct a
 /* Writes the reports of job->sweep that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
-/* Returns true if tables are printed on stdout. A report on stdout prevents this. */
+/* Returns true if stdout is free for tables, because no report is written there. */
 bool profile_job_has_table(const struct app_profile *options);
 
-/* If `made` is an error, returns it, else writes the text to a file. Always frees the text. */
+/* Writes the text to a file if `made` is STATUS_OK, else returns `made`. Always frees the text. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,
                                             size_t size);
 

@@ -1,4 +1,4 @@
-/* progress.h: progress bar on stderr over all frames and their steps, on terminals only. */
+/* progress.h: progress bar over all frames and their steps. Shown only if stderr is a terminal. */
 #ifndef FIRN_APP_PROGRESS_H
 #define FIRN_APP_PROGRESS_H
 

@@ -32,7 +32,7 @@ void render_report_finish(struct report *report)
 
 static uint64_t add_text(uint64_t hash, const char *text)
 {
-    /* includes the terminating 0, so that "a" "bc" differs from "ab" "c" */
+    /* hashes the terminating 0 as well, so that "a" "bc" and "ab" "c" differ */
     for (size_t i = 0; i <= strlen(text); i++)
         hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
     return hash;

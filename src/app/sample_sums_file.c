@@ -13,7 +13,7 @@
 #include "src/version.h"
 
 enum {
-    COST_DIVISOR = 10, /* writing may take 1/COST_DIVISOR of the run time */
+    COST_DIVISOR = 10, /* saving sums may take 1/COST_DIVISOR of the run time */
     SAMPLES_MAX = 65536,
 };
 

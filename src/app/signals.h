@@ -15,7 +15,7 @@ struct signals {
     pthread_mutex_t writing;
     sigset_t signals;
     bool begun;
-    void (*last)(void *user, int code); /* called before a signal ends the program; may be NULL */
+    void (*last)(void *user, int code); /* callback before a signal ends the program; may be NULL */
     void *user;
 };
 
@@ -27,7 +27,7 @@ MUST_USE enum status signals_begin(struct signals *stop);
 /* Stops the waiting thread. The signals stay blocked and do nothing. An empty *stop is fine. */
 void signals_end(struct signals *stop);
 
-/* Signals are delayed from signals_hold() to signals_release(), such as while a file is written. */
+/* Delays signals until signals_release(), for example while a file is written. */
 void signals_hold(struct signals *stop);
 void signals_release(struct signals *stop);
 

@@ -74,7 +74,7 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns true if no other user can write to a cache file or folder. Drivers trust its data. */
+/* Returns true if only the user can write to a cache file or folder. Drivers trust cached data. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));

@@ -27,15 +27,15 @@ struct disk_cache_file {
 bool disk_cache_is_intact(const void *data, size_t size);
 
 /* Reads a file, including the hash at its end, and marks it as just used. The caller frees the
- * result. Returns NULL if the file is missing. Logs a warning and returns NULL if other users can
- * write to it, or if is_sound() rejects it (no warning if is_quiet). */
+ * result. Returns NULL if the file is missing. Returns NULL with a warning if other users can write
+ * to the file, or if is_sound() rejects its data (without a warning if is_quiet). */
 void *disk_cache_read(const struct disk_cache_file *request, size_t *size);
 
 /* Appends the hash to `data` and writes both to a file atomically, readable only by the user.
  * `data` needs DISK_CACHE_HASH_SIZE spare bytes after `size` bytes. Failures are not logged. */
 void disk_cache_write(const char *name, void *data, size_t size);
 
-/* Deletes the least recently used files with a name prefix until they total at most `bytes_max`. */
+/* Deletes least recently used files with a name prefix until at most `bytes_max` bytes remain. */
 void disk_cache_evict(const char *prefix, uint64_t bytes_max);
 
 #endif

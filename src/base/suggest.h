@@ -12,7 +12,7 @@ enum {
     SUGGEST_HINT_SIZE = SUGGEST_NAME_SIZE + 32, /* bytes */
 };
 
-/* Search for the name closest to `word`. Initialise with .word set and the rest zero. */
+/* State of a search for the name closest to `word`. All other members are initially zero. */
 struct suggest {
     const char *word;
     const char *best; /* borrowed; NULL if there is none */

@@ -126,7 +126,7 @@ static bool has_changed(const struct frame_cube *cube, uint32_t face,
     return false;
 }
 
-/* Returns true if the object's bounding sphere is at least partly within the frustum's sides. */
+/* Returns true if the object's bounding sphere overlaps the view frustum of unlimited depth. */
 static bool is_in_image(const struct globals *globals)
 {
     const mat4s rows = glms_mat4_transpose(globals->clip_from_world);

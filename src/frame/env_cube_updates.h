@@ -55,11 +55,11 @@ struct frame_cube {
 MUST_USE enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene);
 void frame_cube_finish(struct frame_cube *cube);
 
-/* Returns the faces and maps that a frame must redraw; `globals` are from frame_view_globals(). */
+/* Returns the cube faces and caustic maps to redraw. `globals` come from frame_view_globals(). */
 struct frame_updates frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                     const struct globals *globals);
 
-/* Records which faces and maps a submitted frame has redrawn. */
+/* Records which cube faces and caustic maps a submitted frame has redrawn. */
 void frame_cube_mark_drawn(struct frame_cube *cube, const struct frame_view *view,
                            const struct globals *globals, struct frame_updates due);
 

@@ -55,9 +55,9 @@ struct frame_plan {
  * invalid, STATUS_TRY_AGAIN when out of memory. Call frame_plan_finish() in any case. */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
-/* Recompiles the plan for the size request->view, which must not exceed max_view of `request` and
- * of the request given to frame_plan_init(). On success the caller owns *previous, the replaced
- * plan; on failure nothing changes. */
+/* Recompiles the plan for the size request->view. The size must not exceed max_view of `request`
+ * and of the request given to frame_plan_init(). On success the caller owns *previous, the replaced
+ * plan. On failure nothing changes. */
 MUST_USE enum status frame_plan_change_view(struct frame_plan *plan,
                                             const struct frame_request *request,
                                             struct rg_plan **previous);

@@ -118,7 +118,7 @@ static void span(float aside, float ahead, float radius, float half, float edge,
     ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -bound), bound)) + REACH_MARGIN;
 }
 
-/* Orthographic variant of span(); `scale` is in pixels per metre. */
+/* Does the same as span() for an orthographic camera. `scale` is in pixels per metre. */
 static void span_orthographic(float aside, float radius, float half, float scale, int32_t ends[2])
 {
     const float bound = 4.0f * half;

@@ -8,12 +8,13 @@
 /* Returns the push constants of the image's camera. */
 struct surroundings_push frame_view_push(const struct frame_view *view);
 
-/* Returns clip_from_world of the previous frame's camera, or of the current one if fov_deg is 0. */
+/* Returns clip_from_world for `earlier`, or for the current camera if earlier->fov_deg is 0. */
 mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier);
 
-/* Returns the pixels that may show points within `radii` bounding radii (0 means 1) of the object's
- * centre, with a margin. If the camera is that near or looks away, returns all pixels. */
+/* Returns the pixels, with a margin, that may show a sphere around the object. The sphere's radius
+ * is `radii` bounding radii of the object, where 0 means 1. Returns all pixels if the sphere is not
+ * entirely in front of the camera. */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
@@ -22,7 +23,7 @@ bool frame_view_exceeds_image(const struct frame_view *view);
 
 /* Returns the pixels of an image that may show `box`. The box rotates with its object and is
  * enlarged by `room` bounding radii and one pixel. Returns all pixels if a corner is nearer than
- * the near plane. `globals` are the object's, or frame_view_globals() for all objects. */
+ * the near plane. `globals` are those of the object, or frame_view_globals() for all objects. */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
@@ -45,8 +46,8 @@ struct globals frame_view_globals(const struct frame_view *view,
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialisation constants. They depend on the scene, on resolved settings and on the refraction
- * model (NULL: a model without rays), but not on camera or time. */
+/* Specialisation constants. They depend on the scene, the resolved settings and the refraction
+ * model, but not on camera or time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };

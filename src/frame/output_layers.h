@@ -6,7 +6,7 @@
 
 extern const struct frame_layer frame_beauty; /* present in every image */
 
-/* Maximum number of layers. In masks of requested layers, bit i is techniques_layer(i). */
+/* Maximum number of layers. Bit i of a layer mask stands for techniques_layer(i). */
 enum {
     FRAME_LAYER_MAX = 32
 };

@@ -100,8 +100,8 @@ static const struct rg_use *uses_with(struct pass_builder *builder, const struct
     return copy;
 }
 
-/* Copies the passes of the pass groups from index `first` on, for the object at a position in
- * back-to-front order. The copies use the object's uniform buffer and unique names. */
+/* Replaces the passes of the groups from index `first` on by copies for one object, given by its
+ * position in back-to-front order. The copies use the object's uniform buffer and unique names. */
 static bool assign_to_object(struct frame_list *list, size_t first, uint32_t depth_index,
                              bool for_layers)
 {
@@ -140,7 +140,7 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds each object's passes: image passes if `last` is PHASE_REFRACTION, otherwise layer passes. */
+/* Adds each object's G-buffer passes (none for PHASE_FACES), then its passes of phase `last`. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
@@ -205,8 +205,8 @@ static bool reads(const struct frame_list_object *object, const struct rg_image 
     return false;
 }
 
-/* Returns true if all objects share an image: colour, depth, a layer being drawn, or an image that
- * only other passes read. Each G-buffer belongs to one object. */
+/* Returns true if all objects draw to the same image. This holds for colour, depth, drawn layers,
+ * and images that are read only by passes that belong to no object. */
 static bool is_shared(const struct frame_list *list, const struct frame_list_object *object,
                       const struct rg_image *image)
 {
@@ -220,8 +220,8 @@ static bool is_shared(const struct frame_list *list, const struct frame_list_obj
     return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Returns true if only the object's pixels of a target need to be drawn: the target has the view's
- * size, and other pixels are kept or never read. */
+/* Returns true if drawing a target near the object is enough. Such a target has the view's size,
+ * and its other pixels are kept or never read. */
 static bool is_local(const struct frame_list *list, const struct rg_target *target)
 {
     const struct rg_image *image = target->image;
@@ -230,7 +230,7 @@ static bool is_local(const struct frame_list *list, const struct rg_target *targ
            (!image || target->load == RG_LOAD_KEEP || !is_used_elsewhere(list, image));
 }
 
-/* Makes a pass keep the content of shared targets and draw only the pixels that rays look up. Many
+/* Makes a pass keep the content of shared targets and, if possible, draw only near its object. Many
  * small objects then cost no more than a few large ones. */
 static void keep_shared_in_pass(struct frame_list *list, const struct frame_list_object *object,
                                 struct rg_pass *pass)

@@ -7,7 +7,7 @@
 #include "src/tech/pass_builder.h"
 #include "src/tech/technique.h"
 
-/* Passes that draw the object at one position in back-to-front order, which may vary per frame. */
+/* Passes for one position in back-to-front order, whose object may change from frame to frame. */
 struct frame_list_object {
     const struct rg_buffer *globals; /* replaces frame_globals in the passes */
     struct rg_pass *passes;
@@ -24,7 +24,7 @@ struct frame_list {
     struct frame_list_object *objects; /* per object: image, layers, faces */
     size_t object_count;
     bool is_nested; /* nested objects are not listed separately */
-    /* The passes of all objects except the first draw only the pixels that rays look up. */
+    /* The passes of all objects but the farthest draw only the area near their object. */
     bool is_local_to_objects;
     struct pass_builder builder;
     struct low_res_images small;
@@ -48,7 +48,7 @@ struct settings frame_settings(const struct settings *settings, const struct sce
  * power of two from 128 to 2048 that is at least 0.9 times the image's `height`. */
 uint32_t frame_face_size(const struct settings *settings, uint32_t height);
 
-/* Returns the settings with `auto` resolved for an image height and a refraction model or NULL. */
+/* Returns the settings with `auto` values replaced for a refraction model and an image height. */
 struct settings frame_resolve_settings(const struct settings *settings,
                                        const struct technique *refraction, uint32_t height);
 

@@ -15,7 +15,7 @@ struct frame_lens {
     float focus; /* focal plane distance, metres, above 0 */
 };
 
-/* Returns the lens point of view->sample; `aside` is 0 without a lens or perspective. */
+/* Samples the lens for view->sample. `aside` is 0 for a pinhole or an orthographic camera. */
 struct frame_lens frame_lens_of(const struct frame_view *view);
 
 /* Offsets the camera to its lens sample and shears the projection to keep the focal plane fixed. */

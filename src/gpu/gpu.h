@@ -106,10 +106,10 @@ const char *gpu_result_name(VkResult result);
  * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN, because drivers return it when they reach the limit. */
 enum status gpu_status(VkResult result);
 
-/* Logs "WHAT: NAME OF THE RESULT" and what to do about it; returns gpu_status(result). */
+/* Logs "WHAT: NAME OF THE RESULT" and advice for the user. Returns gpu_status(result). */
 enum status gpu_failed(const char *what, VkResult result);
 
-/* Logs "CALL of NAME: NAME OF THE RESULT" as gpu_failed() does. The name may be NULL. */
+/* Logs "CALL of NAME: NAME OF THE RESULT", otherwise like gpu_failed(). `name` may be NULL. */
 enum status gpu_failed_for(const char *call, const char *name, VkResult result);
 
 struct gpu_buffer {
@@ -154,14 +154,15 @@ MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
 
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 
-/* Check before any allocation that an image is not too large. Return STATUS_USAGE if its size in
- * pixels exceeds the device's limits, STATUS_TRY_AGAIN if `device_size` bytes of device memory and
- * `host_size` bytes of host-visible memory exceed the heaps. Errors are logged. */
+/* Checks before any allocation that an image's size is within the device's limits. If the size is
+ * too large, logs and returns STATUS_USAGE. */
 MUST_USE enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t height);
 /* `side`: width of a face, texels */
 MUST_USE enum status gpu_check_cube(const struct gpu *gpu, uint32_t side);
 /* Returns STATUS_DATA if a scene's texture is too large; size.depth is its number of layers. */
 MUST_USE enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
+/* Checks that the heaps have `device_size` bytes of device memory and `host_size` bytes of
+ * host-visible memory. If not, logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status gpu_check_memory(const struct gpu *gpu, VkExtent2D view,
                                       VkDeviceSize device_size, VkDeviceSize host_size);
 /* Checks that acceleration structures of `size` bytes fit in the device's memory heap. */

@@ -1,11 +1,11 @@
 /*
- * gpu_acceleration.h: acceleration structures for ray queries of shaders.
+ * gpu_acceleration.h: acceleration structures for ray queries in shaders.
  *
  * Each group of triangles has a bottom-level structure (BLAS). One top-level structure (TLAS) has
  * an instance of each, with a transform. A group that only moves keeps its BLAS.
  *
  * Ownership: structures own their memory; gpu_acceleration_destroy() frees it before gpu_destroy().
- * Errors and thread-safety: as in gpu.h.
+ * gpu.h describes errors and thread safety.
  */
 #ifndef FIRN_GPU_GPU_ACCELERATION_H
 #define FIRN_GPU_GPU_ACCELERATION_H
@@ -43,13 +43,13 @@ struct gpu_acceleration {
     struct gpu_blas_groups built;             /* groups of the last build */
 };
 
-/* Creates structures without building them; reads only the counts of `groups`. Needs gpu->has_rays.
- * Fails if memory is too small (gpu_check_acceleration_memory()); *rays is then NULL. */
+/* Creates acceleration structures without building them. Reads only the counts of `groups`.
+ * Requires gpu->has_rays. On failure, such as too little memory, *rays is NULL. */
 MUST_USE enum status gpu_acceleration_create(struct gpu *gpu, struct gpu_acceleration **rays,
                                              const struct gpu_blas_groups *groups);
 
 /* Builds the TLAS, and the BLAS of each group unless is_kept. Moves the groups to *rays and zeroes
- * *groups. Waits until shaders can trace the structures; nothing may trace them meanwhile. */
+ * *groups. Waits for the end of the build. No shader may trace the structures during the build. */
 MUST_USE enum status gpu_acceleration_build(struct gpu *gpu, struct gpu_acceleration *rays,
                                             struct gpu_blas_groups *groups);
 

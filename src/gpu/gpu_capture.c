@@ -19,7 +19,7 @@ static RENDERDOC_API_1_4_0 *find_renderdoc(void)
     if (!get_api || get_api(eRENDERDOC_API_Version_1_4_0, (void **)&api) != 1)
         api = NULL;
     if (library)
-        dlclose(library); /* drops only the reference of dlopen(); the library stays loaded */
+        dlclose(library); /* the reference from dlopen() is dropped, but the library stays loaded */
     return api;
 }
 

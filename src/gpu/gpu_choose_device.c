@@ -94,7 +94,7 @@ static void chain(struct gpu_features *features, bool rays)
     };
 }
 
-/* Enables the feature if the device has it, and returns true if so. */
+/* Enables a feature if the device has it. Returns true if the feature was enabled. */
 static bool enable(const struct feature *feature, const struct gpu_features *has,
                    struct gpu_features *requested)
 {

@@ -10,7 +10,7 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL count_message(
 {
     (void)types;
     struct gpu *gpu = user;
-    /* The Vulkan loader reports drivers that find no device here; that is not an error. */
+    /* The Vulkan loader warns of drivers that find no device; that is not an error. */
     if (data->pMessageIdName && strcmp(data->pMessageIdName, "Loader Message") == 0)
         return VK_FALSE;
     gpu->message_count++;
@@ -27,7 +27,7 @@ VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu)
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
         .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                            VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-        /* no PERFORMANCE messages, which concern hardware that this machine may lack */
+        /* PERFORMANCE messages are left out, because they may concern other hardware */
         .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
                        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
         .pfnUserCallback = count_message,
@@ -45,6 +45,5 @@ void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, c
         .objectHandle = handle,
         .pObjectName = name,
     };
-    /* Failing to name an object is not an error. */
     (void)vkSetDebugUtilsObjectNameEXT(gpu->device, &info);
 }

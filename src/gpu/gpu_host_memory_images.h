@@ -20,7 +20,7 @@ enum {
 /* Callbacks by which a window provides shared memory and presents images in it. */
 struct gpu_shared_window {
     void *user;
-    /* Allocates `size` bytes that the server can read, or returns NULL. unmap() frees them. */
+    /* Returns `size` bytes that the window server can read, or NULL. unmap() frees the bytes. */
     void *(*map)(void *user, uint32_t index, size_t size);
     void (*unmap)(void *user, uint32_t index);
     /* Presents an image of 4-byte BGRA pixels in rows of `row_size` bytes, without waiting. */
@@ -35,13 +35,14 @@ struct gpu_shared_window_image {
     uint32_t row_size; /* bytes */
 };
 
-/* Creates the BGRA images of a canvas, for use as colour attachments and transfer destinations.
- * If the memory or the device is unsuitable, returns false without logging and creates nothing. */
+/* Creates BGRA images in shared memory, for use as colour attachments and transfer destinations. If
+ * the memory or the device is unsuitable, returns false without logging and creates nothing. */
 MUST_USE bool gpu_shared_window_create_images(
     const struct gpu *gpu, const struct gpu_shared_window *canvas, VkExtent2D extent,
     struct gpu_shared_window_image images[GPU_SHARED_WINDOW_IMAGE_COUNT]);
 
-/* Destroys a canvas's images, which may be zeroed or partly created. The device must be idle. */
+/* Destroys a window's shared images, which may be zeroed or partly created. The device must be
+ * idle. */
 void gpu_shared_window_destroy_images(
     const struct gpu *gpu, const struct gpu_shared_window *canvas,
     struct gpu_shared_window_image images[GPU_SHARED_WINDOW_IMAGE_COUNT]);

@@ -239,7 +239,7 @@ static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
     return status;
 }
 
-/* Blits each mip level to the next smaller one, after a transition from `written` to `halved`. */
+/* Records blits that generate each mip level from the previous, larger level. */
 static void record_mips(VkCommandBuffer commands, const struct gpu_image *image)
 {
     const VkExtent3D size = image->extent;

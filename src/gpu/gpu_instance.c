@@ -27,7 +27,7 @@ bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const 
     return false;
 }
 
-/* Lists the extensions of layer `of`, or of loader and drivers if NULL. The caller frees *list. */
+/* Lists the extensions of layer `of`. NULL means loader and drivers. The caller frees *list. */
 static VkResult list_extensions(const char *of, VkExtensionProperties **list, uint32_t *count)
 {
     *list = NULL;

@@ -25,13 +25,13 @@ VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu);
 /* Names an object for captures and messages, if `name` is given and debug utils are available. */
 void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, const char *name);
 
-/* Fills in a device's name, type and versions, and why firn cannot use it. */
+/* Fills in a device's name, type, versions and, if firn cannot use the device, the reason. */
 void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
                          struct gpu_device *device);
 
-/* Chooses a device: number `requested` if that is all digits, else the best one with `requested` in
- * its name; NULL means the best of all. Types from best to worst are discrete, integrated, virtual,
- * CPU; within a type, the first device is chosen. */
+/* Chooses the device with the number `requested`, or the best one whose name contains `requested`.
+ * NULL accepts any name. Device types from best to worst are discrete, integrated, virtual and CPU.
+ * The first device of the best type is chosen. */
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
                                 const char *requested, uint32_t *index);
 
@@ -67,9 +67,9 @@ struct gpu_features {
     bool rays; /* ray features are enabled */
 };
 
-/* Initialises *requested with the features that firn requires and optional ones that the device
- * has. Ray features are included only if `rays`, which requires gpu_ray_extensions. Returns the
- * name of the first missing required feature, or NULL. The device must support Vulkan 1.3. */
+/* Initialises *requested with all features that firn requires, and optional ones that the device
+ * has. Includes ray features if `rays` is true, which requires gpu_ray_extensions. Returns the name
+ * of the first missing required feature, or NULL. The device must support Vulkan 1.3. */
 const char *gpu_features_choose(VkPhysicalDevice physical, bool rays,
                                 struct gpu_features *requested);
 
@@ -100,8 +100,8 @@ MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirem
                                          enum gpu_memory_kind kind, const char *name,
                                          VkDeviceMemory *memory);
 
-/* Creates a buffer with undefined content and memory of its own, host-visible if `host`. It has a
- * device address if `usage` includes SHADER_DEVICE_ADDRESS. On failure *buffer is zeroed. */
+/* Creates a buffer with undefined content and its own memory, host-visible if `host` is true. The
+ * buffer has a device address if `usage` has SHADER_DEVICE_ADDRESS. On failure zeroes *buffer. */
 MUST_USE enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, VkDeviceSize size, bool host,
                                        const char *name);

@@ -53,7 +53,7 @@ enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D
     return STATUS_DATA;
 }
 
-/* Returns the largest heap with memory of this kind; UINT32_MAX if there is none. */
+/* Returns the index of the largest heap with memory of the given kind, or UINT32_MAX if none. */
 static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
                           VkMemoryPropertyFlags kind)
 {
@@ -68,8 +68,8 @@ static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
     return found;
 }
 
-/* Returns the usable size of a heap, bytes. CPU drivers may report too little, so for them it is at
- * least three quarters of the machine's memory. */
+/* Returns the usable size of a heap, bytes. CPU drivers may report too little, so their heaps count
+ * as at least three quarters of the machine's memory. */
 static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
 {
     const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;

@@ -49,7 +49,7 @@ enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *nee
         log_error("%s: the device has no suitable memory type", name ? name : "a buffer");
         return STATUS_NO_DEVICE;
     }
-    /* Drivers may accept larger allocations and crash later, so the limits are checked here. */
+    /* Limits are checked here, as some drivers accept too large allocations and crash later. */
     vkGetPhysicalDeviceProperties2(gpu->physical, &properties);
     VkDeviceSize limit = gpu->memory.memoryHeaps[gpu->memory.memoryTypes[type].heapIndex].size;
     if (limit > v11.maxMemoryAllocationSize)

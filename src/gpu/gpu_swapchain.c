@@ -186,7 +186,7 @@ static uint32_t clamp(uint32_t value, uint32_t min, uint32_t max)
     return value < min ? min : value > max ? max : value;
 }
 
-/* Returns the surface's size or, if the surface leaves it to the program, the window's `size`. */
+/* Returns the surface's size, or the window's `size` if the surface lets the program choose. */
 static VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR *has, VkExtent2D size)
 {
     if (has->currentExtent.width != UINT32_MAX)
@@ -199,7 +199,7 @@ static VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR *has, VkExtent2D 
     };
 }
 
-/* Returns one image more than the minimum, so that one is free while another is displayed. */
+/* Returns the minimum image count plus one, so that an image is free while another is displayed. */
 static uint32_t choose_count(const VkSurfaceCapabilitiesKHR *has)
 {
     const uint32_t count = has->minImageCount + 1;
@@ -306,7 +306,7 @@ enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint
                                               : gpu_failed("vkAcquireNextImageKHR", result);
 }
 
-/* Waits for the queue, then presents a canvas image, whose memory the server reads directly. */
+/* Waits for the queue and presents a canvas image. The window server reads the image's memory. */
 static enum status show(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
 {
     const VkResult result = vkQueueWaitIdle(gpu->queue);

@@ -53,14 +53,14 @@ struct gpu_swapchain {
     bool stale;         /* must be recreated */
 };
 
-/* Chooses a format of 8 bits per channel, preferably without sRGB encoding, and the present mode:
- * `mode`, or FIFO with a warning. Sets `stale` and creates no images. `canvas` may be NULL. */
+/* Chooses a format with 8 bits per channel, preferably without sRGB encoding. Warns and uses FIFO
+ * if `mode` is not available. Sets `stale`, because no images are created. `canvas` may be NULL. */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                         VkSurfaceKHR surface, VkPresentModeKHR mode,
                                         const struct gpu_shared_window *canvas);
 
-/* Waits for the device and recreates the images. `size`, the window's size in pixels, is used if
- * the surface lets the program choose. */
+/* Waits for the device and recreates the images. If the surface lets the program choose the image
+ * size, uses `size`, the window's size in pixels. */
 MUST_USE enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                             VkExtent2D size);
 
@@ -75,9 +75,9 @@ MUST_USE enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain
 /* Waits for the device and frees everything. *swapchain may be zeroed or partly created. */
 void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *swapchain);
 
-/* Convert between present modes and their names "auto", "fifo", "mailbox" and "immediate". Return
- * NULL or false for unknown modes and names. */
+/* Returns "auto", "fifo", "mailbox" or "immediate" for a present mode, or NULL for other modes. */
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode);
+/* Finds the present mode that gpu_swapchain_mode_name() calls `name`, or returns false. */
 bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode);
 
 #endif

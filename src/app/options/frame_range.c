@@ -117,7 +117,7 @@ static bool parse_item(struct list *list)
     last = first;
     if (skip(list, '-') && (!parse_frame(list, &last) || !parse_step(list, &step)))
         return false;
-    /* cannot overflow, because frames and step are within FRAME_RANGE_MAX */
+    /* adding `step` to `frame` cannot overflow, as both are within FRAME_RANGE_MAX */
     bool ok = true;
     for (int32_t frame = first; ok && first <= last && frame <= last; frame += step)
         ok = add(list, frame);

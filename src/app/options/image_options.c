@@ -258,7 +258,7 @@ enum status option_set(const struct option *option, void *at, const char *value)
     return status;
 }
 
-/* Sets the tone curve: short for --set tonemap.curve. */
+/* Sets the tone curve, like --set tonemap.curve. */
 enum status option_tone_curve(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
@@ -323,7 +323,7 @@ enum status option_rotate(const struct option *option, void *at, const char *val
     return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
 }
 
-/* Sets the background. After "none", a colour that was given earlier still lights the scene. */
+/* Sets the background. "none" hides it, but a colour given before still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;

@@ -14,7 +14,7 @@ struct option {
     const char *group; /* heading in the help */
     const char *name;  /* without dashes */
     char letter;       /* short name, or 0 */
-    const char *value; /* name in the help; NULL for a flag; "[=VALUE]" if optional */
+    const char *value; /* name of the value in the help, or NULL for a flag */
     unsigned commands; /* bits of enum app_command */
     size_t offset;     /* offset in struct app_options */
     option_fn *set;

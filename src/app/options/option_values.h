@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-/* Set a bool to true (flag), a string (text), or a uint32_t from option->min to max (count). */
+/* Setters of a bool (to true), a string, and a uint32_t from option->min to option->max. */
 option_fn option_flag, option_text, option_count;
 
 /* Returns true for options whose value may be left out, such as --name[=VALUE]. */

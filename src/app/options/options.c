@@ -40,8 +40,8 @@ enum {
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
-/* Initialises an option's `offset` and `set`. Does not compile if the field is not of `type`. Types
- * cannot be in parentheses here. NOLINTBEGIN(bugprone-macro-parentheses) */
+/* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot be in parentheses */
+/* Initialisers of an option's `offset` and `set`. Compilation fails if the field is no `type`. */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
 /* NOLINTEND(bugprone-macro-parentheses) */
@@ -524,7 +524,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     o->image.scene.quiet = o->run.quiet;
     if (o->ladder.whole)
         option_ladder_whole(&o->image.scene);
-    if (command != APP_FARM) /* firn farm first looks for outputs among its arguments */
+    if (command != APP_FARM) /* firn farm adds its default output later */
         app_default_output(o, command);
     enum status status = check_layers(&o->image);
     if (command & (APP_RENDER | APP_FARM))

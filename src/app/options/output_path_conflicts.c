@@ -44,7 +44,7 @@ static bool are_same_file(const char *a, const char *b)
 {
     struct stat infos[2];
     if (!strcmp(a, "-") || !strcmp(b, "-"))
-        return false; /* a second output on stdout is refused elsewhere */
+        return false; /* another check refuses two outputs on stdout */
     const bool has_a = stat(a, &infos[0]) == 0, has_b = stat(b, &infos[1]) == 0;
     if (has_a && has_b)
         return S_ISREG(infos[0].st_mode) && is_same(&infos[0], &infos[1]);

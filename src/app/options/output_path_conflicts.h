@@ -4,8 +4,7 @@
 
 #include "src/app/options/option.h"
 
-/* Set a file path. option_input() is for files that are read, option_report() for files that are
- * written. */
+/* Setters of the path of a file that is read (option_input) or written (option_report). */
 option_fn option_input, option_report;
 
 /* A file that a command reads or writes. */
