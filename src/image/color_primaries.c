@@ -68,7 +68,7 @@ static void xyz_of(const float at[static 2], double xyz[static 3])
     xyz[2] = (1.0 - x - y) / y;
 }
 
-/* Computes the matrix from linear RGB to XYZ; the white point has Y = 1. */
+/* Computes the matrix that converts linear RGB to XYZ, scaled so that white has Y = 1. */
 static bool xyz_from_rgb(const struct primaries *p, struct matrix *matrix)
 {
     const float *const colors[3] = { p->red, p->green, p->blue };

@@ -22,10 +22,10 @@ struct exr_header {
 };
 
 /*
- * Encodes an image into memory: *data (malloc'd, freed by the caller) of *size bytes. Rec.709
- * chromaticities are always written. Half planes are clamped to +-65504, including infinities, but
- * not NaN; float planes are stored unchanged. At least one plane is required. On failure logs, sets
- * *data to NULL, and returns STATUS_TRY_AGAIN (memory) or STATUS_FAILED.
+ * Encodes an image as an OpenEXR file in memory. *data receives *size bytes, which the caller
+ * frees. Rec.709 chromaticities are always written. Values of half planes, except NaN, are clamped
+ * to +-65504. Float planes are stored unchanged. At least one plane is required. On failure logs,
+ * sets *data to NULL, and returns STATUS_TRY_AGAIN (out of memory) or STATUS_FAILED.
  */
 MUST_USE enum status exr_encode(const struct image *image, const struct exr_header *header,
                                 void **data, size_t *size);
@@ -44,28 +44,29 @@ MUST_USE enum status exr_encode_rows(const struct image *image, const struct exr
 struct exr_file;
 
 /*
- * Opens a file and reads its header into *head, which the caller finishes: the data window and
- * channels of one part. The part is the first with channels R, G and B, else the first that is not
- * deep; several parts cause a warning. The limits of image.h are checked before any allocation.
- * Deep data, subsampled channels, DWAA and DWAB are not supported: STATUS_DATA. Logs and returns
- * STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *file is then NULL and *head {0}.
+ * Opens a file. *head receives the data window and channels of one part, and the caller finishes
+ * it. The part is the first with channels R, G and B or, if there is none, the first non-deep part.
+ * Several parts cause a warning. The limits of image.h are checked before any allocation. Deep
+ * data, subsampled channels, DWAA and DWAB are rejected with STATUS_DATA. Logs and returns
+ * STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *opened is then NULL and *head {0}.
  */
 MUST_USE enum status exr_open(struct exr_file **opened, const char *path,
                               struct image_header *head);
 
-/* Sets *row to row y of a plane, owned by the file and valid until the next call. Texels may be
- * non-finite. Reading rows in ascending order is fastest. */
+/* Points *row to row y of a plane. The file owns the row, which is valid until the next call.
+ * Texels may be non-finite. Reading rows in ascending order is fastest. */
 MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const float **row);
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a file into *image, zeroed before and on failure. Errors are those of exr_open(). */
+/* Reads a whole image into *image, which must be zeroed. On failure *image is zeroed. Limits and
+ * errors are those of exr_open(). */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
-/* Reads an image like exr_read(), and *head, which the caller frees. *head is zeroed on failure. */
+/* Reads an image and its header. On failure *image and *head are zeroed. The caller frees *head. */
 MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
 
-/* Decodes a whole file to check it, and reads its header into *head like exr_open(). */
+/* Checks a file by decoding all texels. Reads the header into *head, which the caller frees. */
 MUST_USE enum status exr_check(const char *path, struct image_header *head);
 
 /* Returns true if `head` has the size, windows, planes and texts that exr_encode() would write for

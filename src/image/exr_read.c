@@ -59,7 +59,7 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
         snprintf(source->message, sizeof(source->message), "%s", text);
 }
 
-/* Allocates zeroed memory, because the OpenEXR library accepts chunks with too little data. */
+/* Allocates zeroed memory. The OpenEXR library leaves memory unwritten if chunks are too short. */
 static void *allocate(size_t size)
 {
     return calloc(1, size);
@@ -136,8 +136,8 @@ static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **l
     return EXR_ERR_SUCCESS;
 }
 
-/* Reads the chunk size: a tile, or the scan lines that are compressed together. The library reports
- * 0 scan lines if the header of a scan line file has an attribute `tiles`. */
+/* Reads the size of a chunk: a tile, or the scan lines that are compressed together. Rejects scan
+ * line files with an attribute `tiles`, for which the library reports 0 scan lines. */
 static exr_result_t read_chunk_size(struct exr_file *file)
 {
     int32_t height;
@@ -252,7 +252,7 @@ static bool fill_head(const struct exr_file *file, struct image_header *head)
     return done && add_texts(file, head);
 }
 
-/* Makes the decoder write into the image's planes. Planes and channels have the same order. */
+/* Makes the decoder write into the planes of an image, from texel `first` on. */
 static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *rows, size_t first)
 {
     for (int c = 0; c < pipeline->channel_count; c++) {

@@ -19,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* OpenEXR write callback that writes to memory. Offsets may go back to an earlier position. */
+/* Writes bytes at an offset of the file in memory. The OpenEXR library calls this function. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {
@@ -45,7 +45,7 @@ static int64_t sink_write(exr_const_context_t context, void *user, const void *b
     return (int64_t)size;
 }
 
-/* Suppresses the OpenEXR library's error output; its result codes suffice. */
+/* Suppresses error output of the OpenEXR library, because its result codes suffice. */
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *text)
 {
     (void)context;
@@ -174,7 +174,7 @@ struct origin {
     enum status status; /* last result of `fill` */
 };
 
-/* Points the encoder to the rows from y on, with half planes converted into `halves`. */
+/* Gives the encoder pointers to the rows from y on. Half planes are converted into `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
                          uint16_t *halves)
 {
@@ -205,9 +205,8 @@ struct compressor {
 };
 
 /*
- * Calls the library's compressor, but stores a chunk uncompressed if the compressed data has the
- * same length. Readers take a chunk of that length as uncompressed, but OpenEXR 3.1.5 would write
- * it compressed.
+ * Calls the library's compressor. A chunk whose compressed and uncompressed lengths are equal is
+ * stored uncompressed, because readers take it as such. OpenEXR 3.1.5 would store it compressed.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {
@@ -334,7 +333,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     free(sink.bytes);
     if (origin->status != STATUS_OK)
         return origin->status; /* already logged by `fill` */
-    /* Our data is never corrupt, so EXR_ERR_CORRUPT_CHUNK means that zlib is out of memory. */
+    /* Encoding meets no corrupt data, so EXR_ERR_CORRUPT_CHUNK means that zlib lacks memory. */
     if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("the EXR image could not be encoded: %s", exr_get_default_error_message(result));

@@ -97,7 +97,7 @@ struct temporary {
     char name[NAME_MAX + 1]; /* file name within the target's folder */
 };
 
-/* Returns the length of the prefix ".NAME." of temporary files; a long NAME is truncated. */
+/* Returns the length of the prefix ".NAME." of temporary files, where a long NAME is truncated. */
 static int prefix_length(const char *name)
 {
     const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
@@ -150,9 +150,9 @@ static int find_mode(const struct target *target)
     return (int)(old_mode.st_mode & 0777);
 }
 
-/* Creates and locks a temporary file. `old_mode` is the permissions of the file to be replaced, or
- * -1. Users who may not read that file may not read the temporary file. Tries another name if
- * another process removes the temporary file before it is locked. */
+/* Creates and locks a temporary file. `old_mode` is the mode of the file to be replaced, or -1 if
+ * there is none. Users who may not read that file may not read the temporary file either. Tries
+ * another name if another process removes the temporary file before it is locked. */
 static bool open_temporary(const struct target *target, int old_mode, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
@@ -200,7 +200,7 @@ static void remove_if_stale(int folder, const char *entry, time_t now)
     close(file);
 }
 
-/* Removes abandoned temporary files. Skips `writer_temporary`; its mtime is the current time. */
+/* Removes abandoned temporary files except `writer_temporary`, whose mtime is the current time. */
 static void remove_stale(const struct target *target, const struct temporary *writer_temporary)
 {
     const int folder_copy = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -265,8 +265,8 @@ static enum status write_direct(const char *path, const void *data, size_t size)
     return status;
 }
 
-/* Writes a temporary file and renames it over the target. Closing the file also unlocks it, so that
- * is done last: other processes may remove unlocked temporary files. */
+/* Writes a temporary file and renames it over the target. The file is closed last, because closing
+ * unlocks it, and other processes may remove unlocked temporary files. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {

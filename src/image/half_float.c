@@ -1,6 +1,6 @@
 /* half_float.c: IEEE 754 half-precision floats. */
 #include "src/image/half_float.h"
-/* Avoids a dependency on the lookup table in Imath's library. */
+/* Macro that makes Imath work without the lookup table in its library. */
 #define IMATH_HALF_NO_LOOKUP_TABLE
 #include <Imath/half.h>
 

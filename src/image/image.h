@@ -1,6 +1,6 @@
 /*
- * image.h: image in memory, which owns its planes: named arrays of floats. Row 0 is the top row;
- * colours are linear Rec.709.
+ * image.h: image in memory that consists of named planes of floats and owns them. Row 0 is the top
+ * row; colours are linear Rec.709.
  */
 #ifndef FIRN_IMAGE_IMAGE_H
 #define FIRN_IMAGE_IMAGE_H

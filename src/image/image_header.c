@@ -1,4 +1,4 @@
-/* image_header.c: adds planes and texts to image headers, compares and frees them. */
+/* image_header.c: adds planes and texts to image headers; compares and frees headers. */
 #include "src/image/image_header.h"
 #include <stdlib.h>
 #include <string.h>

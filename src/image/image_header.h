@@ -1,6 +1,6 @@
 /*
  * image_header.h: header of an image file: size, channels, text metadata, windows, matrices. It
- * owns its planes' names and its texts; image_header_finish() frees them.
+ * owns its texts and the names of its planes, which image_header_finish() frees.
  */
 #ifndef FIRN_IMAGE_IMAGE_HEADER_H
 #define FIRN_IMAGE_IMAGE_HEADER_H

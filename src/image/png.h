@@ -27,10 +27,10 @@ struct png_image_source {
 MUST_USE enum status png_encode(const struct png_image_source *picture, void **data, size_t *size);
 
 /*
- * Reads a PNG file of any colour type into *image, which must be {0}: planes R, G and B, and A if
- * it has alpha or a transparent colour. Colours become linear and are not premultiplied. 16-bit
- * channels are rounded to 8 bits; files without a colour space are taken as sRGB. Limits, errors
- * and ownership are those of exr_read().
+ * Reads a PNG file of any colour type into *image, which must be {0}. The planes are R, G, B and,
+ * if the file has alpha or a transparent colour, A. Colours become linear and are not
+ * premultiplied. 16-bit channels are rounded to 8 bits. Files without a colour space are taken as
+ * sRGB. Limits and errors are those of exr_read().
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 

@@ -1,6 +1,6 @@
 /*
- * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp(). Text
- * chunks are encoded here, as that interface has none (PNG specification, 2nd edition, 5.3).
+ * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp(). That
+ * interface has no text chunks, so they are encoded here (PNG specification, 2nd edition, 5.3).
  */
 #include <assert.h>
 #include <png.h>
@@ -57,7 +57,7 @@ static uint8_t *end_chunk(uint8_t *chunk)
     return chunk + CHUNK_SIZE + data_size;
 }
 
-/* Returns the size of the chunk at the start of `bytes`; 0 if it is truncated or damaged. */
+/* Returns the size of the chunk at the start of `bytes`, or 0 if it is truncated or damaged. */
 static size_t measure_chunk(const uint8_t *bytes, size_t size)
 {
     if (size < CHUNK_SIZE || read_u32(bytes) > size - CHUNK_SIZE)
@@ -80,8 +80,8 @@ static bool is_ascii(const char *text)
     return *text == '\0';
 }
 
-/* Writes ASCII text as a tEXt chunk, other text as an iTXt chunk (UTF-8). iTXt has four more zero
- * bytes: no compression, language or translated name. */
+/* Writes ASCII text as a tEXt chunk, other text as an iTXt chunk (UTF-8). The four additional zero
+ * bytes of iTXt mean: no compression, language or translated name. */
 static uint8_t *write_text(uint8_t *chunk, const struct image_text *text)
 {
     const size_t name_size = strlen(text->name) + 1, value_size = strlen(text->value);
@@ -93,7 +93,7 @@ static uint8_t *write_text(uint8_t *chunk, const struct image_text *text)
     return end_chunk(chunk);
 }
 
-/* Returns all text chunks in one malloc'd buffer; NULL when out of memory. */
+/* Returns all text chunks in one malloc'd buffer, or NULL when out of memory. */
 static uint8_t *make_texts(const struct png_image_source *picture, size_t *size)
 {
     size_t size_max = 1;
@@ -128,7 +128,7 @@ static void declare_srgb(uint8_t *bytes, size_t *size)
     *size -= (size_t)(chunk + old_size - rest);
 }
 
-/* Returns a 16-bit channel multiplied by alpha, because libpng divides it by alpha. */
+/* Returns a 16-bit channel. Colours are premultiplied by alpha, as libpng expects them. */
 static uint16_t texel_16(const struct png_image_source *picture, size_t i, size_t c)
 {
     const uint32_t value = picture->rgba_16[4 * i + c], alpha = picture->rgba_16[4 * i + 3];
@@ -143,7 +143,7 @@ static uint32_t format_of(const struct png_image_source *picture)
     return picture->has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
 }
 
-/* Returns the texels in libpng's input layout; NULL when out of memory. */
+/* Returns the texels in libpng's input layout, or NULL when out of memory. */
 static void *make_texels(const struct png_image_source *picture)
 {
     const size_t texel_count = (size_t)picture->width * picture->height;

@@ -8,7 +8,7 @@ enum {
     GLYPHS_SIZE = 32768, /* glyph quads of about 120 letters */
 };
 
-/* Corner of a quad from stb_easy_font_print(). Each quad has four, clockwise from the top left. */
+/* Corner of a quad from stb_easy_font_print(). A quad has four corners, clockwise from top left. */
 struct corner {
     float x, y, z;
     unsigned char color[4];

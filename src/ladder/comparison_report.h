@@ -29,10 +29,10 @@ MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text,
 /* Encodes a PNG contact sheet: the reference, then each model's image and FLIP heat map. */
 MUST_USE enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size);
 
-/* Writes one HTML file with table, plot, contact sheet and an image slider per model. */
+/* Writes one HTML file with table, plot, contact sheet and an image slider for all models. */
 MUST_USE enum status ladder_page(const struct ladder_report *report, char **text, size_t *size);
 
-/* Encodes an EXR file. The reference is R, G, B. Each model has a layer of R, G, B and flip.Z. */
+/* Encodes an EXR file. R, G, B are the reference. Each model's layer has R, G, B and flip.Z. */
 MUST_USE enum status ladder_exr(const struct ladder_report *report, void **data, size_t *size);
 
 #endif

@@ -118,7 +118,7 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
     return status;
 }
 
-/* Adds a plane with borrowed texels, which are not modified although they are not const. */
+/* Adds a plane that borrows `texels`, which are never modified. */
 static void add_plane(struct image *image, const char *layer, const char *name,
                       float *texels) /* NOLINT(readability-non-const-parameter) */
 {

@@ -23,7 +23,7 @@ static const char style[] =
     "@media(prefers-color-scheme:dark){svg{background:rgb(22 24 28);color:rgb(221 221 221)}"
     "circle{fill:rgb(109 179 255)}}";
 
-/* lower end of the logarithmic error axis */
+/* Lower end of the logarithmic axis of FLIP errors. */
 static const double error_min = 1e-4;
 static const double margin = 1.4; /* axis range beyond the points, factor */
 

@@ -23,7 +23,7 @@ static const char head[] =
     "#ab [hidden]{display:none}\n"
     "#at{width:16rem;vertical-align:middle}\nlabel{margin-right:1.5rem}\n</style>\n";
 
-/* Script of the image slider: the divider follows the mouse or the range input (keyboard). */
+/* Script of the image slider. The mouse or the keyboard (range input) moves the divider. */
 static const char script[] =
     "<script>\n\"use strict\";\n"
     "const ab = document.getElementById(\"ab\"), at = document.getElementById(\"at\");\n"
@@ -152,8 +152,8 @@ static void write_image(const char *attributes, const char *alt, const struct en
     fputs("\">\n", out);
 }
 
-/* Writes the image slider, which shows a model left of the divider and the reference (image 0)
- * right of it. Without JavaScript it shows the last model. */
+/* Writes the image slider: a model left of the divider, the reference (image 0) right of it.
+ * Without JavaScript the slider shows only the last model. */
 static void write_slider(const struct ladder *ladder, const struct encoded *images, FILE *out)
 {
     fputs("<h2>Side by side</h2>\n<p><label>Left of the divider: <select id=\"rung\">\n", out);

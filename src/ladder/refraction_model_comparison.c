@@ -50,7 +50,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return !work->progress || work->progress(work->user, work->stage, done, all);
 }
 
-/* Returns the bit mask of layers needed from the reference or from a model. */
+/* Returns a bit mask of the layers to render, either by the reference or by a model. */
 static uint32_t find_layers(bool of_reference)
 {
     static const char *const names[] = {
@@ -65,7 +65,7 @@ static uint32_t find_layers(bool of_reference)
     return bits;
 }
 
-/* Rounds values to half floats, as image files do, so that errors equal those of `firn diff`. */
+/* Rounds half planes to the precision of EXR files, so that errors equal those of `firn diff`. */
 static void round_to_half(const struct image *image)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -255,7 +255,7 @@ static struct difference measure_colors(const struct image *a, const struct imag
     return difference;
 }
 
-/* Returns the MAE against another renderer's image `truth`; NaN if `truth` is NULL. */
+/* Returns the MAE against another renderer's image `truth`, or NaN if `truth` is NULL. */
 static double measure_truth(const struct image *image, const struct image *truth,
                             const struct masks *masks)
 {

@@ -29,7 +29,7 @@ enum ladder_path_class {
 
 extern const char *const ladder_path_class_names[LADDER_PATH_CLASS_COUNT]; /* "refracted", ... */
 
-/* Classes of an object's pixels by inclusions on the refracted path. A pixel may be in several. */
+/* Classes of an object's pixels by inclusions on the refracted path. Classes may overlap. */
 enum ladder_inclusion {
     LADDER_CLEAR,
     LADDER_BUBBLES,
@@ -40,7 +40,7 @@ enum ladder_inclusion {
 
 extern const char *const ladder_inclusion_names[LADDER_INCLUSION_COUNT]; /* "clear", ... */
 
-/* Errors of an image; NaN if a metric covers no pixels. */
+/* Errors of a model's image. An error is NaN if its metric covers no pixels. */
 struct ladder_error {
     double flip;                                    /* LDR-FLIP at exposure 0, all pixels */
     double mae, rmse;                               /* linear; MAE is clamped to 0..1 */
@@ -90,12 +90,11 @@ struct ladder_params {
     enum rg_sharing sharing;
 };
 
-/* Progress callback: `done` of `all` steps of `stage` are finished. Stages count from 0 to
- * ladder_stages() - 1. If it returns false, ladder_run() stops with STATUS_FAILED and logs nothing.
- */
+/* Callback that reports `done` of `all` steps of progress stage `stage`, 0 to ladder_stages() - 1.
+ * If it returns false, ladder_run() stops with STATUS_FAILED and logs nothing. */
 typedef bool ladder_progress_fn(void *user, uint32_t stage, uint32_t done, uint32_t all);
 
-/* Returns the number of progress stages: the reference, each model, and costs if timed. */
+/* Returns the number of stages: one for the reference, one per model, one for costs if timed. */
 uint32_t ladder_stages(const struct ladder_params *params);
 
 /* Renders and measures everything. `progress` may be NULL. On failure *ladder is zeroed. */

@@ -169,7 +169,7 @@ static bool add_text(json_t *object, const char *key, const char *text)
     return ok;
 }
 
-/* Adds an error or a pixel count for each class: "mae_refracted", "refracted_pixels", ... */
+/* Adds one key per class, such as "mae_refracted" for errors or "refracted_pixels" for counts. */
 static bool add_named(json_t *object, const char *const *names, int count, const double *errors,
                       const uint64_t *counts)
 {

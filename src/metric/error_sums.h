@@ -1,12 +1,12 @@
-/* error_sums.h: per-value error metrics of a layer: RMSE, MAE, relMSE. */
-#ifndef FIRN_METRIC_ERROR_SUMS_H
-#define FIRN_METRIC_ERROR_SUMS_H
+/* error_sums.h: error metrics between two image layers: RMSE, MAE, relMSE. */
+#ifndef FIRN_METRIC_DIFFERENCE_H
+#define FIRN_METRIC_DIFFERENCE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* Error sums over all planes added so far; initialise with {0}. */
+/* Error sums over all planes added so far. Initialise them with {0}. */
 struct difference {
     double absolutes; /* of values clamped to 0..1 */
     double squares, relative_squares;
@@ -15,14 +15,14 @@ struct difference {
     uint64_t not_finite; /* excluded pairs with NaN or infinity */
 };
 
-/* Adds a plane of `count` texels. `counted` masks the texels to add. NULL means all texels. */
+/* Adds a plane of `count` texels. If `counted` is not NULL, it masks the texels to add. */
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count);
 
 /* Returns the root mean square error, or NaN if no values were added. */
 double difference_rmse(const struct difference *difference);
 
-/* Returns the mean of |test - reference|, both clamped to the display range 0..1. */
+/* Returns the MAE: the mean of |test - reference|, where both are first clamped to 0..1. */
 double difference_mae(const struct difference *difference);
 
 /* Returns relMSE: the mean of (test - reference)^2 / (reference^2 + 0.01). */

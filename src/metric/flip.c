@@ -188,7 +188,7 @@ static float find_error(const struct work *work, size_t i)
     return powf(flip_color_error(flip_color_distance(a, b)), 1.0f - feature);
 }
 
-/* Raises each element of errors[] to the FLIP error at one exposure if that is larger. */
+/* Sets each element of errors[] to the FLIP error at one exposure if that error is larger. */
 static void raise_errors(struct work *work, const struct display *display, float *errors)
 {
     const struct flip_pair *pair = work->pair;
@@ -225,8 +225,8 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
 }
 
 /*
- * Computes HDR-FLIP's exposure range from the reference. Ignores black pixels (below the smallest
- * half float) if they are at least half of the image, a case that the paper leaves undefined.
+ * Computes HDR-FLIP's exposure range from the reference. If at least half of the pixels are black
+ * (below the smallest half float), ignores them, because the paper does not define this case.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)

@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include "src/metric/flip_tone.h"
 
-/* Pixels per degree in the FLIP paper: a screen 0.7 m and 3840 pixels wide, 0.7 m away. */
+/* Pixels per degree of the FLIP paper's display: 3840 pixels over 0.7 m, seen from 0.7 m away. */
 #define FLIP_PPD 67.0206432765823
 
 /* Linear R, G, B planes of two images. Pixels that are not finite in either image have error 1. */

@@ -24,7 +24,7 @@ static vec3s multiply(const float matrix[static 3][3], vec3s v)
     return result;
 }
 
-/* Computes opponent colours: CIE L*a*b* from cube roots of XYZ, YCxCz from XYZ itself. */
+/* Computes YCxCz from XYZ relative to white, or CIE L*a*b* from the cube roots of XYZ. */
 static vec3s oppose(vec3s v)
 {
     return (vec3s){ { 116.0f * v.y - 16.0f, 500.0f * (v.x - v.y), 200.0f * (v.y - v.z) } };
@@ -47,7 +47,7 @@ float flip_color_luminance(float y)
     return (y + 16.0f) / 116.0f;
 }
 
-/* Evaluates L*a*b*'s nonlinearity (CIE 15:2004, 8.2.1): a cube root, linear near 0. */
+/* Evaluates the nonlinearity of L*a*b*: a cube root, but linear near 0 (CIE 15:2004, 8.2.1). */
 static float root(float x)
 {
     const float delta = 6.0f / 29.0f;

@@ -3,8 +3,8 @@
 #include <math.h>
 
 /*
- * Equally spaced samples of a curve in CIE L*C*h (D65), converted to sRGB: L* = 2 + 95 t, h = 290 +
- * 170 t degrees, C* = min(75, 0.88 times the maximum chroma in the sRGB gamut).
+ * sRGB samples of a curve in CIE L*C*h (D65) at equally spaced t from 0 to 1: L* = 2 + 95 t, h =
+ * 290 + 170 t degrees, C* = min(75, 0.88 times the maximum chroma in the sRGB gamut).
  */
 static const uint8_t heat_map[17][3] = {
     { 2, 4, 35 },      { 9, 15, 72 },     { 48, 8, 99 },     { 82, 14, 97 },    { 109, 20, 99 },

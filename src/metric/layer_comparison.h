@@ -61,7 +61,7 @@ bool comparison_init(struct comparison *comparison, const struct comparison_para
 
 void comparison_finish(struct comparison *comparison);
 
-/* Returns the layer with this name, or NULL. */
+/* Returns the layer of a given name, or NULL if there is none. */
 const struct comparison_layer *comparison_find(const struct comparison *comparison,
                                                const char *name);
 

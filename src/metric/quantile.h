@@ -10,8 +10,7 @@ void quantile_sort(float *values, size_t count);
 /* Returns the median of sorted values; `count` must be at least 1. */
 double quantile_median(const float *sorted, size_t count);
 
-/* Returns the nearest-rank quantile. `fraction`, 0 to 1, is the part of the values at or below it.
- */
+/* Returns the smallest value that at least a `fraction` (0 to 1) of all values do not exceed. */
 double quantile_at(const float *sorted, size_t count, double fraction);
 
 #endif

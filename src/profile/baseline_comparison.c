@@ -121,7 +121,7 @@ static const struct profile_table_row *find_line(const struct profile_table_rows
     return NULL;
 }
 
-/* Adds the lines of `now` in order, then the lines that only `base` has, then the frame time. */
+/* Adds the lines of `now`, then the lines that only `base` has, then a line for the frame time. */
 static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
                       const struct profile_table_rows *now, bool each)
 {

@@ -93,7 +93,7 @@ static void name_row(const struct profile_row *row, char name[static PROFILE_TAB
     profile_table_row_name(&(struct profile_table_row){ .row = row, .row_count = 1 }, name);
 }
 
-/* Adds a run's CPU spans, clamped to their parent spans. Returns the end time of the submit. */
+/* Adds a run's CPU time spans, each clamped to its parent. Returns the end time of `submit`. */
 static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;

@@ -1,6 +1,6 @@
 /*
  * html_page.h: writes a profile as one HTML page with plots. The page needs no network and supports
- * keyboard, dark mode and printing. Its sources are in page/.
+ * keyboard, dark mode and printing. The sources of the page are in page/.
  */
 #ifndef FIRN_PROFILE_HTML_PAGE_H
 #define FIRN_PROFILE_HTML_PAGE_H
@@ -10,9 +10,9 @@
 #include "src/profile/sweep.h"
 
 /*
- * Writes the page to *text, which the caller frees. The text ends with a newline and a '\0', which
- * *size does not count. If `sweep` is not NULL, the page also plots it. `profile` may be a point of
- * the sweep. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
+ * Writes the page to *text, which the caller frees. *size is the length of the text with its final
+ * newline, but without its '\0'. If `sweep` is not NULL, the page also plots it. `profile` may be a
+ * point of the sweep. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
  */
 MUST_USE enum status profile_write_html(const struct profile *profile,
                                         const struct profile_sweep *sweep, char **text,

@@ -9,9 +9,9 @@
 #include <stddef.h>
 #include "src/profile/profile.h"
 
-/* Writes a profile to *text, which the caller frees. The text ends with a newline and a '\0', which
- * *size does not count. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
- * In HTML, every '<' must be escaped as \u003c, because strings may contain "</script>". */
+/* Writes a profile to *text, which the caller frees. *size excludes the text's final '\0'. When out
+ * of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL. In HTML, every '<' must be
+ * escaped as \u003c, because strings may contain "</script>". */
 MUST_USE enum status profile_write_json(const struct profile *profile, char **text, size_t *size);
 
 /*

@@ -17,7 +17,7 @@ enum {
 
 static const double max_number = 1e8; /* 27 hours in ms */
 
-/* File being read. The JSON path, such as "rows[3]", or "" at top level, is for error messages. */
+/* File being read. `json_path` is the JSON path for messages: "rows[3]", or "" at top level. */
 struct reader {
     const char *path;
     char json_path[JSON_PATH_SIZE];

@@ -30,7 +30,7 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
            rg_format_info(image->image->format)->size;
 }
 
-/* Names a pass's row. Passes of equal name, one per object or cube face, become repetitions. */
+/* Names a pass's row. Passes of equal name (one per object or cube face) become repetitions. */
 static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
     const struct rg_plan *plan = m->plan;
@@ -189,7 +189,7 @@ static void keep_counts(struct profile *p, const struct rg_times *times)
     }
 }
 
-/* Renders one frame with and one without measurement. The order alternates to balance caching. */
+/* Renders a measured and an unmeasured frame, in alternating order to balance caching. */
 static enum status run_once(struct measure *m, uint32_t index)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -225,7 +225,7 @@ static enum status capture(struct measure *m)
     return status == STATUS_OK ? ended : status;
 }
 
-/* Renders the frames before the runs for first-frame time, pipeline statistics and RenderDoc. */
+/* Renders the frames before the runs: first frame, pipeline statistics and RenderDoc capture. */
 static enum status begin(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -241,7 +241,7 @@ static enum status begin(struct measure *m)
     return status == STATUS_OK && m->request->capture ? capture(m) : status;
 }
 
-/* Interleaves the runs: all renderers render run i before run i + 1. */
+/* Renders all runs. All renderers render run i before any of them renders run i + 1. */
 static enum status run_all(struct measure *all, const struct profile_run *run)
 {
     const uint32_t run_count = all->request->warmup + all->request->run_count;

@@ -15,8 +15,8 @@ enum {
 };
 
 struct profile_request {
-    /* Renderer parameters, of which samples, layers, linear, display, keep, measured are
-     * overridden. */
+    /* Parameters of the renderer, except samples, layers, linear, display, keep and measured, whose
+     * values are ignored. */
     struct renderer_params renderer;
     struct camera camera;
     const struct profile_clock *clock;
@@ -25,7 +25,7 @@ struct profile_request {
     double time, time_step;     /* seconds: first run's scene time, step */
 };
 
-/* Callback after each run, including warm-ups. Returning false stops with STATUS_FAILED. */
+/* Callback after each run or warm-up run. Returning false stops all runs with STATUS_FAILED. */
 typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
 
 /* Profiles that are measured together, with interleaved runs. */

@@ -33,8 +33,8 @@ struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
     char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for other rows */
     enum profile_kind kind;
-    /* Index and number of repetitions of passes drawn per cube face or object, otherwise 0 and 1.
-     */
+    /* Index and number of the repetitions of a pass that is drawn per cube face or object. They are
+     * 0 and 1 for other rows. */
     uint32_t repetition, repetition_count;
     uint32_t width, height; /* of the render targets; else 0 */
     uint64_t target_bytes;  /* total size of the render targets */
@@ -82,7 +82,7 @@ struct profile {
     double bvh_ms;          /* BVH build, milliseconds */
     uint64_t rays_size;     /* acceleration structures, bytes; 0 without */
     double rays;            /* acceleration structure build, milliseconds */
-    /* One-time costs in ms: scene upload, graph, pipelines, first frame with shader compilation. */
+    /* One-time costs in ms: scene upload, graph compilation, resource creation, first frame. */
     double upload, compile, realise, first_frame;
     uint64_t memory_used, memory_without_aliasing, memory_bound, memory_persistent;
     struct profile_resource *residents;

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Summary statistics of samples; all 0 for an empty set. */
+/* Summary statistics of samples. They are all 0 for an empty set. */
 struct profile_summary {
     double mean;
     double sigma; /* standard deviation, divisor n - 1 */
@@ -67,9 +67,9 @@ struct profile_ratio {
     double low, ratio, high;
 };
 
-/* Estimates the ratio b / a as the median of all pairwise ratios, which is robust against outliers:
- * the Hodges-Lehmann shift of the logarithms (J. L. Hodges, E. L. Lehmann, Estimates of Location
- * Based on Rank Tests, 1963). With few samples the confidence interval spans all ratios. */
+/* Estimates the ratio b / a as the median of all pairwise ratios, which outliers hardly affect. Its
+ * logarithm is the Hodges-Lehmann shift of the logarithms (J. L. Hodges, E. L. Lehmann, Estimates
+ * of Location Based on Rank Tests, 1963). With few samples the interval spans all ratios. */
 struct profile_ratio profile_ratio(const struct profile_pair *pair);
 
 /* Power law y = factor * x ^ exponent, by a least-squares fit of the logarithms. */

@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/profile/table_rows.h"
 
-/* Minimum fraction of the frame time for a row to be fitted. */
+/* Fraction of the frame time that a row must exceed for a power-law fit. */
 static const double fit_fraction_min = 0.02;
 
 static enum status usage(const char *text, const char *what)
@@ -35,7 +35,7 @@ static void copy_text(char to[static PROFILE_NAME_SIZE], const char *from, size_
     to[length] = '\0';
 }
 
-/* Splits a list of values at its commas. Returns an error message, or NULL. */
+/* Splits a list at its commas. Returns an error message if a value is invalid, else NULL. */
 static const char *split_values(struct profile_parameter *parameter, const char *text)
 {
     for (uint32_t i = 0; i < parameter->value_count; i++) {
@@ -145,7 +145,7 @@ bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uin
                                                                   : read_number(value, number);
 }
 
-/* Power-law fits in progress, over one numeric parameter. */
+/* State of the power-law fits over one numeric parameter. */
 struct fitting {
     struct profile_table_rows *lines; /* one per point */
     double *x, *used_x, *y;           /* one per point */

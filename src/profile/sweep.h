@@ -35,7 +35,7 @@ enum {
     PROFILE_FIGURE_COLUMNS = 3
 };
 
-/* Chart of frame rates over columns, with a curve or bars per series. */
+/* Chart of frame rates. Columns lie along the x axis. Each series is a curve or a set of bars. */
 struct profile_figure {
     const char *title, *axis; /* label of the column axis */
     bool is_bars;
@@ -61,9 +61,9 @@ struct profile_sweep {
 MUST_USE enum status profile_contrast_all(struct profile_sweep *sweep);
 
 /*
- * Adds a parameter "name=a,b,c" and reallocates all points, zeroed. The name is a setting or
- * "size". Names and values are not validated. Logs and returns STATUS_USAGE if a name or value is
- * missing, a name occurs twice, a text is too long, or there are too many parameters or points.
+ * Adds a parameter given as "name=a,b,c". Reallocates and zeroes all points. The name is a setting
+ * or "size". Names and values are not validated. Logs and returns STATUS_USAGE if a name or value
+ * is missing, a name occurs twice, a text is too long, or there are too many parameters or points.
  */
 MUST_USE enum status profile_sweep_add(struct profile_sweep *sweep, const char *text);
 void profile_sweep_finish(struct profile_sweep *sweep);
@@ -84,14 +84,14 @@ struct profile_growth {
 };
 
 /*
- * Fits power laws to the frame time and to all rows above 2 % of it at some point. All points must
- * have been measured. The caller frees *growths. If there are several parameters, values that are
- * not numbers, or no valid fits, *growths is NULL and *count 0.
+ * Fits power laws to the frame time and to all rows that exceed 2 % of the frame time at some
+ * point. All points must have been measured. The caller frees *growths. *growths is NULL and *count
+ * is 0 if there are several parameters, values that are not numbers, or no valid fits.
  */
 MUST_USE enum status profile_sweep_fit(const struct profile_sweep *sweep,
                                        struct profile_growth **growths, uint32_t *count);
 
-/* Prints a line per point with its parameters, median and standard deviation of the frame time, and
+/* Prints one line per point: parameters, median and standard deviation of the frame time, and the
  * most expensive passes. Then prints the power-law fits. Lines have at most PROFILE_COLUMNS
  * characters. */
 MUST_USE enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out);

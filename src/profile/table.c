@@ -56,7 +56,7 @@ static void print_times(const struct profile_table_rows *lines, FILE *out)
     print_summary("frame", &lines->frame, lines->frame.mean > 0 ? 1 : 0, decimals, out);
 }
 
-/* Prints a count with a unit prefix; 0 is printed as "-". */
+/* Prints a count with a unit prefix, or "-" if the count is 0. */
 static void print_count(uint64_t count, int columns, FILE *out)
 {
     static const char units[] = { 'M', 'G', 'T', 'P', 'E' };
@@ -122,7 +122,7 @@ static double excess(const struct outlier *outlier)
     return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
 }
 
-/* Inserts an outlier into `worst`, the largest outliers in descending order. Returns count + 1. */
+/* Inserts an outlier into the descending list `worst` of largest outliers. Returns count + 1. */
 static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
 {
     uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;

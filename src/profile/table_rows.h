@@ -1,6 +1,6 @@
 /*
- * table_rows.h: lines of a profile's table. Each has the sum of a row's repetitions and a summary.
- * Lines own their samples and borrow the profile, which must outlive them.
+ * table_rows.h: lines of a profile's table. A line sums up a row's repetitions and summarises all
+ * runs. Lines own their samples and borrow the profile, which must outlive them.
  */
 #ifndef FIRN_PROFILE_TABLE_ROWS_H
 #define FIRN_PROFILE_TABLE_ROWS_H
@@ -25,7 +25,7 @@ struct profile_table_rows {
     struct profile_summary frame, plain;
 };
 
-/* Creates one table line per pass name. If `each`, creates one per row. Logs when out of memory. */
+/* Creates one table line per pass name or, if `each` is true, per row. Logs when out of memory. */
 MUST_USE enum status profile_table_rows_init(struct profile_table_rows *lines,
                                              const struct profile *profile, bool each);
 void profile_table_rows_finish(struct profile_table_rows *lines);
@@ -39,7 +39,7 @@ enum {
 void profile_table_row_name(const struct profile_table_row *line,
                             char name[static PROFILE_TABLE_ROW_NAME_SIZE]);
 
-/* Returns the measurement overhead, median `frame` / median `plain` - 1, or 0 without `plain`. */
+/* Returns median `frame` / median `plain` - 1, the overhead of measuring, or 0 without `plain`. */
 double profile_overhead(const struct profile *profile);
 
 #endif

@@ -31,16 +31,16 @@ struct timestamp_check_times {
     double alone[TIMESTAMP_CHECK_PASS_COUNT];   /* submitted alone, by the CPU's clock */
 };
 
-/* Returns the maximum relative error of `stamped` against `alone` minus the submit cost. Errors are
- * divided by at least a tenth of the total, so that short passes do not dominate. */
+/* Returns the maximum relative error of `stamped` compared with `alone` minus the submit cost. The
+ * divisor is at least a tenth of the total time, so that short passes do not dominate. */
 double timestamp_check_error(const struct timestamp_check_times *times);
 
 /* Maximum relative error at which timestamps are used. */
 #define TIMESTAMP_CHECK_TOLERANCE 0.1
 
-/* Runs the test and fills *clock. Takes 0.2 s on two idle cores, a few seconds on a busy machine.
- * `chosen` is the user's clock. The test is not repeated for RG_CLOCK_SUBMITS, which works on every
- * device. Missing timestamps are not an error. */
+/* Tests GPU timestamps and fills *clock. Takes 0.2 s on two idle cores, a few seconds on a busy
+ * machine. `chosen` is the user's clock. RG_CLOCK_SUBMITS works on every device, so it is tested
+ * only once. Missing timestamps are not an error. */
 MUST_USE enum status timestamp_check_run(struct gpu *gpu, enum rg_clock chosen,
                                          struct profile_clock *clock);
 

@@ -8,7 +8,7 @@ static bool is_within(unsigned char c, unsigned char low, unsigned char high)
     return c >= low && c <= high;
 }
 
-/* Returns the bytes of a text's first UTF-8 character (Unicode, table 3-7), or 0 if invalid. */
+/* Returns the byte count of the first UTF-8 character, or 0 if invalid (Unicode, table 3-7). */
 static size_t utf8_size(const char *text)
 {
     static const struct {

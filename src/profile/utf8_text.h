@@ -13,8 +13,8 @@ enum {
 /* Replaces bytes that are not valid UTF-8 by '?', in place. */
 void profile_clean_text(char *text);
 
-/* Prints text padded with spaces to `columns` characters. Replaces the middle of longer text by
- * "…". Replaces invalid UTF-8 by '?', and control characters too, which are a risk in terminals. */
+/* Prints text padded with spaces to `columns` characters. In longer text, "…" replaces the middle.
+ * '?' replaces invalid UTF-8 and control characters, which are a risk in terminals. */
 void profile_print_name(const char *name, uint32_t columns, FILE *out);
 
 /* Prints text wrapped to PROFILE_COLUMNS, at word boundaries if possible, and a newline.

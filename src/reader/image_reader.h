@@ -1,5 +1,5 @@
-/* image_reader.h: reads .exr, .hdr and .png images in a reader process. Errors: see
- * reader_process.h. */
+/* image_reader.h: reads .exr, .hdr and .png images in a reader process. reader_process.h describes
+ * the errors. */
 #ifndef FIRN_READER_IMAGE_READER_H
 #define FIRN_READER_IMAGE_READER_H
 
@@ -13,13 +13,13 @@ bool image_reader_knows_suffix(const char *path);
 struct image_reader;
 
 /* Starts to read an image. `path` and `params` must outlive the reader. The caller frees *head. On
- * failure *image_reader is NULL and *head is zeroed. */
+ * failure *opened is NULL and *head is zeroed. */
 MUST_USE enum status image_reader_open(struct image_reader **opened, const char *path,
                                        const struct reader_params *params,
                                        struct image_header *head);
 
-/* Sets *row to row y of a plane, owned by the reader and valid until the next call. Rows must be
- * read in ascending order; some may be skipped. After a failure only call image_reader_close(). */
+/* Points *row to row y of a plane. The row stays valid until the next call. Rows must be read in
+ * ascending order; some may be skipped. After a failure, only image_reader_close() is allowed. */
 MUST_USE enum status image_reader_row(struct image_reader *image_reader, uint32_t plane, uint32_t y,
                                       const float **row);
 

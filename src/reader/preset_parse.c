@@ -141,7 +141,7 @@ static enum status read_head(const char *path, struct image_header *head)
     return status;
 }
 
-/* Returns the part of an image's metadata after the last " fov=", which holds the settings. */
+/* Returns the settings in an image's metadata: the text after the last " fov=". */
 static const char *find_settings(const char *text)
 {
     static const char last[] = " fov=";
@@ -151,7 +151,7 @@ static const char *find_settings(const char *text)
     return found;
 }
 
-/* Adds every NAME=VALUE whose name contains a dot, as the names of all settings do. */
+/* Adds every assignment NAME=VALUE whose name contains a dot, because all setting names do. */
 static enum status append_settings(struct preset *preset, const char *settings)
 {
     enum status status = STATUS_OK;

@@ -1,4 +1,4 @@
-/* preset_reader.c: reads a preset from a reader process, which sends a count and then lines. */
+/* preset_reader.c: transfers a preset between processes: the number of lines, then all lines. */
 #include "src/reader/preset_reader.h"
 #include <stdlib.h>
 #include <string.h>

@@ -50,7 +50,7 @@ const char *pipe_fault_text(enum pipe_fault fault);
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
 MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
 
-/* Write or check the marker that ends every stream. */
+/* Writes the marker that ends every stream. pipe_read_end() checks the marker. */
 MUST_USE bool pipe_write_end(const struct pipe_sink *sink);
 MUST_USE enum pipe_fault pipe_read_end(const struct pipe_source *source);
 

@@ -310,7 +310,7 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs at most `max` lines of the child's stderr as the parent's. Returns how many were logged. */
+/* Logs up to `max` lines of the child's stderr as own messages. Returns the number of lines. */
 static int repeat_log(const struct reader *reader, int max)
 {
     static const char prefix[] = "firn: ", warning[] = "warning: ";

@@ -39,7 +39,7 @@ enum {
     READER_MEMORY_GIB = 4,
 };
 
-/* Task of a reader process: the type of file to read or, for a model, its role. */
+/* Task of a reader process: the type of the file and, for a model, its role in the scene. */
 enum reader_kind {
     READER_OBJECT,
     READER_SURROUNDINGS,
@@ -54,8 +54,8 @@ enum reader_kind {
 struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
-    /* Seconds without CPU use or output after which the child is stopped. A child may wait for a
-     * FIFO or a file server, for example. 0 selects READER_IDLE_SECONDS. */
+    /* Seconds after which a child that uses no CPU time and sends nothing is stopped. Such a child
+     * may wait for a FIFO or a file server. 0 selects READER_IDLE_SECONDS. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
@@ -65,7 +65,7 @@ struct reader_params {
 
 struct reader;
 
-/* Starts a reader process; `path` and `params` must outlive it. *reader is NULL on failure. */
+/* Starts a reader process. `path` and `params` must outlive it. *started is NULL on failure. */
 MUST_USE enum status reader_start(struct reader **started, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 
@@ -74,7 +74,7 @@ struct pipe_source reader_source(struct reader *reader);
 
 /*
  * Stops a reader and frees it. If `fault` is PIPE_OK, logs the child's warnings. For other faults,
- * logs why no valid data arrived. Returns the matching status.
+ * logs why no valid data arrived. Returns STATUS_OK or the status of the failure.
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 

@@ -14,7 +14,7 @@
 
 enum {
     OPEN_FILE_MAX = 32,
-    /* argv: program, READER_OPTION, path, kind, seconds, GiB, no_sandbox, details */
+    /* Length of argv: program, READER_OPTION, path, kind, seconds, GiB, no_sandbox, details. */
     ARGUMENT_COUNT = 8,
 };
 

@@ -32,7 +32,7 @@ static uint64_t known_rights(int version)
     return ((uint64_t)1 << bits[version < last ? version : last]) - 1;
 }
 
-/* Allows reading the file `path`, or all files below the folder `path`, if it exists. */
+/* Allows reading a file, or all files below a folder. A `path` that does not exist is ignored. */
 static void allow_reading(int rules, const char *path)
 {
     struct landlock_path_beneath_attr rule = {
@@ -138,7 +138,7 @@ static bool add_rules(scmp_filter_ctx filter)
     return done;
 }
 
-/* Returns true if the kernel supports seccomp: it then rejects a NULL filter with EFAULT. */
+/* Returns true if the kernel has seccomp filters and thus rejects a NULL filter with EFAULT. */
 static bool has_seccomp(void)
 {
     return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT;

@@ -15,8 +15,8 @@
 
 /*
  * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable. If
- * `with_folder` is true, the other files in the folder of `path` do too, but not links out of the
- * folder. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
+ * `with_folder` is true, all files in its folder stay readable, except through links to the
+ * outside. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
  */
 MUST_USE bool sandbox_enter(const char *path, bool with_folder);
 

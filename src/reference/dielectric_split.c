@@ -31,9 +31,8 @@ static vec3s weighted_sum(double a, vec3s d, double b, vec3s n)
     return (vec3s){ { (float)(v[0] * scale), (float)(v[1] * scale), (float)(v[2] * scale) } };
 }
 
-/* Computes the directions of reflection and refraction and the Fresnel reflectance. `n` faces the
- * incident side. `eta` is the incident medium's refractive index divided by the transmitting one's.
- */
+/* Computes reflection and refraction directions and the Fresnel reflectance. `n` is on the incident
+ * side. `eta` is the refractive index of the incident medium over that of the other medium. */
 static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-dielectric_split_dot(d, n), 1.0);
@@ -160,8 +159,8 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
         is_refracted ? microfacet_masking(face->n, split->refracted, face->roughness) : 0.0f;
 }
 
-/* Corrects directions that bumps have put on the wrong side of the triangle. At rough surfaces they
- * get weight 0. At smooth surfaces they are recomputed with the geometric normal. */
+/* Corrects directions that bumps have put on the wrong side of the triangle. If the surface is
+ * rough, they get weight 0. Otherwise they are recomputed with the geometric normal. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {
@@ -181,7 +180,7 @@ static void fix_sides(struct dielectric_split *split, vec3s dir, const struct fa
     split->reflected = smooth.reflected;
 }
 
-/* Computes reflection and refraction at an object, at a sampled microfacet if it is rough. */
+/* Computes reflection and refraction at an object. A rough surface is sampled at one microfacet. */
 static struct dielectric_split split_surface(const struct tracer *tracing, vec3s dir,
                                              const struct surface_hit *surface_hit)
 {

@@ -44,13 +44,13 @@ struct embree_scene_hit {
     float u, v;        /* weights of vertices 1 and 2 */
     float distance;    /* from the ray's origin, metres */
     vec3s facet;       /* unit geometric normal; outward for bubbles */
-    /* Position derivatives dp/du and dp/dv per uv set. They are 0 if untextured or degenerate. */
+    /* Position derivatives dp/du and dp/dv per uv set; 0 if the set is unused or degenerate. */
     vec3s dp_du[2], dp_dv[2];
     struct mesh_extra extra;    /* {0} if the mesh has none */
     struct mesh_vertex surface; /* interpolated vertex, in world space */
 };
 
-/* Embree scene of one frame; zero-initialised until embree_scene_init(). */
+/* Embree scene of one frame. It is zero-initialised before embree_scene_init(). */
 struct embree_scene {
     RTCScene scene;
     const struct radiance *radiance;
@@ -66,8 +66,8 @@ struct embree_scene {
 };
 
 /*
- * Builds the Embree scene, which borrows `radiance`. Logs, returns STATUS_TRY_AGAIN and zeroes
- * *embree_scene when out of memory, or if the build would need more than `memory` bytes.
+ * Builds the Embree scene, which borrows `radiance`. When out of memory, or if the build would need
+ * more than `memory` bytes, logs, zeroes *embree_scene and returns STATUS_TRY_AGAIN.
  */
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);

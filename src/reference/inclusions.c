@@ -146,7 +146,7 @@ static struct bump_sample bump_triplanar(const struct inclusions *inclusions, ve
     };
 }
 
-/* Returns a * s + b * t, normalised; a zero vector stays zero. */
+/* Returns the normalised vector a * s + b * t, or zero if its length is 0. */
 static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
 {
     const vec3s sum = glms_vec3_add(glms_vec3_scale(a, s), glms_vec3_scale(b, t));

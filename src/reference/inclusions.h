@@ -25,7 +25,7 @@ struct inclusions {
 
 struct inclusions inclusions_of(const struct radiance *radiance, const struct settings *settings);
 
-/* Returns the normal of a rough crack, on the side to which the mesh's normal points. */
+/* Returns the normal of a rough crack, on the same side as the normal of its mesh. */
 vec3s inclusions_crack_normal(const struct inclusions *inclusions,
                               const struct mesh_vertex *surface);
 

@@ -20,16 +20,16 @@ enum {
     LIGHT_GATHER_RAYS = DIFFUSE_SAMPLING_RAYS + 1 /* diffuse lobe, then specular lobe */
 };
 
-/* Gather rays of a surface point. `analytic_sky` is the analytic sky light from the directions of
- * these rays. The caller must subtract it from analytic shading, which includes it. */
+/* Gather rays of a surface point. `analytic_sky` is the sky light from the directions of these
+ * rays. The caller must subtract it from the analytic shading, which already contains it. */
 struct light_gather {
     struct ray_branch rays[LIGHT_GATHER_RAYS];
     uint32_t count;
     vec3s analytic_sky;
 };
 
-/* Returns the gather rays for a hit on the surroundings with transmittance `passing`. Returns none
- * if lighting is not ray-traced, if the surface is unlit, or if `b` is itself a gather ray. */
+/* Returns the gather rays of a hit on surroundings that have transmittance `passing`. Returns no
+ * rays if lighting is not ray-traced, if the surface is unlit, or if `b` is itself a gather ray. */
 struct light_gather light_gather_at(const struct tracer *tracing, const struct ray_branch *b,
                                     const struct embree_scene_hit *hit,
                                     const struct radiance_point *point, float passing);

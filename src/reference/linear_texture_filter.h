@@ -11,8 +11,8 @@ struct linear_filter {
     float weight;
 };
 
-/* Returns the two texels for a texture coordinate, 0 to 1 across `count` texels. Beyond this range
- * the texture repeats if `repeat` is true, else the coordinate is clamped to the edge. */
+/* Returns the two texels at a texture coordinate, where 0 to 1 spans `count` texels. Outside 0 to 1
+ * the texture repeats if `repeat` is true. Otherwise the coordinate is clamped. */
 struct linear_filter linear_filter_at(float coordinate, uint32_t count, bool repeat);
 
 #endif

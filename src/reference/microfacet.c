@@ -25,8 +25,8 @@ static uint32_t reversed(uint32_t x)
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-/* Owen-scrambles the bits of x: each bit is flipped or not by a hash of the seed and of all higher
- * bits (Burley 2020, section 3, with the constants of Vegdahl 2021). */
+/* Owen-scrambles x: a hash of the seed and of all higher bits decides whether a bit is flipped
+ * (Burley 2020, section 3, with the constants of Vegdahl 2021). */
 static uint32_t scrambled(uint32_t x, uint32_t seed)
 {
     x = reversed(x);
@@ -81,11 +81,11 @@ vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
         -alpha * glms_vec3_dot(dir, y),
         -glms_vec3_dot(dir, n),
     } });
-    /* Uniform point on the half disc onto which the visible hemisphere projects. */
+    /* Uniform point of the unit disc. Its second coordinate is warped below to the visible part. */
     const float radius = sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     const float a = radius * cosf(angle);
-    /* Basis vectors of the disc; `up` is the axis along which its visible half is foreshortened. */
+    /* Basis vectors of the disc. The visible half of the disc is foreshortened along `up`. */
     const float length = hypotf(view.x, view.y);
     const vec3s right = length > 1e-6f ? (vec3s){ { -view.y / length, view.x / length, 0.0f } }
                                        : (vec3s){ { 1.0f, 0.0f, 0.0f } };

@@ -22,7 +22,7 @@ enum {
 #define RADIUS         1.0f  /* of one photon, in objects' radii */
 #define PLANE_DISTANCE 0.25f /* max. tangent plane distance, search radii */
 
-/* Photons stored on surfaces by one chunk, which has emitted CHUNK photons. */
+/* Surface hits stored for one chunk of CHUNK emitted photons. */
 struct stored_hits {
     struct photon *photons;
     uint32_t count, capacity;
@@ -38,7 +38,7 @@ struct job {
     atomic_uint next_chunk;
 };
 
-/* Samples a direction to the sun's disc; `tangent` is the tangent of the disc's angular radius. */
+/* Samples a direction to the sun's disc. `tangent` is the tangent of the disc's angular radius. */
 static vec3s to_sun(vec3s sun_dir, float tangent, vec2s at)
 {
     const float offset = tangent * sqrtf(at.x);
@@ -89,7 +89,7 @@ static void store_hit(struct stored_hits *stored_hits, const struct ray_branch *
         (struct photon){ position, b->ray.dir, glms_vec3_scale(b->throughput, fraction) };
 }
 
-/* Traces a photon. Stores it at each hit on surroundings after the first hit on an object, since
+/* Traces a photon. Stores hits on surroundings only after the first hit on an object, because
  * shadow rays already sample direct sunlight. */
 static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint32_t channel,
                          struct stored_hits *stored_hits)

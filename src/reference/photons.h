@@ -32,7 +32,7 @@ struct photons {
     bool has_shadow;
 };
 
-/* Progress callback; returns false to cancel the tracing of photons. */
+/* Progress callback. Returning false cancels the tracing of photons. */
 typedef bool photons_progress_fn(void *user);
 
 struct photons_params {
@@ -44,8 +44,8 @@ struct photons_params {
     void *user;
 };
 
-/* Builds the photon map, bit-identical for any number of threads. Logs and returns STATUS_TRY_AGAIN
- * when out of memory. Returns STATUS_FAILED silently if `go_on` cancels. */
+/* Builds the photon map, which is bit-identical for any number of threads. When out of memory logs
+ * and returns STATUS_TRY_AGAIN. If `go_on` cancels, returns STATUS_FAILED without logging. */
 MUST_USE enum status photons_init(struct photons *photons, const struct tracer *tracing,
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */

@@ -22,7 +22,7 @@ static vec3s to_world(vec3s v)
     return (vec3s){ { v.x, v.z, -v.y } };
 }
 
-/* Returns a vertex of the water mesh. Its border lies at the bottom to form the sides. */
+/* Returns a vertex of the water mesh. Border vertices are at the bottom, which closes the sides. */
 static struct mesh_vertex shell_vertex(const struct pool_scene *pool_scene, uint32_t column,
                                        uint32_t row, float time)
 {
@@ -102,7 +102,7 @@ static void add_tiles(struct mesh *mesh, const struct pool_scene *pool_scene,
     mesh->index_count += 6;
 }
 
-/* Builds the floor and the four walls up to the still water level, in pool coordinates. */
+/* Builds the tiled floor and the four walls, which end at the still water level. */
 static bool build_tiles(struct mesh *mesh, const struct pool_scene *pool_scene)
 {
     const float s = pool_scene->push.pool.size * (0.5f - TILE_INSET),

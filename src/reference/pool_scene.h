@@ -33,7 +33,7 @@ bool pool_scene_init(struct pool_scene *pool_scene, const struct scene *scene,
                      const struct settings *settings, const struct globals *globals);
 void pool_scene_finish(struct pool_scene *pool_scene); /* accepts {0} */
 
-/* Sets media and priorities of water, ice and air; `scene` is that of pool_scene_init(). */
+/* Sets media and priorities of water, ice and air. `scene` is the scene of pool_scene_init(). */
 void pool_scene_set_media(const struct pool_scene *pool_scene, const struct scene *scene,
                           const struct settings *settings, struct nested_media *media);
 

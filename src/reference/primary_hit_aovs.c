@@ -1,4 +1,4 @@
-/* primary_hit_aovs.c: fills the layers (AOVs) of the primary hit: depth, normal, albedo ... */
+/* primary_hit_aovs.c: fills the layers (AOVs) of the primary hit, such as depth and normal. */
 #include "src/reference/primary_hit_aovs.h"
 #include <cglm/struct.h>
 
@@ -31,7 +31,7 @@ static bool find_visible(const struct primary_hit_layers *first, const struct em
     return false;
 }
 
-/* Returns the position of a hit point in the previous frame, in its mesh's local space. */
+/* Returns the position of a hit point in the previous frame, in the local space of the mesh. */
 static vec3s previous_point(const struct primary_hit_layers *first,
                             const struct embree_scene_hit *hit)
 {

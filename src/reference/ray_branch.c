@@ -89,7 +89,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
     return nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE) == object;
 }
 
-/* Moves a ray past a plane of air or a crack outside the ice. Adds the light of the plane. */
+/* Moves a ray past a crack outside the ice, or past a plane of air, whose light is added. */
 static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
                        const struct embree_scene_hit *hit)
 {
@@ -122,8 +122,8 @@ bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_
     return medium_around(tracing, b) != NULL;
 }
 
-/* Returns the sunlight that a medium scatters at a point along -dir. Only single scattering counts.
- * The shadow ray to the sun is not refracted at the ice's surface. */
+/* Returns the sunlight that a medium scatters once at a point, towards -dir. The shadow ray to the
+ * sun is not refracted at the ice's surface. */
 static vec3s single_scattering(const struct tracer *tracing,
                                const struct volume_scattering *volume_scattering, vec3s point,
                                vec3s dir)

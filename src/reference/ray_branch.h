@@ -38,11 +38,11 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
 void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                      const struct embree_scene_hit *hit, float passing);
 
-/* Returns true if a ray has reached its limit of scattering events or of surfaces. The limit of
- * surfaces is reference.bounces without Russian roulette, and higher with it. */
+/* Returns true if a ray has reached its limit of scattering events or surfaces. The limit of
+ * surfaces is reference.bounces. With Russian roulette it is higher. */
 bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_branch *b);
 
-/* Returns true if a ray is in the medium of `object`, outside its bubbles. */
+/* Returns true if a ray's medium is that of `object`. Bubbles in the object have another medium. */
 bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, uint32_t object);
 
 bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_branch *b);
@@ -54,9 +54,9 @@ const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
 struct fork ray_branch_split(const struct tracer *tracing, const struct ray_branch *b,
                              const struct surface_hit *surface_hit);
 
-/* Applies Russian roulette. Below reference.cutoff, a ray survives with probability throughput /
- * cutoff and is reweighted. A ray that has split too often becomes a single path. Returns false if
- * the ray is terminated. */
+/* Applies Russian roulette. A ray whose throughput is below reference.cutoff survives with
+ * probability throughput / cutoff and is reweighted. A ray that has split too often becomes a
+ * single path. Returns false if the ray is terminated. */
 bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b);
 
 /* Chooses the reflected or refracted ray at random by Fresnel reflectance, and reweights it. */

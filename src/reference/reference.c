@@ -41,7 +41,7 @@ struct reference {
     char device_name[32];
 };
 
-/* Image plane, and the sample value that is written to it. */
+/* Image plane, and the index of the sample value that the plane stores. */
 struct plane {
     float *texels;
     size_t value_index;
@@ -213,7 +213,7 @@ static uint32_t thread_count(const struct reference_request *request)
     return min_u32(wanted, THREAD_COUNT_MAX);
 }
 
-/* Returns the finished fraction of all samples, scaled to the number of tiles. */
+/* Returns the progress of all rounds as a number of tiles, from 0 to tile_count. */
 static uint32_t tiles_done(const struct job *job)
 {
     const uint64_t all = job->reference->request.samples;
@@ -286,7 +286,7 @@ static struct reference_outcome outcome_of(const struct job *job)
     return outcome;
 }
 
-/* Renders until every pixel has `samples` samples, then writes the image. */
+/* Renders until every pixel has `samples` samples, and updates the session's outcome. */
 static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
                              void *user)
 {
@@ -430,7 +430,7 @@ static enum status trace_photons(struct job *job, struct photon_progress photon_
     return status;
 }
 
-/* Replaces the pool, if the scene has one, by triangle meshes. Returns false when out of memory. */
+/* Replaces a pool in the scene by triangle meshes. Returns false when out of memory. */
 static bool build_pool(struct job *job, struct frame_view *view)
 {
     if (!view->scene->has_pool)

@@ -46,18 +46,18 @@ MUST_USE enum status reference_create(struct reference **reference,
                                       const struct reference_request *request);
 
 /*
- * Renders an image. *result must own no memory. On failure it is zeroed. The calling thread
- * regularly calls `progress`, unless NULL, with the numbers of finished tiles and of all tiles. If
- * `progress` returns false, rendering stops with STATUS_FAILED and without a log message.
+ * Renders an image. *result must own no memory, and is zeroed on failure. The calling thread
+ * regularly calls `progress` with the numbers of finished tiles and of all tiles. `progress` may be
+ * NULL. If it returns false, rendering stops with STATUS_FAILED and without a log message.
  */
 MUST_USE enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
                                       struct render_result *result, renderer_progress_fn *progress,
                                       void *user);
 
 /*
- * Rendering proceeds in rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel.
- * Limits are checked between rounds. The noise of an image is the mean standard error of its
- * pixels. Below REFERENCE_NOISE_SAMPLES samples per pixel, the noise limit is not checked.
+ * Number of samples per pixel below which the noise limit is not checked. Limits are checked
+ * between rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel. The noise of an
+ * image is the mean standard error of its pixels.
  */
 enum {
     REFERENCE_NOISE_SAMPLES = 8
@@ -97,7 +97,7 @@ MUST_USE enum status reference_continue(struct reference *reference,
                                         struct reference_session *session,
                                         renderer_progress_fn *progress, void *user);
 
-/* Returns the ray tracing library and its version, "Embree 3.13.5". `reference` owns the text. */
+/* Returns the library and its version, such as "Embree 3.13.5". `reference` owns the text. */
 const char *reference_device(const struct reference *reference);
 
 void reference_destroy(struct reference *reference); /* may be NULL */

@@ -14,15 +14,15 @@ enum reference_inclusion {
     REFERENCE_INCLUSION_AIR = 4, /* or a plane of air */
 };
 
-/* Float values computed for a camera ray; 0 if nothing is hit. */
+/* Float values computed for a camera ray. Most are 0 if the ray hits nothing. */
 struct reference_ray_values {
     vec3s color; /* linear radiance */
     float alpha; /* 1; 0 for a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* Refracted path: direction `exit` of the leaving ray, length `path` inside the object in
-     * metres, number `bounces` of total internal reflections, and `tir`, 1 if `bounces` is not 0.
-     */
+    /* Layers of the refracted path: `exit` is its final direction, `path` its length inside the
+     * object in metres, `bounces` its number of total internal reflections. `tir` is 1 if `bounces`
+     * is not 0. */
     vec3s exit;
     float path, bounces, tir;
     float inclusion_bits;         /* inclusions hit by the refracted path */
@@ -55,8 +55,8 @@ enum {
     REFERENCE_NAMES_SIZE = 512 /* bytes for the names of reference_unsupported() */
 };
 
-/* Writes a comma-separated list of the enabled features that the path tracer lacks to `names`.
- * Returns true if there are any. */
+/* Writes to `names` a comma-separated list of enabled features that the path tracer lacks. Returns
+ * true if there are any. */
 bool reference_unsupported(const struct settings *settings, char *names, size_t size);
 
 #endif

@@ -30,7 +30,7 @@ struct reference_sums {
     uint32_t width, height; /* pixels */
     uint32_t samples;       /* samples added so far */
     uint32_t count;         /* sums per pixel */
-    /* Values to sum: indices into struct reference_ray_values, or REFERENCE_SUM_... */
+    /* Indices of the summed values in struct reference_ray_values, or REFERENCE_SUM_... numbers. */
     uint32_t values[REFERENCE_VALUE_COUNT];
     double *sums;         /* `count` per pixel; may be NULL */
     uint32_t first_count; /* number of values of sample 0 */
@@ -38,14 +38,14 @@ struct reference_sums {
     float *firsts[REFERENCE_RAY_VALUE_COUNT]; /* planes of first_values; borrowed */
 };
 
-/* Initialises the sums with brightness, squared brightness and throughput of terminated rays. */
+/* Initialises the list of sums: brightness, squared brightness, throughput of terminated rays. */
 void reference_sums_init(struct reference_sums *sums, uint32_t width, uint32_t height);
 void reference_sums_finish(struct reference_sums *sums); /* accepts {0} */
 
-/* Adds a value to the list of summed values, unless listed. Returns the index of the sum. */
+/* Adds a value to the list of summed values if missing. Returns the index of its sum. */
 uint32_t reference_sums_add_value(struct reference_sums *sums, uint32_t value);
 
-/* Registers the image plane `texels` for a value that is taken from sample 0, not averaged. */
+/* Registers the plane `texels` for a value that is taken from sample 0 instead of averaged. */
 void reference_sums_add_first(struct reference_sums *sums, uint32_t value, float *texels);
 
 /* Allocates the sums of all pixels, initialised to 0. Returns false when out of memory. */
@@ -66,12 +66,12 @@ uint32_t reference_sums_plane_count(const struct reference_sums *sums);
 void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane,
                                char name[static IMAGE_NAME_SIZE]);
 
-/* Converts a row of sums to a row of one plane of their file. */
+/* Converts row y of the sums to a row of one plane of a file of sums. */
 void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, uint32_t y,
                             float *row);
 
-/* Restores row y of the sums from one plane of their file. The sums must be 0 before, and each row
- * must be restored once per plane. Returns false for values that get_row() never writes. */
+/* Restores row y of the sums from one plane of a file of sums. The sums must be 0 before the first
+ * plane. Each row must be restored once per plane. Returns false if a value is invalid. */
 MUST_USE bool reference_sums_set_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
                                      const float *row);
 

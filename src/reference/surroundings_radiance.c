@@ -166,7 +166,7 @@ static struct coordinates coordinates_of(const struct radiance_point *point)
     };
 }
 
-/* Samples a texture of a material; returns white if the material has no such texture. */
+/* Samples a texture of a material. Returns white if the material has no such texture. */
 static vec4s texel_of(const struct radiance *radiance, const struct material *material,
                       enum material_texture_use use, struct coordinates coordinates)
 {
@@ -361,7 +361,7 @@ static vec3s shade_white_diffuse(const struct radiance *radiance,
                             glms_vec3_mul(sun->sky, diffuse_irradiance(radiance, n)));
 }
 
-/* Shades direct and refracted sunlight. Refracted light has only its mean direction. */
+/* Shades direct and refracted sunlight. Refracted light is treated as coming from one direction. */
 static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface *surface,
                        const struct radiance_point *point, struct normals n)
 {

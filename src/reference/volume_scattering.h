@@ -44,7 +44,7 @@ float volume_scattering_sun_depth(const struct volume_scattering *volume_scatter
 /* Evaluates the Henyey-Greenstein phase function, relative to isotropic scattering. */
 float volume_scattering_phase(const struct volume_scattering *volume_scattering, float cosine);
 
-/* Samples a direction from the Henyey-Greenstein phase function; `at` is random in 0..1. */
+/* Samples a direction from the Henyey-Greenstein phase function. `at` is a random point in 0..1. */
 vec3s volume_scattering_sample_direction(const struct volume_scattering *volume_scattering,
                                          vec3s dir, vec2s at);
 

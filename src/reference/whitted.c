@@ -30,8 +30,8 @@ static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_
         stack[(*count)++] = branch;
 }
 
-/* Computes sunlight and sky light on the surroundings where objects or water affect them. Returns
- * false if nothing affects them. */
+/* Computes the effect of objects and water on sunlight and sky light at a hit on surroundings.
+ * Returns false if there is no effect. */
 static bool find_sunlight(const struct tracer *tracing, const struct embree_scene_hit *hit,
                           const struct ray_branch *b, struct radiance_sun *sun)
 {
@@ -49,7 +49,7 @@ static bool find_sunlight(const struct tracer *tracing, const struct embree_scen
     return tracing->photons || is_tile;
 }
 
-/* Applies shadows of the surroundings to direct sunlight. Returns false if they cast none. */
+/* Applies shadows of the surroundings to direct sunlight. Returns false without sun or shadows. */
 static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_scene_hit *hit,
                              const struct ray_branch *b, bool is_affected, struct radiance_sun *sun)
 {
@@ -62,7 +62,7 @@ static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_s
     return true;
 }
 
-/* Returns the relative refractive index (green channel) of the medium around a ray's origin. */
+/* Returns the refractive index (green) at a ray's origin relative to that of the outside medium. */
 static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
 {
     const uint32_t top = nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE);
@@ -104,7 +104,7 @@ static bool shade_surroundings(const struct tracer *tracing, const struct embree
     return passing > 0.0f;
 }
 
-/* Adds the light that an object's opaque base reflects. Fully transmissive materials have none. */
+/* Adds light reflected by an object's opaque base, which fully transmissive materials lack. */
 static void add_opaque_base(const struct tracer *tracing, const struct ray_branch *b,
                             const struct surface_hit *surface_hit, float fresnel, struct sum *sum)
 {
@@ -209,7 +209,7 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
-/* Traces the rays that leave a hit on an object. `channels` selects one or all colour channels. */
+/* Traces the reflected and the refracted ray of a hit on an object, for one or all `channels`. */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
                           const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
                           struct reference_ray_values *values)
