@@ -1,4 +1,4 @@
-/* adaptive_sampling.c: estimates errors of cells, and covers noisy cells with rectangles. */
+/* adaptive_sampling.c: finds the noisy cells of an image, and covers them with rectangles. */
 #include "src/render/adaptive_sampling.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 
 enum {
     CELL = ADAPTIVE_CELL,
-    FIRST_END = 4,       /* samples per pixel after round 1; each later round quadruples them */
-    RECTANGLE_COST = 64, /* fixed cost per rectangle, in cells: some passes draw the full image */
+    FIRST_END = 4,       /* samples per pixel in round 1; later rounds quadruple the total */
+    RECTANGLE_COST = 64, /* fixed cost of drawing a rectangle, as a number of cells */
 };
 
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height)
@@ -81,7 +81,7 @@ static struct tile pixels_of(const struct adaptive *a, const struct tile *cells)
     return tile;
 }
 
-/* Returns the mean over a cell's pixels of the squared error estimate. */
+/* Returns the mean square of the error estimates of a cell's pixels. */
 static double squared_error(const struct adaptive *a, uint32_t column, uint32_t row)
 {
     const struct tile pixels = pixels_of(a, &(struct tile){ column, row, 1, 1 });
@@ -116,8 +116,8 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
     return left <= right;
 }
 
-/* Covers the noisy cells among `cells` with rectangles to draw. Splits `cells` in half recursively
- * where the halves are cheaper to draw. Returns the cost of the cover, in cells. */
+/* Covers the noisy cells within the rectangle `cells` with smaller rectangles to draw. Halves
+ * `cells` recursively where this lowers the cost. Returns the cost of all rectangles, in cells. */
 static uint32_t cover(struct adaptive *a, struct tile cells)
 {
     const uint32_t before = a->rectangle_count;

@@ -28,7 +28,7 @@ enum {
 struct adaptive {
     uint32_t width, height;       /* size of the image, pixels */
     uint32_t columns, rows;       /* number of cells across and down */
-    float *sums, *alternate_sums; /* brightness per pixel, summed over all or every second sample */
+    float *sums, *alternate_sums; /* brightness sums of all samples, and of every second sample */
     uint32_t *counts;             /* samples drawn per cell */
     bool *is_noisy;               /* per cell: needs more samples */
     struct tile *rectangles;      /* draw these until `end` samples */
@@ -43,12 +43,12 @@ void adaptive_finish(struct adaptive *adaptive);
 void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint16_t *texels,
                   uint32_t sample);
 
-/* Starts the next round, once all rectangles have `end` samples per pixel. Raises `end` and covers
- * the cells that are still noisy with new rectangles. Returns false if no cell is noisy. */
+/* Starts the next round, once all rectangles have `end` samples per pixel. Quadruples `end`, and
+ * covers the noisy cells with new rectangles. Returns false if no cell is noisy. */
 bool adaptive_next_round(struct adaptive *adaptive);
 
-/* Scales the sample sums of an averaged layer as if each cell had ADAPTIVE_SAMPLES samples, so that
- * all sums have the same divisor. The factors are powers of two, so nothing is rounded. */
+/* Multiplies the sample sums of an averaged layer by ADAPTIVE_SAMPLES / (samples of the cell), so
+ * that all sums have the same divisor. These factors are powers of two, so nothing is rounded. */
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 

@@ -83,8 +83,8 @@ static bool compute_vertices(const struct affine_map *map, double margin, float 
     return true;
 }
 
-/* Writes the vertices of a group. Triangles without area can never be hit, so each of their
- * vertices is replaced by one vertex of another triangle. */
+/* Writes the vertices of a group. The three vertices of a triangle without area, which no ray can
+ * hit, are replaced by one vertex of another triangle. */
 static void write_group(struct gpu_blas_groups *groups, const struct bvh *bvh,
                         const struct gpu_blas_group *group, double margin)
 {
@@ -114,7 +114,7 @@ static uint32_t object_id_of(const struct bvh *bvh, uint32_t triangle)
     return id ? id : bvh->corners.all[(size_t)(surface & BVH_SURFACE_MASK) + 3][3] / 2;
 }
 
-/* Extends `range` by the triangles of a leaf. Pushes an inner node onto the stack. */
+/* Visits a child. Extends `range` by a leaf's triangles, or pushes an inner node onto the stack. */
 static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uint32_t *top)
 {
     const uint32_t first = (child & ~BVH_LEAF) >> 3, count = child & 7;
@@ -142,7 +142,7 @@ static void find_triangle_range(const struct bvh *bvh, uint32_t root, uint32_t r
     }
 }
 
-/* Adds the groups of a BVH root. Only counts the groups if `groups->all` is not allocated yet. */
+/* Adds the groups of a BVH root. If `groups->all` is not allocated yet, only counts the groups. */
 static uint32_t add_root_groups(struct gpu_blas_groups *groups, const struct bvh *bvh,
                                 uint32_t root, bool by_objects)
 {
@@ -227,8 +227,8 @@ static struct similarity_transform_corners vertices_of(const struct gpu_blas_gro
                                                   3 * group->count };
 }
 
-/* Returns true if a group has only moved rigidly or scaled uniformly since `built`. Errors up to
- * half the margin are allowed. The other half is reserved for rounding errors. */
+/* Returns true if a group has only moved rigidly or been scaled uniformly since `built`. Deviations
+ * up to groups->margin / 2 are allowed. The other half is for rounding errors. */
 static bool has_moved(const struct gpu_blas_groups *groups, const struct gpu_blas_groups *built,
                       uint32_t index, struct similarity_transform *motion)
 {

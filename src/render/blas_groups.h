@@ -15,14 +15,13 @@
 #include "src/gpu/gpu_acceleration.h"
 #include "src/scene/bvh/bvh.h"
 
-/* Builds the groups of a BVH, one per object if `by_objects`, else one per BVH root. When out of
- * memory logs and leaves *groups empty. */
+/* Groups the triangles of a BVH, by object if `by_objects`, else by BVH root. When out of memory
+ * logs and leaves *groups empty. */
 MUST_USE enum status blas_groups_init(struct gpu_blas_groups *groups, const struct bvh *bvh,
                                       bool by_objects);
 
-/* Marks groups that have only moved since `built` as kept. A kept group has the vertices of `built`
- * and an instance transform. Returns false if the number of groups or the size of a group differs.
- */
+/* Keeps the vertices of `built` for each group that has only moved since then, and sets the group's
+ * instance transform. Returns false if the number of groups or the size of a group differs. */
 bool blas_groups_keep(struct gpu_blas_groups *groups, const struct gpu_blas_groups *built);
 
 #endif

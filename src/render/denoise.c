@@ -1,4 +1,4 @@
-/* denoise.c: denoises the lighting of surroundings: edge-avoiding A-Trous filter in world space. */
+/* denoise.c: edge-avoiding A-Trous filter that denoises the surroundings' lighting. */
 #include "src/render/denoise.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -9,10 +9,10 @@ enum {
     WINDOW_RADIUS = 3, /* radius of the variance window, pixels */
 };
 
-/* Numbers of samples per pixel from which filter iterations are skipped, the widest one first. */
+/* Samples per pixel from which each filter iteration is skipped, narrowest filter first. */
 static const float enough_samples[STEPS] = { DENOISE_SAMPLES_ENOUGH, 16.0f, 8.0f, 6.0f };
 
-/* Irradiance of a pixel (without albedo), minus the irradiance from an unoccluded sky. */
+/* Difference between a pixel's irradiance (without albedo) and that from an unoccluded sky. */
 struct light {
     vec3s mean;
     float count;                /* samples in `mean`; 0 for none */
@@ -125,8 +125,8 @@ static bool read_planes(struct denoiser *s, const struct image *ground)
     return true;
 }
 
-/* Computes the local mean and variance that the edge-stopping weights compare. Single pixels would
- * not do, because the few pixels with rays that are occluded or hit a lamp would be rejected. */
+/* Computes the mean and variance of a pixel's neighbourhood, for edge-stopping weights. Weights
+ * from single pixels would reject the few pixels whose rays are occluded or hit a lamp. */
 static struct light local_statistics(const struct denoiser *s, int x, int y)
 {
     const struct surface *own = &s->surfaces[y * s->width + x];
@@ -155,7 +155,7 @@ static struct light local_statistics(const struct denoiser *s, int x, int y)
     return light;
 }
 
-/* Returns a pixel's light after one filter iteration, whose taps are `step` pixels apart. */
+/* Returns a pixel's irradiance after one filter iteration. Filter taps are `step` pixels apart. */
 static struct light filtered(const struct denoiser *s, int x, int y, int step)
 {
     static const float kernel[] = { 3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f };

@@ -15,12 +15,12 @@
 #include "src/image/image.h"
 
 enum {
-    DENOISE_SAMPLES_ENOUGH = 32 /* number of samples per pixel from which no denoising is needed */
+    DENOISE_SAMPLES_ENOUGH = 32 /* samples per pixel from which images are not denoised */
 };
 
-/* Adds denoised lighting to those of the planes R, G and B that the image has. `ground` has the
- * averaged planes of frame_denoise_layers (src/tech/frame_resources.h), and a plane "samples" with
- * the sample count of each pixel. Returns false when out of memory. */
+/* Adds the denoised lighting to the image's planes R, G and B, where present. `ground` must have
+ * the averaged planes of frame_denoise_layers (src/tech/frame_resources.h), and a plane "samples"
+ * with each pixel's sample count. Returns false when out of memory. */
 bool denoise_light(struct image *image, const struct image *ground);
 
 #endif

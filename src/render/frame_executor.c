@@ -18,8 +18,8 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Checks that the plan's memory fits. Host-visible buffers count once per frame in flight. CPU
- * devices commit memory on first use, so an image drawn in tiles needs the memory of one tile. */
+/* Checks that the plan's memory fits in the device's heaps. Host-visible buffers exist once per
+ * frame in flight. CPU devices commit memory on first use, so only one tile of an image counts. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = lavapipe_tuning_is_cpu(gpu);
@@ -92,7 +92,7 @@ void frame_executor_describe(struct frame_executor_params *described,
         .import_count = frame_executor->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
-        /* some versions of synchronization validation ignore dynamic rendering */
+        /* render passes only with validation layers, some of which ignore dynamic rendering */
         .render_passes = gpu->validated,
         .measured = params->measured,
         .statistics = gpu->has_statistics,

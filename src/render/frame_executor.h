@@ -1,4 +1,4 @@
-/* frame_executor.h: compiled plan of a frame with its executor. Errors are logged once. */
+/* frame_executor.h: compiled plan of a frame, with its executor. Errors are logged. */
 #ifndef FIRN_RENDER_FRAME_EXECUTOR_H
 #define FIRN_RENDER_FRAME_EXECUTOR_H
 
@@ -26,14 +26,14 @@ MUST_USE enum status frame_executor_realise(struct frame_executor *frame_executo
                                             const struct renderer_params *params,
                                             const struct rg_exec_import *imports);
 
-/* Moves the plan of *next, which must have no executor, to frame_executor. Resources that both
- * plans need are kept (rg_exec_update()). After a failure, frame_executor may only be destroyed. */
+/* Replaces the plan of frame_executor by that of *next, which has no executor yet. Keeps resources
+ * that both plans need (rg_exec_update()). After a failure, only destroy frame_executor. */
 MUST_USE enum status frame_executor_replace(struct frame_executor *frame_executor,
                                             struct frame_executor *next,
                                             const struct renderer_params *params,
                                             const struct rg_exec_import *imports);
 
-/* Changes the view to request.view. Keeps the executor (see frame_plan_change_view()). */
+/* Changes the view to request.view, without a new executor (see frame_plan_change_view()). */
 MUST_USE enum status frame_executor_change_view(struct frame_executor *frame_executor,
                                                 const struct renderer_params *params,
                                                 struct frame_request request,

@@ -12,8 +12,8 @@ struct frame_object_distance {
     uint32_t object;
 };
 
-/* Margin around an object, as a fraction of its radius. It serves G-buffer lookups that miss the
- * object slightly (shaders/refract/refract_march_ray.glsl). */
+/* Margin around an object's screen area, as a fraction of its bounding radius, because G-buffer
+ * lookups may land just outside the object (shaders/refract/refract_march_ray.glsl). */
 #define LOOKUP_MARGIN 0.05f
 
 enum status frame_objects_init(struct frame_objects *objects, const struct frame_list *list,
@@ -46,8 +46,8 @@ static int compare_back_to_front(const void *a, const void *b)
     return x->object < y->object ? -1 : 1;
 }
 
-/* Sorts the scene's objects back to front. If `is_nested`, skips objects inside another object.
- * Returns the number of sorted objects. */
+/* Sorts the scene's objects back to front, and returns their number. If `is_nested`, leaves out
+ * objects that another object encloses. */
 static uint32_t sort(struct frame_object_distance *order, const struct frame_view *view,
                      const struct globals *globals, bool is_nested)
 {
@@ -97,8 +97,8 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest possible layer for an object. It is above all farther objects that overlap
- * this object, and has no object that lookups_overlap() excludes. */
+/* Returns the lowest layer above all farther objects that overlap object `index` on screen. Layers
+ * with an object for which lookups_overlap() is true are skipped. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];
@@ -116,9 +116,9 @@ static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
     return layer;
 }
 
-/* Assigns the back-to-front sorted objects to layers. The passes of a layer's first object draw the
- * whole layer, which saves barriers. The farthest object has a layer of its own, because its passes
- * also clear the G-buffer. */
+/* Assigns the objects, which are sorted back to front, to layers. The passes of a layer's first
+ * object draw all its objects, which saves barriers. The farthest object is alone in layer 0,
+ * because its passes also clear the G-buffer. */
 static void assign_layers(struct frame_object *objects, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {
@@ -168,7 +168,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_execu
             .reach = frame_view_reach(&drawn, &own, reach),
         };
         objects->all[i].drawn = objects->all[i].reach;
-        /* The farthest object's passes clear the whole G-buffer, which may be an output layer. */
+        /* The farthest object, with depth_index 0, keeps the whole area to clear the G-buffer. */
         if (!(reach > 0.0f) && entry->depth_index)
             objects->all[i].lookup_area =
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_MARGIN);

@@ -13,7 +13,7 @@ const char *const pixel_filter_names[PIXEL_FILTER_COUNT] = {
 
 vec2s pixel_filter_jitter(uint32_t sample)
 {
-    /* 1 / g and 1 / g^2 of Roberts' R2 sequence, where g is the plastic number: g^3 = g + 1 */
+    /* steps of Roberts' R2 sequence: 1 / g and 1 / g^2, where g solves g^3 = g + 1 */
     const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
     vec2s jitter;
     for (int i = 0; i < 2; i++) {

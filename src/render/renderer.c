@@ -242,8 +242,8 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the image area in which shaders may look up the object's faces. A margin is needed,
- * because rays begin up to 0.02 radii inside the object. Layers and a pool need the whole image. */
+/* Returns the image area where shaders may look up the object's faces. The area has a margin, since
+ * rays begin up to 0.02 radii inside the object. Output layers and pools need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
@@ -451,7 +451,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_executor *frame_ex
     return rgba;
 }
 
-/* Uploads the mean of the samples as half floats (the format of frame_color). Tone-maps it. */
+/* Uploads the mean of the samples as half floats (the format of frame_color), and tone-maps it. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
     const uint32_t width = r->resolve.frame->plan->view.width;
@@ -561,7 +561,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     const vec3s center = box_center(params->scene->box);
     const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
     const struct renderer_shot shot = {
-        /* The faces of the cube do not depend on the camera. */
+        /* arbitrary camera direction, on which cube faces do not depend */
         .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f },
         .time = time,
     };

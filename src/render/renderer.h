@@ -32,7 +32,7 @@ struct render_result {
     float samples;      /* mean samples per pixel */
 };
 
-/* Progress callback after every sample. Returns false to stop with STATUS_FAILED, silently. */
+/* Callback after every sample. If it returns false, rendering ends with STATUS_FAILED, unlogged. */
 typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 
 /* Creates a renderer for shots of one size. On failure *renderer is NULL. */
@@ -72,9 +72,9 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
  * flight. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
-/* Draws the environment cube at `time`, in seconds. The image has half-float planes R, G, B and A
- * with six faces, one below the other (environment.h). Of params, uses only gpu, scene, uploaded,
- * settings, sharing and width, the width of a face. On failure *image stays empty. */
+/* Draws the environment cube at `time`, in seconds. *image gets half-float planes R, G, B and A,
+ * with six faces one below the other (environment.h). Uses only these params: gpu, scene, uploaded,
+ * settings, sharing, and width as the width of a face. On failure *image stays empty. */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
@@ -93,7 +93,7 @@ MUST_USE enum status renderer_refine(struct renderer *renderer, const struct ren
                                      uint32_t sample);
 MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
 VkImage renderer_mean(const struct renderer *renderer);
-/* Returns the sample sums, or an empty image if there are none. */
+/* Returns the sample sums, or an empty image before the first sample. */
 const struct image *renderer_sums(const struct renderer *renderer);
 uint32_t renderer_sum_count(const struct renderer *renderer); /* number of samples in the sums */
 
@@ -116,7 +116,7 @@ struct renderer_costs {
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* Sets what later frames measure (graph/rg_time.h). Times are ordered as by renderer_frame(). */
+/* Sets what frames measure (graph/rg_time.h). Times are in the pass order of renderer_frame(). */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);

@@ -49,7 +49,7 @@ void renderer_set_params(struct renderer *renderer, const struct renderer_params
 /* Builds the scene's BVH. The renderer owns it if the scene has no storage for a BVH. */
 MUST_USE enum status renderer_build_bvh(struct renderer *renderer);
 
-/* Uploads the BVH, and acceleration structures if ray queries are used, unless already done. */
+/* Uploads the BVH, unless already uploaded. With ray queries, builds acceleration structures. */
 MUST_USE enum status renderer_upload_bvh(struct renderer *renderer);
 
 /* Compiles a request and creates its executor. */
@@ -71,12 +71,13 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_execut
 MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);
 
-/* Clears the lighting of surroundings for the three functions below, if the params ask for
- * denoising. They add a sample, rescale adaptive sums, and add denoised lighting to the image. */
-bool renderer_denoise_begin(struct renderer *renderer); /* false when out of memory */
+/* Clears the lighting sums if params ask for denoising. Returns false when out of memory. */
+bool renderer_denoise_begin(struct renderer *renderer);
+/* Adds a sample to the lighting sums. */
 void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
                                  uint32_t sample, uint32_t slot);
 void renderer_denoise_rescale(struct renderer *renderer, const struct adaptive *adaptive);
+/* Denoises the lighting and adds it to the image. */
 MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct image *image);
 
 /* Draws all samples if params.is_adaptive. Scales the sums to ADAPTIVE_SAMPLES samples. */

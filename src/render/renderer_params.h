@@ -21,21 +21,21 @@ struct renderer_params {
     uint32_t face_size;     /* cube face width, texels; 0: automatic */
     uint32_t columns, rows; /* tile counts; 0 means 1 */
     bool is_orthographic;   /* orthographic shots; by renderer_set_camera() */
-    /* The object may extend beyond the image; set by renderer_set_camera(). */
+    /* true if the object may extend beyond the image; set by renderer_set_camera() */
     bool may_exceed_image;
     bool interleaved; /* tiles are interleaved: see renderer_shot */
     uint32_t samples; /* per pixel; 0 means 1 */
     bool is_adaptive; /* adaptive sampling, up to ADAPTIVE_SAMPLES: adaptive_sampling.h */
     enum pixel_filter filter;
-    uint32_t layers; /* bit i: return techniques_layer(i), if enabled */
-    bool linear;     /* return the beauty in render_result.image */
-    bool display;    /* return the tone-mapped image in render_result.rgba */
-    bool keep;       /* keep the tone-mapped last sample on the device (renderer_display_image()) */
-    bool scales;     /* with keep: renderer_set_view() may be called */
-    bool refines;    /* with keep: allow renderer_refine(), too */
-    bool measured;   /* renderer_measure() may be called */
-    bool warm_up;    /* compile shaders on several cores: shader_warm_up.h */
-    enum rg_sharing sharing;       /* which transient images may alias memory */
+    uint32_t layers;         /* bit i: return techniques_layer(i), if enabled */
+    bool linear;             /* return the beauty in render_result.image */
+    bool display;            /* return the tone-mapped image in render_result.rgba */
+    bool keep;               /* keep the last tone-mapped sample, for renderer_display_image() */
+    bool scales;             /* with keep: renderer_set_view() may be called */
+    bool refines;            /* with keep: allow renderer_refine(), too */
+    bool measured;           /* renderer_measure() may be called */
+    bool warm_up;            /* compile shaders on several cores: shader_warm_up.h */
+    enum rg_sharing sharing; /* which transient images may alias memory */
     rg_replace_shader_fn *replace; /* passed on in rg_exec_params, with replace_user */
     void *replace_user;
 };

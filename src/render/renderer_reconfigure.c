@@ -65,7 +65,7 @@ enum status renderer_change(struct renderer *r, const struct renderer_params *pa
 {
     shader_warm_up_end(r->warm_up); /* the warm-up reads the plan */
     r->warm_up = NULL;
-    /* Wait here, because rg_exec_update() of the image does not wait for `capture`. */
+    /* necessary, because rg_exec_update() of the image does not wait for `capture` */
     enum status status = renderer_wait(r);
     renderer_set_params(r, params);
     discard_images(r);

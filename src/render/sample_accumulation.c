@@ -1,4 +1,4 @@
-/* sample_accumulation.c: sums samples of a layer, half or float texels, into float planes. */
+/* sample_accumulation.c: adds samples, which are half or single floats, to float image planes. */
 #include "src/render/sample_accumulation.h"
 #include <assert.h>
 #include <math.h>

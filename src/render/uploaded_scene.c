@@ -8,8 +8,8 @@
 #include "src/scene/mip_levels.h"
 #include "src/tech/techniques.h"
 
-/* Maximum simplification error of coarse meshes, as a fraction of the mesh size. Surroundings have
- * a smaller limit, because they may touch each other, such as water on stone. */
+/* Maximum simplification errors, as fractions of the mesh size. The error of surroundings is
+ * smaller, because gaps would appear where surfaces touch, such as water on stone. */
 static const float object_error = 0.003f;
 static const float surroundings_error = 0.0003f;
 

@@ -6,7 +6,7 @@
 #include "src/gpu/gpu_acceleration.h"
 #include "src/scene/scene.h"
 
-/* Vertex and index buffers of a mesh; empty if it has no triangles. */
+/* Vertex and index buffers of a mesh. A mesh without triangles has none. */
 struct uploaded_mesh {
     struct gpu_buffer vertices, indices;
     struct gpu_buffer coarse; /* simplified mesh; {0} without one */
@@ -29,15 +29,15 @@ struct uploaded_scene {
     bool has_poses;                /* animated: further poses may follow */
 };
 
-/* Checks, before any allocation, that the device supports the sizes of the scene's images. Logs and
- * returns STATUS_DATA if not. */
+/* Checks, before any allocation, that the device supports the sizes of the scene's images. If it
+ * does not, logs and returns STATUS_DATA. */
 MUST_USE enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene);
 
 /* Uploads a scene without its BVH. Logs errors; on failure *on_gpu is empty. */
 MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                          const struct scene *scene);
 
-/* Uploads only the buffers of a scene's BVH, or zeros if it has not been built. */
+/* Uploads only the buffers of a scene's BVH. If there is no BVH yet, uploads zeros. */
 MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                              const struct scene *scene);
 

@@ -11,7 +11,7 @@ enum {
     EVENTS_MAX = 24,   /* maximum scattering and reflection events */
 };
 
-/* Range of the rays' start distances from the body's centre, in half diagonals of the body. */
+/* Minimum and maximum start distance of rays from the body's centre, in half diagonals. */
 static const float start_min = 0.3f, start_max = 1.6f;
 
 struct ray {

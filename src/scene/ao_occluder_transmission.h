@@ -13,8 +13,8 @@
 
 /* Homogeneous medium that fills a body. */
 struct ao_medium {
-    float ior;              /* refractive index, relative to the outside */
-    float scattering;       /* isotropic (reduced) scattering coefficient, 1 / metre */
+    float ior;        /* refractive index, relative to the outside */
+    float scattering; /* reduced scattering coefficient (as for isotropic scattering), 1 / metre */
     float diffuse_fraction; /* fraction that the surface reflects diffusely */
     vec3s absorption;       /* absorption coefficient, 1 / metre */
     vec3s tint;             /* tint of diffuse transmission and reflection */

@@ -6,13 +6,13 @@
 #include "src/base/log.h"
 
 #define SLACK 0.02f /* tolerance of containment, in occluder diagonals */
-#define FLAT  0.15f /* objects with a smaller height-to-width ratio are flat */
+#define FLAT  0.15f /* height-to-width ratio below which an object is flat */
 
 enum {
     STEPS = 16 /* samples per axis, in volume estimates */
 };
 
-/* Extent of an object along each plane normal. */
+/* Extent of an object along each plane normal of an occluder. */
 struct extent {
     float most[AO_PLANES];
     struct box box;
@@ -20,7 +20,7 @@ struct extent {
     bool is_assigned;
 };
 
-/* Returns a plane's unit normal, towards a cube's face for planes 0 to 5, else towards an edge. */
+/* Returns a plane's unit normal. Planes 0 to 5 face a cube's faces, planes 6 to 17 its edges. */
 static vec3s direction(uint32_t plane)
 {
     const float side = plane & 1 ? 1.0f : -1.0f;
@@ -103,7 +103,7 @@ static bool contains(const struct extent *body, const struct extent *other)
     return true;
 }
 
-/* Adds a member to an occluder, and subtracts `fraction` from the member around the new one. */
+/* Adds an object to an occluder, and subtracts `fraction` from members that enclose the object. */
 static void add_member(struct ao_shape *shape, const struct object *objects, uint32_t object,
                        float fraction)
 {

@@ -21,7 +21,7 @@ enum {
 struct ao_member {
     uint32_t object;
     float
-        /* fraction of the occluder's volume that the member fills, excluding objects inside it */
+        /* fraction of the occluder's volume that `object` fills, without the objects inside it */
         volume_fraction;
 };
 
@@ -30,7 +30,7 @@ struct ao_member {
 struct ao_shape {
     vec4s planes[AO_PLANES]; /* unit normals */
     struct box box;
-    /* width of a box with the body's height and volume, divided by the true box's; at most 1 */
+    /* factor on the width and depth of `box` that gives a box with the body's volume; at most 1 */
     float relative_width;
     struct ao_member members[AO_MEMBERS];
     uint32_t member_count;

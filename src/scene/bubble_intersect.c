@@ -30,9 +30,9 @@ static void to_sphere(const struct bubble *bubble, double v[static 3])
     add_axis(bubble, (radius / (radius + (double)bubble->stretch) - 1.0) * along, v);
 }
 
-/* Maps a vector from a bubble's centre so that the bubble becomes a sphere of equal radius. An
- * ellipsoid is scaled. For a capsule, the nearest point of the axis segment is subtracted, and that
- * point's coordinate along the axis is returned. Returns 0 for an ellipsoid. */
+/* Subtracts the nearest point of a capsule's axis segment from `v`, or scales `v` so that an
+ * ellipsoid becomes a sphere. `v` is relative to the centre. Returns the subtracted point's
+ * coordinate along the axis, or 0 for an ellipsoid. */
 static double reduce(const struct bubble *bubble, double v[static 3])
 {
     const double half = (double)bubble->stretch;

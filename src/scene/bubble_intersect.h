@@ -8,7 +8,7 @@
 struct bubble {
     vec3s center;
     float radius; /* radius across the axis, metres */
-    /* half-length along the axis minus radius, metres; oblate bubbles have a negative value */
+    /* half-length along the axis, minus the radius, metres; negative for oblate bubbles */
     float stretch;
     vec3s axis;      /* unit axis; may be zero for a sphere */
     bool is_capsule; /* true for a capsule (stretch >= 0) */
@@ -31,7 +31,7 @@ struct bubble_face {
     vec3s position, normal; /* `normal` is unit, outward */
 };
 
-/* Returns the surface point nearest to a ray's hit, which may be off the surface by rounding. */
+/* Returns the surface point nearest to the hit at distance `at`, to correct rounding errors. */
 struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec3s dir, double at);
 
 #endif

@@ -13,7 +13,7 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
-    ASSET_SHEET, /* images rendered by `firn sheet`, shown in the window */
+    ASSET_SHEET, /* image rendered by `firn sheet`, for the window */
 };
 
 enum {
@@ -21,7 +21,7 @@ enum {
 };
 
 struct asset {
-    const char *name; /* asset name; has no dots or slashes, so that "./NAME" always means a file */
+    const char *name; /* asset name, without dots and slashes, so that "./NAME" is a file */
     const char *file; /* file name in the assets folder */
     enum asset_kind kind;
     const char *environment;                   /* default environment; NULL for the sky */

@@ -41,8 +41,8 @@ static void set_row(mat4s *matrix, int row, vec3s v, float w)
     matrix->raw[3][row] = w;
 }
 
-/* Returns a clip matrix. With p as a point minus `eye`, the point's clip coordinates are (right.p,
- * down.p, near, forward.p). */
+/* Returns the matrix that maps a point at `eye` + p to the clip coordinates (right.p, down.p, near,
+ * forward.p). */
 static mat4s projection(vec3s right, vec3s down, vec3s forward, vec3s eye, float near)
 {
     mat4s clip_from_world = { 0 };
@@ -87,7 +87,7 @@ mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32
     float scale_x = scale_y * (float)height / (float)width;
     vec3s right = glms_vec3_scale(basis.right, scale_x);
     vec3s down = glms_vec3_scale(basis.up, -scale_y);
-    /* Adds a multiple of w to x and y, to shift the image after the perspective division. */
+    /* An offset proportional to w shifts the image after the perspective division. */
     right = glms_vec3_muladds(basis.forward, -2 * jitter.x / (float)width, right);
     down = glms_vec3_muladds(basis.forward, -2 * jitter.y / (float)height, down);
     return projection(right, down, basis.forward, camera->eye, near);

@@ -34,7 +34,7 @@ struct camera_basis camera_basis(const struct camera *camera);
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
 
-/* Returns half the height of the view, for a perspective view at a distance of 1. */
+/* Returns half the height of an orthographic view, or of a perspective view at distance 1. */
 float camera_half_height(const struct camera *camera);
 
 /* Returns the matrix from world to camera space (+X right, +Y up, -Z forward), for column vectors.
@@ -46,8 +46,8 @@ mat4s camera_view_from_world(const struct camera *camera);
  * (Vulkan 1.3, 16.5.4 "Cube Map Face Selection"). */
 mat4s camera_cube_clip_from_world(uint32_t face, vec3s center, float near);
 
-/* Returns the axes of a cube map face: `right` and `up` as stored in the image (+s and -t). Faces
- * are seen from inside, so `right` x `up` is `forward`, and the screen winding is reversed. */
+/* Returns the axes of a cube map face. `right` and `up` are +s and -t of the stored image. Since
+ * faces are seen from inside, `right` x `up` is `forward`, and the screen winding is reversed. */
 struct camera_basis camera_cube_basis(uint32_t face);
 
 /* Returns a camera that looks at `target`, from `distance` metres. Azimuth 0 is +Z, 90 is +X;

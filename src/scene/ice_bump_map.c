@@ -161,7 +161,7 @@ static uint16_t to_unit_half(float x)
     return half_from_float(glm_clamp(x, 0, 1));
 }
 
-/* Writes smoothness: 1 where the field is below a quantile, fading to 0 above. */
+/* Writes smoothness, which is 1 where the field is below a quantile, and fades to 0 above it. */
 static void write_smoothness(uint16_t *texels, const float *field, float fraction)
 {
     const float width = 0.25F;

@@ -14,8 +14,8 @@ enum {
 };
 
 struct bump_maps {
-    /* half RGBA texels of all mip levels, in the layout of mip_levels.h: slopes along u and v (root
-     * mean square 1), surface smoothness, and frost thickness (0 to 1) */
+    /* half RGBA texels of all mip levels (mip_levels.h): r and g are slopes along u and v (root
+     * mean square 1), b is the surface smoothness, and a is the frost thickness, 0 to 1 */
     uint16_t *texels;
     uint32_t size; /* width and height in texels; 0 if there is no texture */
 };

@@ -83,7 +83,7 @@ bool material_clamp(struct material *m)
 
 vec3s material_absorption(const struct material *m)
 {
-    const float color_min = 1e-12f; /* avoids log(0) for black, which transmits almost nothing */
+    const float color_min = 1e-12f; /* limit for black, to avoid log(0) */
     vec3s absorption = glms_vec3_zero();
     for (int k = 0; k < 3 && m->attenuation_distance > 0.0f; k++)
         absorption.raw[k] =

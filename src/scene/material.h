@@ -15,20 +15,20 @@ enum {
 
 /* Bits of material.flags. */
 enum {
-    MATERIAL_FROM_SETTINGS = 1, /* the settings define the material, not the file */
+    MATERIAL_FROM_SETTINGS = 1, /* the settings, not the file, define the material */
     MATERIAL_HAS_IOR = 2,       /* the file sets the refractive index */
     MATERIAL_HAS_PRIORITY = 4,  /* the file sets the priority */
     MATERIAL_IS_CUTOUT = 8,     /* alpha mask: hole below the cutoff */
     MATERIAL_IS_UNLIT = 16,     /* the base colour is emitted radiance */
     MATERIAL_IS_BLENDED = 32,   /* alpha is the fraction of light that the surface reflects */
     MATERIAL_IS_TWO_SIDED = 64,
-    /* refractive index 0 (legacy): the specular colour is the reflectance */
+    /* the file sets refractive index 0 (legacy), which makes the specular colour the reflectance */
     MATERIAL_IS_LEGACY = 128,
     MATERIAL_IS_WATER_LAYER = 256, /* water layer on an opaque base with colour and normal map */
     MATERIAL_FLAGS = 511,
 };
 
-/* Uses of textures, each with the parameter that it multiplies. */
+/* Uses of textures. Comments name the channels and the material parameters that they multiply. */
 enum material_texture_use {
     MATERIAL_BASE_COLOR,         /* rgb: base_color; a: alpha */
     MATERIAL_METALLIC_ROUGHNESS, /* b: metallic; g: roughness */
@@ -58,9 +58,9 @@ enum material_wrap {
 
 /* Texture and its transform. Colour textures are sRGB, others linear. */
 struct material_texture {
-    uint32_t layer; /* layer + 1 in model.textures (colours) or model.numbers; 0 for none */
+    uint32_t layer; /* 1 + layer in model.textures (colours) or model.numbers; 0 for none */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
-    uint32_t uv_set;         /* texture coordinates: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
+    uint32_t uv_set;         /* texture coordinate set: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
     vec3s u_row, v_row;      /* rows of the uv transform, multiplied by (u, v, 1) */
 };
 
@@ -73,7 +73,7 @@ struct material {
     vec3s base_color;   /* linear; tints transmitted light */
     float roughness;    /* roughness, the square root of GGX alpha */
     float transmission; /* fraction of the non-reflected light that is transmitted; 0 if opaque */
-    float thickness;    /* volume thickness; 0 for a thin wall, with one medium on both sides */
+    float thickness;    /* volume thickness; 0 for a thin wall, which encloses no medium */
     float ior;          /* refractive index, 1 to 4 */
     float dispersion;   /* dispersion as 20 / Abbe number, 0 to 10 */
     vec3s attenuation_color;    /* colour after attenuation_distance, 0 to 1 */
@@ -81,12 +81,12 @@ struct material {
     float
         /* scattering optical depth across the object at maximum density; 0 if clear */
         scattering_optical_depth;
-    int32_t priority;         /* where media overlap, the highest priority fills the space */
+    int32_t priority;         /* medium priority; the highest fills the space where media overlap */
     float metallic;           /* metallic factor, 0 to 1; glTF's default is 1 */
     float alpha;              /* 0 to 1 */
-    float alpha_cutoff;       /* texels with less alpha are holes in a mask, 0 to 1 */
+    float alpha_cutoff;       /* alpha below which a texel of a mask is a hole, 0 to 1 */
     vec3s emission;           /* emitted radiance, strength included, 0 to 65504 */
-    float normal_scale;       /* factor on the normal map's x and y, -65504 to 65504 */
+    float normal_scale;       /* factor on x and y of the normal map, -65504 to 65504 */
     float occlusion_strength; /* 0 to 1 */
     float specular;           /* dielectric specular strength, 0 to 1 */
     vec3s specular_color;     /* colour of specular reflection at normal incidence, 0 to 65504 */

@@ -1,4 +1,4 @@
-/* material_override.c: appends user-defined materials to a model's, and assigns them to objects. */
+/* material_override.c: adds user-defined materials to a model, and assigns them to its objects. */
 #include "src/scene/material_override.h"
 #include <stdlib.h>
 #include <string.h>

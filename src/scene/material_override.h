@@ -6,16 +6,17 @@
 
 struct material_override {
     const char *words;             /* text of the option, "NODE=glass,ior=1.52"; borrowed */
-    char name[MATERIAL_NAME_SIZE]; /* name of a mesh node; if no node has it, name of a material */
+    char name[MATERIAL_NAME_SIZE]; /* name of mesh nodes, or of a material if no node has it */
     struct material material;
 };
 
-/* Returns all names in the format of model_pose.objects, malloc'd, or NULL when out of memory. */
+/* Returns all override names in the format of model_pose.objects. The caller frees the result.
+ * Returns NULL when out of memory. */
 char *material_override_names(const struct material_override *all, uint32_t count);
 
-/* Assigns materials to a model's objects by name. Later overrides win. The model gets the first
- * object's refractive index. Names without a match are ignored. Logs and returns STATUS_DATA for
- * too many materials, or STATUS_TRY_AGAIN when out of memory. */
+/* Assigns materials to a model's objects by name. Later overrides win. Names without a match are
+ * ignored. Sets the model's refractive index to that of its first object. Logs and returns
+ * STATUS_DATA for too many materials, or STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status material_override_apply(struct model *model,
                                              const struct material_override *all, uint32_t count);
 

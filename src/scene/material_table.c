@@ -48,7 +48,7 @@ static int kind_of(const struct material *m)
     return m->flags & MATERIAL_IS_BLENDED ? MATERIAL_KIND_BLENDED : MATERIAL_KIND_OPAQUE;
 }
 
-/* Writes a texture's transform, layer and wrapping. Vertex uv contain the base colour transform. */
+/* Writes a texture's transform, layer and wrap modes. */
 static void write_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);
@@ -145,8 +145,8 @@ bool material_table_needs_full_shading(const struct model *model)
     return has(model, needs_full_shading);
 }
 
-/* Returns true if a surface may be smooth enough for screen-space reflections. A roughness texture
- * may make parts of a rough surface smooth. */
+/* Returns true if a surface may be smooth enough for screen-space reflections. A material with a
+ * roughness texture may have smooth parts. */
 static bool is_reflective(const struct material *m)
 {
     const bool is_even = m->textures[MATERIAL_METALLIC_ROUGHNESS].layer == 0;

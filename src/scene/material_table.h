@@ -4,14 +4,14 @@
 
 #include "src/scene/import/model.h"
 
-/* Returns a dielectric's reflectance at normal incidence (F0), without textures; not clamped. */
+/* Returns a dielectric's unclamped reflectance at normal incidence (F0), without textures. */
 vec3s material_f0(const struct material *material);
 
-/* Returns the GPU table, or NULL when out of memory. The first row is for vertices without a
- * material; one row per material follows. The caller frees the table. */
+/* Returns the GPU table of materials, or NULL when out of memory. Row 0 is for vertices without a
+ * material, and row i + 1 for material i. The caller frees the table. */
 vec4s *material_table_make(const struct model *model);
 
-/* Returns a model's texture uses as bits. Bit i is for use i of enum material_texture_use. */
+/* Returns the texture uses of a model. Bit i stands for use i of enum material_texture_use. */
 uint32_t material_table_uses(const struct model *model);
 
 /* Returns true if any material is alpha-masked or blended. */
@@ -22,7 +22,7 @@ bool material_table_has_holes(const struct model *model);
  * table. */
 vec4s *material_table_make_extras(const struct mesh *mesh);
 
-/* Returns true if any vertex is lit, that is, not MESH_UNLIT. */
+/* Returns true if lighting affects any vertex, that is, if a vertex lacks the flag MESH_UNLIT. */
 bool material_table_has_lit(const struct mesh *mesh);
 
 /* Returns true if any surroundings surface may be smooth enough for screen-space reflections. */

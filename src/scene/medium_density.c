@@ -12,8 +12,8 @@ enum {
     COUNT = SIZE * SIZE * SIZE,
 };
 
-/* Returns the density of needles, 0 to 1: rows of bubbles along the freezing direction, which is
- * towards the centre. `position` is -1 to 1 in the box. */
+/* Returns the density, 0 to 1, of needle-shaped bubbles. Needles point to the centre, in the
+ * direction of freezing. `position` is relative to the object's box, -1 to 1 per axis. */
 static float needle_density(vec3s position, float depth)
 {
     const vec3s dir = glms_vec3_scale(glms_vec3_normalize(position), 7.0f);
@@ -24,7 +24,7 @@ static float needle_density(vec3s position, float depth)
     return glm_lerp(needle, 1.0f, glm_smoothstep(MEDIUM_CORE_BEGIN, 1.0f, depth));
 }
 
-/* Returns a texel's density, 0 to 1. `depth` is the distance field at the texel. */
+/* Returns a texel's density, 0 to 1. `depth` is the texel's normalised depth below the surface. */
 static float density_at(uint32_t texel, float depth)
 {
     const uint32_t at[3] = { texel % SIZE, texel / SIZE % SIZE, texel / SIZE / SIZE };

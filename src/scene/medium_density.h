@@ -1,8 +1,8 @@
-/* medium_density.h: density fields of tiny bubbles in ice (shaders/inclusions/medium.h). They are
- * made for objects whose material specifies them, or on request of the settings. Density grows with
- * depth, since freezing pushes air towards the core. */
-#ifndef FIRN_SCENE_MEDIUM_DENSITY_H
-#define FIRN_SCENE_MEDIUM_DENSITY_H
+/* medium_density.h: density fields of tiny bubbles in ice (shaders/inclusions/medium.h). An
+ * object has one if its material or the settings say so. Density grows with depth, since freezing
+ * pushes air towards the core. */
+#ifndef FIRN_SCENE_SCATTERING_MEDIA_H
+#define FIRN_SCENE_SCATTERING_MEDIA_H
 
 #include "src/scene/import/model.h"
 
@@ -13,9 +13,9 @@ enum {
 struct scattering_medium {
     uint32_t object; /* index of the object that contains the medium */
     float
-        /* material.scattering_optical_depth; 0 to use the settings' optical depth */
+        /* material.scattering_optical_depth, or 0 to use that of the settings */
         density;
-    struct box box;    /* object's bounding box in mesh space, spanned by the texels */
+    struct box box;    /* bounding box of object and texels, in mesh space */
     struct box filled; /* bounding box of non-zero density; set by scattering_media_fill() */
 };
 
@@ -23,13 +23,13 @@ struct scattering_media {
     struct scattering_medium all[SCATTERING_MEDIA_MAX];
     uint32_t count;
     uint32_t left_out; /* objects beyond SCATTERING_MEDIA_MAX, rendered as clear */
-    /* densities of each medium, 0 to 255, MEDIUM_SIZE texels per axis, x fastest; the second byte
-     * is the density of the next texel along z; owned; NULL before scattering_media_fill() */
+    /* densities, 0 to 255, MEDIUM_SIZE^3 texels per medium, x fastest. Byte 0 is for the texel, and
+     * byte 1 for the next texel along z. Owned; NULL before scattering_media_fill(). */
     uint8_t (*texels)[2];
 };
 
-/* Finds the scattering media of a model's materials, without texels. If `is_asked`, the first
- * object always gets one. If its material specifies no density, that of the settings is used. */
+/* Finds the objects whose material scatters light. Makes no texels. If `is_asked`, also includes
+ * the first object, with the settings' optical depth if its material has none. */
 struct scattering_media scattering_media_find(const struct model *model, bool is_asked);
 
 /* Generates the texels. Returns false when out of memory. */

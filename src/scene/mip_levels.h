@@ -1,6 +1,6 @@
-/* mip_levels.h: mip levels of square images, generated on the CPU, to get equal rounding on all
- * machines and no shader compilation before the first frame. Levels are stored from `side` texels
- * down to one, each with all array layers. */
+/* mip_levels.h: generates mip levels of square images on the CPU. All machines get equal rounding,
+ * and no shader is compiled before the first frame. Levels are stored from `side` texels down to
+ * one, each with all array layers. */
 #ifndef FIRN_SCENE_MIP_LEVELS_H
 #define FIRN_SCENE_MIP_LEVELS_H
 

@@ -14,8 +14,8 @@ struct ranked {
     uint32_t object;
     int64_t priority;        /* priority from the file; INT64_MIN without one */
     uint32_t depth;          /* number of enclosing objects */
-    uint32_t container_rank; /* 1 + index of the innermost enclosing object; 0 for none */
-    /* like container_rank, but objects in another's cavities also count as enclosed */
+    uint32_t container_rank; /* 1 + index of innermost enclosing object; 0 for none */
+    /* 1 + index of innermost object around this one (cavities count as inside); 0 for none */
     uint32_t enclosing_object;
 };
 

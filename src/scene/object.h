@@ -1,4 +1,4 @@
-/* object.h: a scene's refractive objects, and the ranks that decide which one fills an overlap. */
+/* object.h: refractive objects of a scene, and ranks that decide which object fills an overlap. */
 #ifndef FIRN_SCENE_OBJECT_H
 #define FIRN_SCENE_OBJECT_H
 
@@ -13,11 +13,11 @@ struct object {
     uint32_t first_index, index_count;
     uint32_t material; /* index into the model's materials */
     struct box box;    /* bounding box of the triangles; set with the rank */
-    uint32_t rank;     /* unique medium priority, not 0: where objects overlap, the highest wins */
-    /* rank of the innermost object whose medium encloses this object; 0 for none */
+    uint32_t rank;     /* unique medium priority, above 0; the highest rank fills an overlap */
+    /* rank of the innermost object whose medium surrounds this object; 0 for none */
     uint32_t container_rank;
     uint32_t
-        /* 1 + index of the innermost object that has this one inside or in a cavity; 0 for none */
+        /* 1 + index of innermost object around this one (cavities count as inside); 0 for none */
         enclosing_object;
 };
 
@@ -27,10 +27,9 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 /* Returns the bounding box of an object's triangles. */
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
-/* Sets the boxes and ranks of all objects. An object with a priority from the file outranks one
- * without. Higher priorities outrank lower ones. Otherwise, an enclosed object outranks the
- * enclosing one. Failing that, the later object wins. Logs and returns STATUS_TRY_AGAIN when out of
- * memory. */
+/* Sets the boxes and ranks of all objects. Objects are ranked by their priority in the file (none
+ * is lowest), then by the number of objects that enclose them, then by index. Logs and returns
+ * STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);
 

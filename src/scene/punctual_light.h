@@ -16,7 +16,7 @@ enum light_kind {
  * `range` and by the spot cone. The cone's attenuation is 1 inside the inner cone, 0 outside the
  * outer cone, and in between the square of (cos a - cos outer) / (cos inner - cos outer). */
 struct light {
-    char name[MATERIAL_NAME_SIZE]; /* name of the node, else of the light, else "" */
+    char name[MATERIAL_NAME_SIZE]; /* name of the node or, if that is "", of the light */
     uint32_t kind;                 /* enum light_kind */
     vec3s position;                /* world position, metres; unused if directional */
     vec3s direction;               /* unit direction of emission; unused by point lights */
@@ -26,13 +26,13 @@ struct light {
     float inner_cone, outer_cone; /* spot cone half-angles, radians; 0 <= inner < outer <= pi / 2 */
 };
 
-/* Returns the GPU table of lights (shaders/brdf.h), malloc'd, or NULL when out of memory. */
+/* Returns the GPU table of lights (shaders/brdf.h), which the caller frees; NULL without memory. */
 vec4s *punctual_light_table_make(const struct light *lights, uint32_t count);
 
 /* Returns "directional", "point" or "spot". */
 const char *punctual_light_kind_name(const struct light *light);
 
-/* Returns true if all values are in range; position coordinates may be -1e6 to 1e6 metres. */
+/* Returns true if all values are in range. Coordinates may be from -1e6 to 1e6 metres. */
 bool punctual_light_is_valid(const struct light *light);
 
 #endif

@@ -343,7 +343,7 @@ static enum status allocate_bvh(struct scene *scene, const struct scene *before)
     return scene->bvh && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Moves the rest pose from the previous pose, which is the rest pose itself at first. */
+/* Moves the rest pose from `before` to `scene`. If `before` is at rest, moves the meshes, too. */
 static void move_rest_pose(struct scene *scene, struct scene *before)
 {
     if (!before->rest || scene->rest)
@@ -353,7 +353,7 @@ static void move_rest_pose(struct scene *scene, struct scene *before)
     bvh_rest_pose_move_from(scene->rest, &before->model, &before->sorted);
 }
 
-/* Clears the pointers to the environment and shared lighting, so that one owner is left. */
+/* Clears a scene's pointers to the environment and its lighting, which another scene then owns. */
 static void release_environment(struct scene *scene, const struct scene *before)
 {
     if (scene == before || scene->prefiltered_environment == before->prefiltered_environment)
@@ -362,8 +362,8 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings named by the parameters or the built-in scene. Without a name, loads the
- * landscape if there is a sky and the model has no surroundings. */
+/* Loads the surroundings that the parameters or the built-in scene name. If neither does, loads the
+ * landscape, provided that there is a sky and the model has no surroundings. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -375,8 +375,8 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
     return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
 }
 
-/* Sorts the surroundings front to back from the object's centre. Cameras are near it, and the
- * environment cube is rendered there. */
+/* Sorts the surroundings by distance from the object's centre, which is near all cameras and is
+ * also the centre of the environment cube. */
 static enum status sort_surroundings(struct scene *scene)
 {
     struct mesh_order *sorted = scene->is_animated ? &scene->sorted : NULL;
@@ -412,7 +412,7 @@ static enum status melt_ice(struct scene *scene, const struct scene_params *para
     return status;
 }
 
-/* Gives resources shared by two poses to the new pose if it has loaded, else to the old one. */
+/* Gives resources that two poses share to the new pose, or to the old one if loading has failed. */
 static void transfer_ownership(struct scene *before, struct scene *scene, bool shares_environment,
                                enum status status)
 {

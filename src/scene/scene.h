@@ -25,33 +25,33 @@ enum scene_background {
 struct scene_files {
     float *heights, *smoothness; /* bump map input, for bump_maps_params */
     float *air_opacity;          /* bubble opacity, for generate_air */
-    struct mesh crack_sheet;     /* crack sheet, scaled to the unit ball */
+    struct mesh crack_sheet;     /* mesh of a crack, scaled to the unit ball */
 };
 
 struct scene {
-    struct model model; /* loaded model; its objects have ranks (medium priorities) */
+    struct model model; /* loaded model, with ranked objects (medium priorities) */
     enum scene_background background;
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
-    bool is_hidden; /* write alpha 0 for background pixels; the background still lights surfaces */
+    bool is_hidden; /* write alpha 0 where the background is seen; it still lights surfaces */
     struct environment environment;
     vec4s *material_table; /* GPU table of materials; NULL if no material needs one */
-    /* GPU table of punctual lights; NULL if they light no surface */
+    /* GPU table of punctual lights; NULL if no surface is lit by one */
     vec4s *punctual_light_table;
     vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
     /* GGX split-sum table (image_based_lighting.h); NULL if material_table is NULL */
     uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube; /* captured cube to use instead of the rendered one; may be empty */
+    struct environment cube; /* captured cube that replaces the rendered cube; may be empty */
     struct bump_maps bump;   /* bump map of the object's surface; may be empty */
     struct box box;          /* bounding box of the object or pool */
     struct box framing_box;  /* bounding box at time 0, for the default camera */
     float time;              /* animation time, seconds */
     vec4s *
-        /* vertex positions of the previous frame, objects first; NULL if unchanged */
+        /* vertex positions of the previous frame, objects first; NULL if no vertex has moved */
         previous_positions;
     uint32_t previous_position_rows;
     struct box floating_ice;      /* bounding box of floating ice in the pool; may be empty */
-    struct box lookup_box;        /* proxy box for refract.lookup=box; may be empty */
+    struct box lookup_box;        /* box of refract.lookup=box if the settings give none */
     struct mesh cracks;           /* cracks, in object space; may be empty */
     struct mesh air;              /* planes of air bubbles, in object space; may be empty */
     struct air_layers air_layers; /* textures of the air planes */
@@ -91,38 +91,38 @@ enum {
 };
 
 struct scene_params {
-    const char *name;         /* name of a built-in scene or asset, or path of a model file */
-    const char *surroundings; /* model file of surroundings, or NULL for the scene's default */
-    const char *environment;  /* name or path of a background image or environment cube; or NULL */
-    float environment_turn;   /* rotation of a background image, turns */
+    const char *name;           /* name of a built-in scene or asset, or path of a model file */
+    const char *surroundings;   /* model file of surroundings, or NULL for the scene's default */
+    const char *environment;    /* background image or environment cube, by name or path; or NULL */
+    float environment_turn;     /* rotation of a background image, turns */
     float environment_exposure; /* exposure of the image file, stops */
-    /* previous pose of the same scene; its environment, lighting, `files` and `rest` are moved to
-     * the new scene; NULL to load them */
+    /* previous pose of the same scene, or NULL; the new scene takes over its environment, lighting,
+     * `files` and `rest`, instead of loading them */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
-    struct model_pose pose; /* pose; scene_load() sets its `objects` from material_overrides */
+    struct model_pose pose; /* pose, in which scene_load() sets `objects` (from the overrides) */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background; /* background colour; NULL for the sky */
     bool is_hidden;          /* see scene.is_hidden */
-    bool is_one_object; /* treat a model without transmissive materials as one refractive object */
+    bool is_one_object;      /* make a model without transmissive materials one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
     uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */
     bool flat;                    /* use a level floor instead of the landscape */
     uint32_t orbiting_ball_count; /* number of balls that orbit the object */
     struct melting melting;
-    struct generate_air air;         /* air planes; count 0 for none */
-    bool has_scattering_medium;      /* the settings give the first object a scattering medium */
-    struct generate_bubbles bubbles; /* bubbles; count 0 for none */
-    const struct bump_maps_params *bump; /* bump map of the object's surface; NULL for none */
+    struct generate_air air;             /* air planes; count 0 for none */
+    bool has_scattering_medium;          /* the settings make the first object scatter light */
+    struct generate_bubbles bubbles;     /* bubbles; count 0 for none */
+    const struct bump_maps_params *bump; /* parameters of the surface's bump map; NULL for none */
     struct scene_cracks cracks;
     struct scene_image_files image_files;
     const struct reader_params *decode; /* sandboxed file reader; NULL to read in this process */
     struct generate_pool pool;          /* pool of the scene `pool` */
-    /* only set the sizes of bump and air textures; scene_fill() makes their texels */
+    /* set only the sizes of bump maps and air textures, and leave their texels to scene_fill() */
     bool defers_texels;
-    /* Called after the object is loaded. May change the inclusion parameters and `bump` to suit the
-     * object's materials. May be NULL. */
+    /* Callback after the object is loaded; may be NULL. It may adapt the inclusion parameters and
+     * `bump` to the object's materials. */
     void (*on_object_loaded)(void *user, const struct scene *scene, struct scene_params *params);
     void *user;
 };
@@ -145,19 +145,19 @@ const struct scene_builtin *scene_find_builtin(const char *name);
 /* Returns true if a built-in scene or an asset has this name. */
 bool scene_is_known(const char *name);
 
-/* Returns true if an environment has this name, but no scene. `valley` is also a scene. */
+/* Returns true if an environment, but no scene, has this name. `valley` names a scene, too. */
 bool scene_is_environment(const char *name);
 
-/* Returns the name of scene `index`: built-in ones, then assets; NULL beyond the last. */
+/* Returns the name of scene `index` (built-in scenes before assets), or NULL beyond the last. */
 const char *scene_name(uint32_t index);
 
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
  * does not fit in the pool) or STATUS_TRY_AGAIN. *scene is zeroed on failure. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *given);
 
-/* Generates the texels that params.defers_texels has deferred. Other threads may read the rest of
- * the scene meanwhile. When out of memory, returns what was being generated, such as "air"; else
- * NULL. Does not log, because the caller may prefer to report another thread's error. */
+/* Generates the texels that params.defers_texels has deferred. Meanwhile, other threads may read
+ * the rest of the scene. When out of memory, returns the name of the missing data, such as "air",
+ * else NULL. Logs nothing, because the caller may prefer to report another thread's error. */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */

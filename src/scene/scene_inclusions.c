@@ -39,7 +39,7 @@ static enum status load_cracks(struct scene *scene, const struct scene_params *p
     return status;
 }
 
-/* Returns the object's box before melting, since inclusions stay where they froze. */
+/* Returns the object's box before melting, because melting does not move inclusions. */
 static struct box unmelted_box(const struct scene *scene)
 {
     return scene->melted.lost_fraction > 0.0f ? scene->melted.box : scene->box;
@@ -52,7 +52,7 @@ static enum status add_air(struct scene *scene, const struct generate_air *air)
     return done ? STATUS_OK : log_out_of_memory("air");
 }
 
-#define CLEAR_RIM 0.12f /* relative width of the rim without bubbles; freezing pushes air inwards */
+#define CLEAR_RIM 0.12f /* relative width of the outer region that has no bubbles */
 
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {
@@ -100,7 +100,7 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
         return "bump maps";
     if (air.count && !generate_air_layers(&scene->air_layers, &air))
         return "air";
-    struct model unmelted = scene->model; /* the core stays where it was before melting */
+    struct model unmelted = scene->model; /* densities are those of the object before melting */
     if (scene->melted.lost_fraction > 0.0f)
         unmelted.object = scene->melted.unmelted;
     if (!scattering_media_fill(&scene->scattering_media, &unmelted))

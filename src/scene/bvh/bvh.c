@@ -85,7 +85,7 @@ static uint32_t gap_bits(const struct bvh_part *part, uint32_t triangle, uint32_
     return (uint32_t)half_from_float(open) << 16;
 }
 
-/* Returns rank + BVH_OBJECT_NUMBER * object number of a triangle's object. */
+/* Packs rank (medium priority) and number of a triangle's object. Returns 0 without an object. */
 static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -110,7 +110,7 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
-/* Returns a triangle's material bits, with the material index of its object. */
+/* Returns a triangle's material bits (mesh_layout.h), with the material index of its object. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t bits = bvh_corner(part, triangle, 0)->material;
@@ -121,8 +121,8 @@ static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
     return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
 }
 
-/* Returns true if hits on a triangle need vertex colours and texture coordinates. They do on opaque
- * surfaces, and on objects that are textured or not fully transmissive. */
+/* Returns true if hits on a triangle need vertex colours and texture coordinates. Opaque surfaces
+ * need them, and so do objects that are textured or not fully transmissive. */
 static bool has_surface(const struct bvh_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
@@ -181,8 +181,8 @@ static void count_words(struct bvh *bvh, const struct bvh_part *part,
         bvh->corners.count += surfaces * BVH_EXTRA_WORDS;
 }
 
-/* Writes the triangles and nodes of a scene part. Vertex colours and uv are written after the
- * corners of all parts. */
+/* Writes the triangles and nodes of a scene part. Vertex colours and texture coordinates follow
+ * after the corners of all parts. */
 static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *part,
                        const struct bvh_two_level *hierarchy)
 {
@@ -218,8 +218,8 @@ static uint32_t media_words(const struct bvh *bvh)
     return bvh->object_count > BVH_MASK_OBJECTS_MAX ? bvh->object_count + 1 : 0;
 }
 
-/* Writes a medium index for each rank. Equal materials share an index. Returns false when out of
- * memory. */
+/* Fills the table that maps an object's medium priority (rank) to a medium index. Objects with the
+ * same material share an index. Returns false when out of memory. */
 static bool write_media(struct bvh *bvh, const struct model *model)
 {
     uint32_t count = 0;
@@ -237,8 +237,8 @@ static bool write_media(struct bvh *bvh, const struct model *model)
     return media;
 }
 
-/* Builds the BVHs of all scene parts. In an animated pose, only the BVH of the inclusions is
- * rebuilt; the others are refitted from the rest pose. */
+/* Builds the BVHs of all scene parts. For an animated pose, builds only the BVH of the inclusions,
+ * and refits the others from the rest pose. */
 static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {
@@ -435,7 +435,7 @@ uint32_t bvh_node_count(const struct bvh *bvh)
 {
     uint32_t count = bvh->nodes.count / BVH_NODE_WORDS;
     for (uint32_t i = 0; i < BVH_COUNT && count; i++)
-        count -= bvh->roots[i] != BVH_NONE; /* excludes the node with the quantisation grid */
+        count -= bvh->roots[i] != BVH_NONE; /* not a node: quantisation grid */
     return count;
 }
 

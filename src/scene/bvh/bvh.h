@@ -28,17 +28,18 @@ struct bvh {
     uint32_t triangle_count;
     uint32_t roots[BVH_COUNT]; /* root nodes; BVH_NONE for empty parts */
     uint32_t object_count;     /* number of refractive objects, >= 1 */
-    /* number of distinct media; 0 without a medium table */
+    /* number of distinct media; 0 if there is no medium table */
     uint32_t medium_count;
     uint32_t media;             /* start of the medium table in `corners`; 0 if there is none */
     uint32_t grid;              /* start of the horizon grid in `corners`; 0 if there is none */
-    vec3s grid_low, grid_scale; /* minimum corner and cells per metre of the horizon grid */
+    vec3s grid_low, grid_scale; /* horizon grid's minimum corner, and its cells per metre */
     /* SAH costs, in ray-triangle tests; 0 for parts without triangles */
     double costs[BVH_COUNT];
-    uint32_t depth;              /* maximum node depth from a root, at most BVH_DEPTH_MAX */
-    bool is_closed;              /* objects' mesh is closed (each edge has an opposite edge) */
-    bool surroundings_are_apart; /* no surroundings triangle's box overlaps the objects' box */
-    bool is_disjoint_rotating;   /* no overlap with surroundings at any object rotation about +Y */
+    uint32_t depth; /* maximum node depth from a root, at most BVH_DEPTH_MAX */
+    bool is_closed; /* true if the objects' mesh is closed (each edge has an opposite) */
+    /* true if no triangle of the surroundings is in the objects' box */
+    bool surroundings_are_apart;
+    bool is_disjoint_rotating; /* surroundings_are_apart for any object rotation about +Y */
     bool is_stored; /* BVH is too large for the device's texel buffers; set by the caller */
     double ms;      /* duration of bvh_init(), milliseconds */
     /* numbers of object BVHs that were built, copied from similar objects, or refitted */
@@ -53,11 +54,11 @@ struct bvh_two_level;
  * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose
  * (1.1 times for a BVH of a whole part). Rigid motion and uniform scaling never cause a rebuild. */
 struct bvh_rest_pose {
-    bool by_objects; /* true for one BVH per object; false for one per scene part, with horizons */
-    struct model model; /* model in rest pose; only meshes, objects, surroundings_starts are set */
-    struct mesh_order sorted; /* triangle order of the surroundings */
-    bool is_known;            /* set by the first bvh_init(), which is given the rest pose */
-    struct bvh_two_level *hierarchies; /* BVH topology of each part, set by the first bvh_init() */
+    bool by_objects;    /* true if each object has a BVH of its own, without horizons */
+    struct model model; /* model of which only meshes, objects and surroundings_starts are set */
+    struct mesh_order sorted;          /* triangle order of the surroundings */
+    bool is_known;                     /* true after bvh_rest_pose_move_from() */
+    struct bvh_two_level *hierarchies; /* each scene part's BVH topology, set by bvh_init() */
 };
 
 struct bvh_rest_pose *bvh_rest_pose_create(bool by_objects); /* returns NULL when out of memory */
@@ -95,28 +96,28 @@ size_t bvh_size(const struct bvh *bvh);
 
 struct bvh_ray {
     vec3s origin, dir;
-    double near;   /* exclusive minimum of hit distances, in lengths of `dir` */
+    double near;   /* distance that a hit must exceed, in lengths of `dir` */
     uint32_t from; /* triangle that the ray leaves and must not hit; BVH_NONE for none */
 };
 
 struct bvh_hit {
-    /* hit distance in lengths of `dir`, and barycentrics of the second and third corner */
+    /* hit distance in lengths of `dir`; barycentric coordinates of the second and third corner */
     double t, u, v;
     uint32_t triangle; /* index in the BVH's triangle array */
-    uint32_t rank;     /* rank of the hit object; 0 for surroundings */
+    uint32_t rank;     /* medium priority (rank) of the hit object; 0 for surroundings */
     bool is_back;      /* the back face was hit */
 };
 
-/* Finds a ray's nearest hit in a part. The ray is in the part's space. Returns false for a miss. */
+/* Finds a ray's nearest hit in a scene part, in the part's own space. Returns false for a miss. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 
-/* Returns the medium index of the object with this rank; 0 for the air outside. */
+/* Returns the medium index of the object with medium priority `rank`; 0 for the air outside. */
 uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank);
 
-/* Interior list of nested dielectrics (Schmidt and Budge 2002): the objects that enclose a point.
- * Scenes with up to BVH_MASK_OBJECTS_MAX objects use only the first word, as a mask with bit `rank`
- * - 1 per object. Other scenes store the highest ranks in descending order, 16 bits each. */
+/* Interior list of nested dielectrics (Schmidt and Budge 2002): the ranks of the objects that
+ * enclose a point. With up to BVH_MASK_OBJECTS_MAX objects, words[0] is a mask, with bit `rank` - 1
+ * for each object. With more, `words` hold the highest ranks in descending order, 16 bits each. */
 struct bvh_interior_list {
     uint32_t words[BVH_INTERIOR_LIST_MAX / 2];
 };

@@ -31,7 +31,7 @@ struct bvh_builder {
     uint32_t leaf_max; /* triangles per leaf */
 };
 
-/* Range of triangles in `order` that has its own BVH. */
+/* Range of triangles in bvh_builder.order that has its own BVH. */
 struct bvh_range {
     uint32_t first, count; /* count is above 0 */
     uint32_t root;
@@ -51,14 +51,14 @@ struct bvh_two_level {
 /* Returns the depth of a balanced BVH of `count` triangles. */
 uint32_t bvh_balanced_depth(uint32_t count, uint32_t leaf_max);
 
-/* Builds a range's BVH of at most `left` levels. `left` must exceed bvh_balanced_depth(). */
+/* Builds a range's BVH, at most `left` levels deep. `left` must exceed bvh_balanced_depth(). */
 void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t left,
                uint32_t threads);
 
 /* Refits the boxes of the subtree at node `at` to its triangles, bottom-up. */
 void bvh_refit(struct bvh_builder *builder, uint32_t at);
 
-/* Returns the SAH cost of a subtree whose box is hit, in units of one ray-triangle test. */
+/* Returns the SAH cost of a subtree for rays that hit its box, in ray-triangle tests. */
 double bvh_sah_cost(const struct bvh_builder *builder, uint32_t at);
 
 #endif

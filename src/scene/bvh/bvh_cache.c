@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/base/disk_cache.h"
 
-#define FORMAT 1 /* version; increment it if the encoding or the build algorithm changes */
+#define FORMAT 1 /* format version; must change with the encoding or the build algorithm */
 
 enum {
     KEY_WORDS = sizeof(uint64_t) / sizeof(uint32_t), /* the key precedes the data */
@@ -54,8 +54,7 @@ static size_t words_max(const struct bvh_two_level *hierarchy)
     return 3 * (size_t)hierarchy->count;
 }
 
-/* Writes a subtree depth first: for each node the triangle count of its first child, 0 for a leaf.
- */
+/* Writes a subtree depth first, as the triangle count of each node's first child (0 for a leaf). */
 static void encode_node(uint32_t *words, size_t *next, const struct bvh_node *nodes, uint32_t at)
 {
     const uint32_t *children = nodes[at].children;
@@ -80,8 +79,8 @@ struct decoder {
     size_t next, count;
 };
 
-/* Decodes a subtree. It must cover exactly the range that its parent assigned, so that each
- * triangle is in one leaf. `left` limits the depth. */
+/* Decodes a subtree of at most `left` levels. Returns false unless the subtree covers exactly the
+ * range that its parent assigned, so that each triangle is in one leaf. */
 static bool decode_node(struct decoder *decoder, const struct bvh_range *range, uint32_t left)
 {
     if (!left || decoder->next == decoder->count)

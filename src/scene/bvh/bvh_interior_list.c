@@ -1,4 +1,4 @@
-/* bvh_interior_list.c: interior lists of nested dielectrics: the objects that enclose a point. */
+/* bvh_interior_list.c: lists of the objects that enclose a point, for nested dielectrics. */
 #include "src/scene/bvh/bvh.h"
 
 enum {

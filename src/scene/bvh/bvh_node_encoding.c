@@ -1,14 +1,14 @@
 /*
  * bvh_node_encoding.c: encodes BVH nodes for the GPU: quantised child boxes and normal cones. Child
  * boxes are rounded outwards to a fixed-point grid of the scene part, which halves their size in
- * memory. Normal cones let a ray that enters or leaves an object skip subtrees that face the other
- * way.
+ * memory. With normal cones, rays from outside an object skip subtrees of back faces, and rays from
+ * inside skip subtrees of front faces.
  */
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include <math.h>
 #include <string.h>
 
-/* Enlargement of boxes in grid steps, which covers rounding in the shader. */
+/* Margin on each side of a box, in grid steps. It covers rounding errors of the shader. */
 static const double margin = 0.125;
 
 static uint32_t bits(float x)
@@ -81,8 +81,7 @@ struct packed_cone {
 };
 
 /* Quantises a normal cone. The half-angle is enlarged by the rounding error of the axis. A subtree
- * is back-facing for a direction if the cosine between direction and axis exceeds the half-angle's
- * sine. */
+ * is back-facing if the cosine between ray and cone axis exceeds the sine of the half-angle. */
 static struct packed_cone pack(const struct cone *cone)
 {
     struct packed_cone packed = { .sine = BVH_CONE_OPEN };
@@ -112,7 +111,7 @@ static float rounding_of(const struct bvh_box *box)
 
 /* Fixed-point grid of box planes. */
 struct grid {
-    float low[3], scale[3]; /* position of plane 0, and grid steps per metre */
+    float low[3], scale[3]; /* position of the lowest plane, and grid steps per metre */
     uint32_t plane_bits;
 };
 
@@ -165,14 +164,14 @@ struct encoder {
     struct bvh *bvh;
     const struct bvh_two_level *hierarchy;
     struct grid grid;
-    uint32_t first; /* index in the BVH of the part's first triangle */
+    uint32_t first; /* BVH index of the part's first triangle */
     float rounding; /* enlargement of boxes for rounding errors */
     bool has_cones;
 };
 
 static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth, struct cone *cone);
 
-/* Encodes a child, and extends the normal cone of its parent. */
+/* Encodes a child node, and extends the normal cone of its parent by that of the child. */
 static void write_child(struct encoder *encoder, uint32_t word, uint32_t at, uint32_t depth,
                         struct cone *cone)
 {
@@ -239,7 +238,7 @@ uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy)
     return (1 + (inner ? inner : 1)) * BVH_NODE_WORDS;
 }
 
-/* A single leaf is encoded as a node that refers to the leaf twice. */
+/* A BVH that is a single leaf becomes an inner node with this leaf as both children. */
 uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones)
 {

@@ -4,11 +4,11 @@
 
 #include "src/scene/bvh/bvh_two_level.h"
 
-/* Returns the number of 16-byte words that a non-empty part's nodes and grid occupy. */
+/* Returns the number of 16-byte words for the nodes and quantisation grid of a non-empty part. */
 uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy);
 
-/* Encodes a part's nodes, and returns the root's index. The part's triangles must be written
- * before, starting at index `first`. Normal cones make child boxes less precise. */
+/* Encodes a part's nodes, and returns the root's index. The part's triangles must already be
+ * encoded, from index `first` on. With normal cones, boxes have fewer bits. */
 uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones);
 

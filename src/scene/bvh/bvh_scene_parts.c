@@ -1,4 +1,4 @@
-/* bvh_scene_parts.c: triangle lists of scene parts; tests for overlap and closed meshes. */
+/* bvh_scene_parts.c: triangle lists of scene parts, and tests for overlap and for closed meshes. */
 #include "src/scene/bvh/bvh_scene_parts.h"
 #include <float.h>
 #include <math.h>
@@ -41,7 +41,7 @@ struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle)
     return box;
 }
 
-/* Returns the triangle indices in file order, or NULL when out of memory. Inverts `sorted`. */
+/* Returns the mesh's triangle indices in model file order, or NULL when out of memory. */
 static uint32_t *inverse_order(const struct bvh_part *part, const struct mesh_order *sorted)
 {
     const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
@@ -178,7 +178,7 @@ bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool 
            !(rotates && parts[BVH_MOVERS].count);
 }
 
-/* Returns a hash of a directed edge, in which -0 and 0 are the same coordinate. */
+/* Returns a hash of the edge from `a` to `b`. Coordinates 0 and -0 are treated as equal. */
 static uint64_t edge_hash(const float *a, const float *b)
 {
     uint64_t hash = 0x9e3779b97f4a7c15u;
@@ -192,7 +192,7 @@ static uint64_t edge_hash(const float *a, const float *b)
     return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
 }
 
-/* Opposite edges cancel in the sum of edge hashes, so that the sum of a closed mesh is 0. */
+/* An edge and its opposite edge cancel in the sum of hashes, so that a closed mesh has sum 0. */
 bool bvh_part_is_closed(const struct bvh_part *part)
 {
     uint64_t sum = 0;

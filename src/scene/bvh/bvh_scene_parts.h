@@ -11,26 +11,26 @@ struct bvh_part {
     const struct bubbles *bubbles; /* numbered after the triangles; or NULL */
     uint32_t *triangles;           /* mesh triangle indices in file order */
     uint32_t count;
-    uint32_t *firsts; /* start of each group in `triangles`; the last element is `count` */
+    uint32_t *firsts; /* start of each group in `triangles`, and at last `count` */
     uint32_t group_count;
     bool is_object, is_inclusion;
 };
 
-/* Lists the triangles of all parts. Each object is a group if `by_objects`, else each part is one.
+/* Lists the triangles of all parts, grouped by object if `by_objects`, else in one group per part.
  * Returns false when out of memory. Call bvh_parts_finish() in any case. */
 MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT],
                              const struct bvh_params *params, bool by_objects);
 void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT]);
 
-/* Returns the bubble with this triangle number, or NULL for a triangle of the mesh. */
+/* Returns the bubble with a triangle number, or NULL if the number is that of a mesh triangle. */
 const struct bubble *bvh_bubble(const struct bvh_part *part, uint32_t triangle);
 
 const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t triangle, uint32_t k);
 
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
-/* Returns true if no surroundings triangle's box overlaps the objects' box. If `rotates`, the
- * objects' box covers all rotations about +Y, and moving surroundings count as overlap. */
+/* Returns true if the objects' box overlaps no bounding box of a triangle of the surroundings. If
+ * `rotates`, uses a box for all rotations about +Y, and returns false if any surroundings move. */
 bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */

@@ -17,7 +17,7 @@ enum {
     KNOWN_MAX = 64,  /* maximum number of recent groups to compare a new group with */
 };
 
-/* Triangles of a group, in file order. */
+/* Group of triangles in file order. */
 struct group {
     const struct bvh_part *part;
     uint32_t first, count;

@@ -11,7 +11,7 @@
 /* Options and statistics of BVH builds. */
 struct bvh_build_stats {
     uint32_t threads;
-    double cost_growth_max; /* rebuild BVHs whose SAH cost grows by more than this factor */
+    double cost_growth_max; /* factor of SAH cost growth above which a BVH is rebuilt */
     bool is_cached;         /* store large BVHs in cache files */
     /* numbers of groups that were built, copied from similar groups, or refitted */
     uint32_t built, shared, refitted;

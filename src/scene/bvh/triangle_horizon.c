@@ -20,11 +20,11 @@
 enum {
     THREADS_MAX = 16,
     THREAD_MIN = 1 << 12, /* minimum triangles per thread */
-    BLOCK = 64,           /* triangles per block; occluders are reused only within a block */
+    BLOCK = 64,           /* number of consecutive triangles that share a first occluder */
     VISITS_MAX = 1024,    /* maximum node visits per triangle */
 };
 
-/* Limits of horizon tangents. Steeper ones cull too few rays, and flatter ones cost too much. */
+/* Limits of a horizon's tangent. Steeper horizons cull few rays. Flatter ones take long to find. */
 static const float steepest = 2.6f, flattest = 0.143f;
 
 /* Triangle whose horizon is computed. */
@@ -72,7 +72,7 @@ static void copy_corners(float to[static 3][3], const struct search *search, uin
         memcpy(to[k], bvh_corner(search->part, triangle, k)->position.raw, sizeof(to[k]));
 }
 
-/* Sets up the triangle at index `at`. Returns false if it is degenerate. */
+/* Sets up the triangle at leaf-order index `at`. Returns false for a degenerate triangle. */
 static bool receiver_init(struct receiver *from, const struct search *search, uint32_t at)
 {
     float sides[3][3];
@@ -100,7 +100,7 @@ static bool receiver_init(struct receiver *from, const struct search *search, ui
     return true;
 }
 
-/* Returns the triangle's maximum extent along a direction. */
+/* Returns the largest dot product of `dir` with a corner of the triangle. */
 static float extent_along(const struct receiver *from, const float dir[static 3])
 {
     return fmaxf(dot(dir, from->corners[0]),
@@ -131,8 +131,8 @@ static float box_elevation(const struct receiver *from, const struct bvh_box *bo
     return nearest > 0.0f ? (up + half_height) * sqrtf(square) / nearest : FLT_MAX;
 }
 
-/* Returns the tangent of a triangle's elevation angle. Distances are measured along `dir`, in the
- * receiver's plane. Corners shared with the receiver have distance 0 and height 0. */
+/* Returns the tangent of a triangle's elevation angle above the receiver's plane, from distances
+ * along `dir`. Corners that the receiver shares have distance 0 and height 0. */
 static float elevation_along(const struct receiver *from, float corners[static 3][3],
                              const float dir[static 3], float epsilon)
 {
@@ -149,7 +149,7 @@ static float elevation_along(const struct receiver *from, float corners[static 3
     return most;
 }
 
-/* Returns the minimum elevation tangent over several directions. Stops at the first <= `enough`. */
+/* Returns the lowest elevation tangent over several directions, or the first one <= `enough`. */
 static float triangle_elevation(const struct receiver *from, const struct search *search,
                                 uint32_t at, float enough)
 {
@@ -170,14 +170,14 @@ static float triangle_elevation(const struct receiver *from, const struct search
     return lowest;
 }
 
-/* Stack entry: a node, and an upper bound of its elevation tangent. */
+/* Traversal stack entry: a node, and an upper bound of the elevation tangent of its box. */
 struct candidate {
     float most;
     uint32_t node;
 };
 
-/* Returns the tangent of a triangle's horizon angle, or a value above `steepest` if unknown. The
- * search starts at occluder *highest, and sets *highest to the triangle's highest occluder. */
+/* Returns the tangent of a triangle's horizon angle, or a value above `steepest` if unknown. Tests
+ * occluder *highest first, and then sets *highest to the occluder that defines the horizon. */
 static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
     const struct bvh_node *nodes = search->hierarchy->builder.nodes;
@@ -279,7 +279,7 @@ bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *obj
     return objects->horizons && bvh->object_count == 1;
 }
 
-/* Returns a triangle's quantised horizon, widened to be valid for its interpolated normals. */
+/* Returns a triangle's quantised horizon, raised by the largest angle of face to vertex normal. */
 static uint8_t widened_horizon(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                uint32_t at)
 {

@@ -12,7 +12,7 @@ static const float ground_radius = 6360.0F, air_radius = 6460.0F;
 static const float air_scale = 8.0F, haze_scale = 1.2F;
 static const float ozone_center = 25.0F, ozone_half = 15.0F; /* triangular ozone profile, km */
 
-/* Scattering or absorption coefficients in 1/km at 680, 550 and 440 nm. */
+/* Scattering and absorption coefficients in 1/km, for wavelengths of 680, 550 and 440 nm. */
 static const vec3s air_scattering = { { 0.005802F, 0.013558F, 0.033100F } };
 static const vec3s ozone_absorption = { { 0.000650F, 0.001881F, 0.000085F } };
 static const float haze_unit = 0.003996F; /* Mie scattering coefficient at turbidity 1.05, 1/km */
@@ -35,7 +35,7 @@ struct medium {
     vec3s scattering, extinction;
 };
 
-/* Sample point of a ray, reduced to two parameters by symmetry. */
+/* Point on a ray. By symmetry, two parameters are enough. */
 struct sample_point {
     float radius; /* distance from the planet's centre */
     float sun;    /* cosine of the sun's zenith angle */
@@ -80,7 +80,7 @@ static float distance_to_ground(float radius, float cosine)
 }
 
 /* Maps texture coordinates (u, v) of the transmittance table to radius and cosine (Bruneton). u is
- * the distance to the top of the atmosphere, normalised to its range at this height. */
+ * the distance to the top of the atmosphere, relative to its minimum and maximum at this radius. */
 static void transmittance_params(float u, float v, float *radius, float *cosine)
 {
     const float whole = sqrtf(air_radius * air_radius - ground_radius * ground_radius);
@@ -139,7 +139,7 @@ vec3s atmosphere_transmittance(const struct atmosphere *atmosphere, float height
     return transmittance(atmosphere, ground_radius + height, cosine);
 }
 
-/* Returns the second and higher orders of scattering, divided by the scattering coefficient. */
+/* Returns radiance scattered at least twice, divided by the scattering coefficient. */
 static vec3s multiple_scattering(const struct atmosphere *a, struct sample_point at)
 {
     const float side = ATMOSPHERE_MULTIPLE_SCATTERING_SIZE - 1;
@@ -188,8 +188,8 @@ static vec3s integrate_step(vec3s source, vec3s extinction, float step)
     return glms_vec3_div(glms_vec3_sub(source, glms_vec3_mul(source, kept)), extinction);
 }
 
-/* Adds a ray's contribution to two sums: second-order scattering, and the fraction of light that
- * each order transfers to the next (Hillaire 2020, equations 5 and 7). */
+/* Adds a ray's contribution to *second, the second-order scattering, and to *transfer, the fraction
+ * of light that each order passes to the next (Hillaire 2020, equations 5 and 7). */
 static void add_orders(const struct atmosphere *a, const struct ray *ray, vec3s sun, vec3s *second,
                        vec3s *transfer)
 {

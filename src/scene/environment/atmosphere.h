@@ -27,12 +27,13 @@ struct atmosphere {
                              [ATMOSPHERE_MULTIPLE_SCATTERING_SIZE];
 };
 
-/* Computes the tables. `turbidity` is the extinction by air and haze, relative to air alone: 1
- * without haze, 2 in the mountains, 3 in summer, 5 when hazy. `albedo` is 0 to 1. */
+/* Computes the transmittance and multiple-scattering tables. `turbidity` is the extinction by air
+ * and haze divided by that of air: 1 without haze, 2 in mountains, 3 in summer, 5 when hazy.
+ * `albedo` is the ground's, 0 to 1. */
 void atmosphere_make(struct atmosphere *atmosphere, float turbidity, float albedo);
 
 /* Returns the transmittance from `height` kilometres above the ground to the top of the atmosphere.
- * `cosine` is that of the ray's zenith angle. Returns 0 if the ground occludes the ray. */
+ * `cosine` is the cosine of the ray's zenith angle. Returns 0 if the ground occludes the ray. */
 vec3s atmosphere_transmittance(const struct atmosphere *atmosphere, float height, float cosine);
 
 /* Returns the radiance that arrives from the unit direction `dir` at `height` kilometres. Below the

@@ -13,7 +13,7 @@
 
 /* Sun of an equirectangular environment. The disc of the sun is not part of the image. */
 struct environment_sun {
-    vec3s dir;   /* unit direction to the sun, before `turn` is applied */
+    vec3s dir;   /* unit direction to the sun, not yet rotated by environment.turn */
     vec3s light; /* radiance of a white diffuse surface facing the sun; 0 without a sun */
 };
 
@@ -22,7 +22,7 @@ struct environment {
     uint32_t width, height; /* texels */
     float turn;             /* rotation about +Y of an equirectangular image, in turns, 0 to 1 */
     struct environment_sun sun;
-    bool is_cube; /* captured cube; alpha is 1 / distance from its centre, 1 / metre */
+    bool is_cube; /* true for a captured cube, whose alpha is 1 / (distance in metres) */
 };
 
 /* Loads an .exr file (channels R, G, B or Y; a captured cube also needs A, without which everything

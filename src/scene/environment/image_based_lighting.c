@@ -18,7 +18,7 @@ enum {
     DIFFUSE_WIDTH = 32, /* width of the level for diffuse lobes */
     SAMPLE_COUNT = 64,  /* samples per glossy lobe */
     SPLIT_SAMPLE_COUNT = 256,
-    OVERLAP = 4, /* texel's solid angle relative to a sample's, to choose mip levels */
+    OVERLAP = 4, /* solid angle of a mip texel, relative to that of a sample */
 };
 
 static const float pi = 3.14159265358979f;
@@ -277,8 +277,8 @@ uint16_t *image_based_lighting_brdf_table(void)
     return texels;
 }
 
-/* Texels belong to a dominant light if they have at least DOMINANT_FRACTION of the maximum
- * brightness. The maximum must be at least DOMINANT_RATIO times the mean. */
+/* Texels belong to a dominant light if they are at least DOMINANT_FRACTION as bright as the
+ * brightest texel. Dominant lights exist if that texel exceeds DOMINANT_RATIO times the mean. */
 #define DOMINANT_FRACTION 0.35f
 #define DOMINANT_RATIO    4.0f
 #define DOMINANT_COSINE   0.75f /* minimum cosine of the angle to the brightest texel */

@@ -1,9 +1,8 @@
 /*
  * image_based_lighting.h: image-based lighting tables of an equirectangular environment
- * (shaders/brdf.h).
- *
- * Prefiltered radiance per direction and roughness (Karis 2013, split-sum approximation, view along
- * the normal), and diffuse irradiance. The tables ignore environment.turn; lookups apply it.
+ * (shaders/brdf.h): radiance prefiltered by direction and roughness (split-sum approximation of
+ * Karis 2013, viewed along the normal), and diffuse irradiance. Lookups, not the tables, apply
+ * environment.turn.
  */
 #ifndef FIRN_SCENE_ENVIRONMENT_IMAGE_BASED_LIGHTING_H
 #define FIRN_SCENE_ENVIRONMENT_IMAGE_BASED_LIGHTING_H

@@ -10,13 +10,13 @@ enum panorama {
     PANORAMA_NONE,    /* not a cube map */
     PANORAMA_OPENEXR, /* vertical strip with OpenEXR's attribute `envmap` */
     PANORAMA_ROW,     /* horizontal strip +X -X +Y -Y +Z -Z in Vulkan's orientation */
-    /* 4:3 cross: left, front (-Z), right and back faces; up above the front, down below it */
+    /* 4:3 cross: a row of left, front (-Z), right and back faces, with up and down next to front */
     PANORAMA_CROSS,
-    PANORAMA_TALL_CROSS /* 3:4 cross: the back face is below the down face, upside down */
+    PANORAMA_TALL_CROSS /* 3:4 cross; the back face is the lowest, and upside down */
 };
 
-/* Returns the cube map layout of an image, by aspect ratio. A cross must also be black outside the
- * faces, since ordinary images may have its aspect ratio. */
+/* Returns the cube map layout of an image, by aspect ratio. Since ordinary images may have the
+ * aspect ratio of a cross, a cross must also be black outside the faces. */
 enum panorama panorama_detect_cube(const struct image *image);
 
 /* Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it). The new
