@@ -17,7 +17,7 @@ static float cross(vec2s a, vec2s b)
     return a.x * b.y - a.y * b.x;
 }
 
-/* Returns the coordinate at which a coordinate axis hits a triangle, or NAN for a miss. */
+/* Returns the coordinate at which axis `axis` (0 to 2) crosses a triangle; NAN if it does not. */
 static float axis_hit(const vec3s corners[3], int axis)
 {
     const int u = (axis + 1) % 3;
@@ -44,8 +44,8 @@ static bool spans_zero(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* A ray from inside a closed surface hits it an odd number of times. The rays along all three axes
- * must agree, since a ray through an edge may miss both triangles. */
+/* Counts the crossings of the rays along +x, +y and +z. The point is inside if all three counts are
+ * odd. One ray is not enough, since a ray through an edge may miss both triangles. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
     uint32_t exits[3] = { 0 };
@@ -85,8 +85,8 @@ static bool is_unoccupied(const struct bubbles *bubbles, vec3s center, float rad
     return true;
 }
 
-/* Returns a bubble of the requested shape inside a bounding sphere. The bubble's axis is within
- * about 11 degrees of the freezing direction, which points towards the centre. */
+/* Returns a bubble of the requested shape inside a bounding sphere. The bubble's axis deviates by
+ * at most about 20 degrees from the direction to the object's centre. */
 static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
                                   vec3s middle, struct random *random)
 {
@@ -104,8 +104,8 @@ static struct bubble shape_bubble(struct bubble bubble, const struct generate_bu
     return bubble;
 }
 
-/* Adds a bubble at a random free position. Returns false if none is found. A convex object contains
- * the octahedron with the clearance as half diagonal, and thus the octahedron's inscribed sphere.
+/* Adds a bubble at a random free position. Returns false if no position is found. A sphere is
+ * inside a convex object if the centre is at least sqrt(3) radii from the surface along each axis.
  */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        const struct generate_bubbles *params, struct box box, float radius,

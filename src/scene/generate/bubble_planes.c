@@ -82,7 +82,7 @@ bool generate_air_clip(struct mesh *planes, const struct mesh *object)
     return true;
 }
 
-/* Returns the density at (u, v): 1 in the texture's centre, 0 at its edges. */
+/* Returns the density of bubbles and haze: 1 in the texture's centre, 0 at its edges. */
 static float density(float u, float v)
 {
     const float x = 2 * u - 1;

@@ -1,7 +1,8 @@
 /*
  * crack_meshes.c: generates crack sheets inside an object (Seipel and Nivfors 2006, section 3.3). A
  * few generic sheets are scaled to the object's box, randomly rotated, and placed near the centre.
- * The only C library functions used are floor and square root; others may differ between machines.
+ * Of the C library, only floor and square root are used, as other functions differ between
+ * machines.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -31,7 +31,7 @@ enum {
  * the unit sphere. Normals are exact. */
 bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 
-/* Generates a rounded cube, about 1.6 m wide: six grids of quads displaced by smooth noise. */
+/* Generates a rounded cube, about 1.6 m wide, of six grids of quads displaced by smooth noise. */
 bool generate_ice_cube(struct mesh *mesh, uint32_t triangles);
 
 /* Generates the Utah teapot from its 32 Bezier patches (Newell 1975), about 2 m wide, upright (+Y),
@@ -72,8 +72,8 @@ struct generate_air {
     uint32_t count, seed; /* number of planes, 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in box diagonals */
     float frequency;      /* number of the largest bubbles along the box diagonal */
-    /* bubble opacities, 0 to 1, GENERATE_AIR_LAYER_SIZE rows and columns, used in all layers; NULL
-     * to generate them */
+    /* optional bubble opacities, 0 to 1, in GENERATE_AIR_LAYER_SIZE rows and columns, for all
+     * layers; if NULL, opacities are generated */
     const float *opacity;
 };
 
@@ -82,9 +82,9 @@ enum {
     GENERATE_AIR_LAYER_COUNT = 4,
 };
 
-/* Array texture of air planes, two bytes per texel, for the opacity of bubbles and of haze. */
+/* Array texture of air planes. A texel's two bytes are the opacities of bubbles and of haze. */
 struct air_layers {
-    /* all mip levels, in the layout of mip_levels.h; the caller frees the texels */
+    /* texels of all mip levels, in the layout of mip_levels.h; freed by the caller */
     uint8_t *texels;
     /* texels per side (a power of two), and number of layers; both 0 without air planes */
     uint32_t size, count;

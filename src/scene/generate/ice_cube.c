@@ -1,5 +1,5 @@
-/* ice_cube.c: generates a rounded cube of six grids, displaced by smooth noise that depends
- * only on position, so that grids have no gaps. Gentle slopes avoid self-intersections. */
+/* ice_cube.c: generates a rounded cube of six grids, displaced by noise. The noise depends only on
+ * position, so that no gaps appear, and is too smooth to cause self-intersections. */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
@@ -18,8 +18,8 @@ static uint32_t choose_cells(uint32_t triangles)
     return more - target < target - fewer ? n + 1 : n;
 }
 
-/* Returns the index of a surface point of an (n + 1)^3 lattice. The layer at 0 is numbered first,
- * then square rings of 4n points, and last the layer at n. */
+/* Returns the index of a surface point of an (n + 1)^3 lattice, numbered by ascending at[2]. The
+ * first and last layers are full squares, and the layers between are rings of 4n points. */
 static uint32_t surface_index(const uint32_t at[3], uint32_t n)
 {
     uint32_t i = at[0], j = at[1], k = at[2];

@@ -4,7 +4,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* Integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
+/* Hashes an integer with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
 uint32_t noise_hash(uint32_t x)
 {
     x = (x ^ (x >> 16)) * 0x7feb352dU;
@@ -17,7 +17,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* Lattice cell along one axis: coordinate, and interpolation weight of the next lattice point. */
+/* Lattice cell along one axis, with its lower coordinate and the weight of its upper point. */
 struct cell {
     uint32_t at;
     float next;

@@ -7,16 +7,16 @@
 
 uint32_t noise_hash(uint32_t x);
 
-/* Returns value noise in [-1, 1] with two continuous derivatives: interpolated random values at
- * integer coordinates. Slopes are below 4. Different seeds give uncorrelated noise. Coordinates
+/* Returns value noise in [-1, 1]. Random values at integer coordinates are interpolated with two
+ * continuous derivatives. Slopes are below 4. Different seeds give uncorrelated noise. Coordinates
  * must be below 2^30. */
 float noise_value(vec3s p, uint32_t seed);
 
 /* Returns a vector of three uncorrelated noise values. */
 vec3s noise_vector(vec3s p, uint32_t seed);
 
-/* Returns fractal noise in (-2, 2): `octaves` fields, each with twice the frequency and half the
- * amplitude of the previous one. */
+/* Returns fractal noise in (-2, 2), the sum of `octaves` noise fields. Each field has twice the
+ * frequency and half the amplitude of the previous one. */
 float noise_fractal(vec3s p, int octaves, uint32_t seed);
 
 enum {
@@ -31,7 +31,7 @@ struct noise_plane {
     float corners[NOISE_PLANE_OCTAVES_MAX][NOISE_PLANE_SIDE_MAX][NOISE_PLANE_SIDE_MAX];
 };
 
-/* Fills the cache. The last octave's coordinates must be in [0, NOISE_PLANE_SIDE_MAX - 1). */
+/* Fills a cache for x and y from 0 to (NOISE_PLANE_SIDE_MAX - 1) / 2^(octaves - 1), exclusive. */
 void noise_plane_init(struct noise_plane *plane, int octaves, uint32_t seed);
 
 /* Returns noise_fractal() at (x, y, 0), bit-identical but faster, from the cache. */

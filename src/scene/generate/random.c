@@ -1,4 +1,4 @@
-/* random.c: counter-based random numbers: a hash of counter and seed. */
+/* random.c: random numbers hashed from a seed and a counter. */
 #include "src/scene/generate/random.h"
 
 #include <cglm/struct.h>

@@ -10,7 +10,7 @@ struct random {
     uint32_t key, count;
 };
 
-/* Starts a sequence. Sequences with different seeds or different parts are uncorrelated. */
+/* Starts sequence number `part` of a seed. Sequences of other seeds or parts are uncorrelated. */
 struct random random_begin(uint32_t seed, uint32_t part);
 
 float random_unit(struct random *random); /* in [0, 1) */

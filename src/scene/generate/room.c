@@ -22,7 +22,7 @@ enum {
 /* Area light that covers whole tiles of one side of the room. */
 struct light {
     int axis;
-    bool high; /* true for the side with the greater coordinate */
+    bool high; /* true for the room's side with the greater coordinate along `axis` */
     struct box box;
     vec3s radiance;
 };
@@ -52,7 +52,7 @@ struct side {
     struct box box;
     int axis;
     bool high;
-    bool inside;  /* true for a side of the room */
+    bool inside;  /* true for a side of the room, false for furniture */
     vec3s albedo; /* albedo of furniture */
 };
 

@@ -4,15 +4,14 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* Grid of `rows` bands between latitudes, each of `columns` quads. Quads at the poles are
- * triangles. */
+/* Grid of `rows` bands between latitudes. Each has `columns` quads, or triangles at the poles. */
 struct grid {
     uint32_t rows, columns;
 };
 
 static struct grid choose_grid(uint32_t triangles)
 {
-    /* triangles = 2 columns (rows - 1); columns = 2 rows makes quads nearly square */
+    /* There are 2 * columns * (rows - 1) triangles. Quads are nearly square if columns = 2 rows. */
     double target = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX), 6);
     double rows = fmax(2, round((1 + sqrt(1 + target)) / 2));
     double columns = fmax(3, round(target / (2 * (rows - 1))));

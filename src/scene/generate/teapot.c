@@ -36,7 +36,7 @@ static const float profile[PROFILE_PIECES][4][2] = {
     { { 1.5F, 0.15F }, { 1.5F, 0.075F }, { 1.425F, 0 }, { 0, 0 } },
 };
 
-/* Cross-sections of a tube: two points (x, y) where its halves meet, and its half width. */
+/* Bezier control points of the spout: (x, y) of both seams between its halves, and half width. */
 static const float spout_sections[7][5] = {
     { 1.7F, 1.425F, 1.7F, 0.6F, 0.66F },       { 2.6F, 1.425F, 3.1F, 0.825F, 0.66F },
     { 2.3F, 2.1F, 2.4F, 2.025F, 0.25F },       { 2.7F, 2.4F, 3.3F, 2.4F, 0.25F },
@@ -65,9 +65,9 @@ struct teapot {
     uint32_t columns; /* columns around the body: 4n */
     uint32_t lines;   /* number of circles of vertices on the body, including both poles */
     struct hole spout, handle_top, handle_bottom;
-    /* rows of the spout from hole to mouth, and of the handle from hole to hole */
+    /* number of rows of the spout from hole to mouth, and of the handle from hole to hole */
     uint32_t spout_rows, handle_rows;
-    uint32_t *body;                         /* body vertex index by line and column */
+    uint32_t *body;                         /* vertex indices of the body, by line and column */
     uint32_t *loop, *next_loop, *hole_loop; /* scratch memory for vertices around a tube */
     uint32_t vertex_count, index_count;
 };
@@ -93,7 +93,7 @@ static vec2s profile_point(uint32_t piece, float t)
     return p;
 }
 
-/* Returns a point of Newell's approximation of a quarter circle, with 0.56 instead of 0.5523. */
+/* Returns a point of Newell's quarter circle, a Bezier curve with the control distance 0.56. */
 static vec2s quarter_circle(float t)
 {
     float w[4];
@@ -151,8 +151,7 @@ static float outside_body(vec3s p)
     return hypotf(p.x, p.z) - radius * glms_vec2_norm(direction);
 }
 
-/* Returns the u at which a tube leaves the body. Bisects between two u values, inside and outside.
- */
+/* Returns the u at which a tube leaves the body, by bisection from `inside` to `outside`. */
 static float find_joint(const float (*sections)[5], float inside, float outside, float v)
 {
     for (int i = 0; i < 24; i++) {
@@ -185,9 +184,9 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
     return (n * percent + 99) / 100;
 }
 
-/* Plans the grid. Hole sizes, in percent of a patch, include a margin around the joints. The spout
- * joins the body at 0.62..1.20 patches below the rim, the handle at 0.10..0.24 and 1.00..1.24. The
- * joints' half widths are 0.153, 0.085 and 0.070 patches. */
+/* Places the holes for spout and handle, in percent of a patch, with a margin around each joint.
+ * The spout joins the body at 0.62 to 1.20 patches below the rim, the handle at 0.10 to 0.24 and
+ * 1.00 to 1.24. Half widths are 0.153 patches for the spout, and 0.085 and 0.070 for the handle. */
 static struct teapot plan(uint32_t n)
 {
     struct teapot t = { .n = n, .columns = 4 * n, .lines = PROFILE_PIECES * n + 2 };
@@ -212,7 +211,7 @@ static struct teapot plan(uint32_t n)
     return t;
 }
 
-/* Returns half the number of triangles, which equals the number of vertices. */
+/* Returns half the number of triangles, which equals the number of vertices for genus 1. */
 static uint32_t half_count(const struct teapot *t)
 {
     uint32_t body = t->columns * (t->lines - 2) - hole_cells(&t->spout) -
@@ -413,8 +412,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
     }
 }
 
-/* Adds a ring on the body's surface just outside a tube's first ring. It limits smoothed normals to
- * the surroundings of the joint. Stores its vertices in t->next_loop. */
+/* Adds a ring of vertices to the body just outside a tube's first ring, and stores it in
+ * t->next_loop. The ring keeps the smoothing of normals close to the joint. */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {

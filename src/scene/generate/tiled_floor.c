@@ -69,7 +69,7 @@ bool generate_floor(struct mesh *mesh, struct box object)
     center.y = object.min.y;
     if (!mesh_init(mesh, 4 * count, 6 * count))
         return false;
-    mesh->vertex_count = mesh->index_count = 0; /* counts of vertices and indices filled so far */
+    mesh->vertex_count = mesh->index_count = 0; /* grow as tiles are added */
     add_tiles(mesh, (vec3s){ { center.x - inner, center.y, center.z - inner } }, side);
     add_border(mesh, center, inner, extent * side / tile);
     return true;

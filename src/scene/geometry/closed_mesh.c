@@ -39,8 +39,8 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts the triangles that overlap each column. If s->triangles is allocated, as on the second
- * call, stores the triangles instead. Each column is filled from its end. */
+/* Counts the triangles that overlap each grid column, or stores the triangles if s->triangles is
+ * allocated. Fills each column from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
@@ -90,9 +90,9 @@ void closed_mesh_finish(struct closed_mesh *closed_mesh)
     *closed_mesh = (struct closed_mesh){ 0 };
 }
 
-/* Returns twice the signed area of the triangle a, b, p in the xz plane. The two triangles at an
- * edge get exactly opposite values, never 0, because each starts at the same end of the edge. A
- * vertical line through an edge therefore hits exactly one of the two triangles. */
+/* Returns twice the signed area of the triangle a, b, p in the xz plane, but never 0. Swapping a
+ * and b exactly negates the result. A vertical line through an edge therefore hits exactly one of
+ * the two triangles at the edge. */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {
     bool is_swapped = a.x > b.x || (a.x >= b.x && a.z > b.z);
@@ -104,7 +104,7 @@ static double side_of(vec3s a, vec3s b, vec3s p)
     return is_swapped ? -area : area;
 }
 
-/* Returns 1 if a triangle is above a point, -1 if below, 0 if the vertical line misses it. */
+/* Returns 1 if a triangle is above a point, -1 if it is below, 0 if it is neither. */
 static int side_of_point(const struct mesh *mesh, uint32_t index, vec3s p)
 {
     vec3s v[3];

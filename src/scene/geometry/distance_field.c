@@ -90,7 +90,7 @@ static void test_triangle(const struct work *work, uint32_t triangle, int x, int
     }
 }
 
-/* Range of texels whose centres are in a triangle's bounding box, extended by `more` texels. */
+/* Range of texel coordinates along x, y and z, with both ends included. */
 struct range {
     int first[3], last[3];
 };
@@ -121,8 +121,8 @@ static void test_near(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Tests the nearest triangles of 13 neighbours: those before or after a texel in scan order. Skips
- * duplicates, which are common, and neighbours that have not changed since sweep `since`. */
+/* Tests a texel against the nearest triangles of the 13 neighbours before it in scan order (side
+ * -1) or after it (side 1). Skips neighbours that last changed before sweep `since`. */
 static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
@@ -147,8 +147,8 @@ static void test_neighbours(const struct work *work, size_t texel, int side, int
     }
 }
 
-/* Propagates nearest triangles to texels inside the mesh. Skips neighbours that have not changed
- * since the last sweep in the same direction. */
+/* Propagates nearest triangles between neighbouring texels inside the mesh. Skips neighbours that
+ * have not changed since the last sweep in the same direction. */
 static void sweep(const struct work *work, int number)
 {
     const bool is_forward = number % 2 == 0;
@@ -171,8 +171,8 @@ static double area(vec3s a, vec3s b, double y, double z)
            ((double)b.z - (double)a.z) * (y - (double)a.y);
 }
 
-/* Adds a triangle's winding to all texels behind it along x. Texel rows are shifted by an epsilon,
- * so that they do not hit the edges of grid-aligned meshes. */
+/* Adds a triangle's winding (1 or -1) to all texels behind it along +x. Texel rows are shifted
+ * slightly, so that they do not pass through edges of a mesh aligned with the grid. */
 static void add_winding(const struct work *work, uint32_t triangle)
 {
     vec3s c[3];
@@ -197,7 +197,7 @@ static void add_winding(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Returns the distance from a point to the nearest triangles of a texel and its neighbours. */
+/* Returns a point's distance to the triangles that are stored for a texel and its neighbours. */
 static float depth_near(const struct work *work, const int texel[static 3], vec3s point)
 {
     float nearest2 = INFINITY;

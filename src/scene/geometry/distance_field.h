@@ -1,5 +1,5 @@
-/* distance_field.h: interior distance field: depth of points below the surface of a closed mesh.
- * Depths at texel centres are exact: the distance to the nearest triangle, or 0 outside. */
+/* distance_field.h: depth of points below the surface of a closed mesh, on a grid of texels. The
+ * depth is the distance to the nearest triangle, exact at texel centres, and 0 outside. */
 #ifndef FIRN_SCENE_GEOMETRY_DISTANCE_FIELD_H
 #define FIRN_SCENE_GEOMETRY_DISTANCE_FIELD_H
 
@@ -8,8 +8,7 @@
 struct distance_field {
     struct box box;  /* extent of the texels, in the mesh's space */
     float max_depth; /* maximum depth, in the mesh's units; 0 if nothing is inside */
-    float
-        *texels; /* depths relative to the maximum, MEDIUM_SIZE texels per axis, x fastest; owned */
+    float *texels;   /* owned depths of MEDIUM_SIZE^3 texels, x fastest, relative to max_depth */
 };
 
 /* Computes the field (zeroed if the mesh is empty). Returns false when out of memory. */

@@ -52,7 +52,7 @@ static void *grow_array(void *array, uint32_t count_before, uint32_t count, size
     return realloc(array, (count_before + count) * size);
 }
 
-/* Makes room for the extras of both meshes, if either has any. */
+/* Appends the extras of `other` to those of `mesh`. If only one mesh has any, the others are 0. */
 static bool grow_extras(struct mesh *mesh, const struct mesh *other)
 {
     if (!mesh->extras && !other->extras)
@@ -189,7 +189,7 @@ static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
                            glms_vec3_sub(mesh->vertices[corners[2]].position, a));
 }
 
-/* Returns true if no vertex is over `tolerance` in front of a plane; `normal` need not be unit. */
+/* Returns true if no vertex is over `tolerance` in front of a plane with a normal of any length. */
 static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float tolerance)
 {
     const float most = glms_vec3_dot(normal, point) + tolerance * glms_vec3_norm(normal);
@@ -203,7 +203,7 @@ static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float 
 bool mesh_is_convex(const struct mesh *mesh)
 {
     const float tolerance = 1e-5f * box_diagonal(mesh_box(mesh));
-    vec3s sum = { 0 }; /* sum of area vectors; 0 for closed surfaces */
+    vec3s sum = { 0 }; /* sum of the triangles' area vectors, which is 0 for a closed surface */
     float all = 0.0f;
     if ((uint64_t)mesh->index_count / 3 * mesh->vertex_count > MESH_CONVEX_MAX)
         return false;
@@ -221,8 +221,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* Returns the index of the shell around a point that contains a triangle. There are four shells
- * per octave of distance: the exponent and top mantissa bit of the squared distance. */
+/* Returns the index of the spherical shell around `from` that contains a triangle's nearest corner.
+ * The distance doubles every four shells. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;

@@ -29,7 +29,7 @@ struct mesh_extra {
 
 struct mesh {
     struct mesh_vertex *vertices;
-    struct mesh_extra *extras; /* optional attributes, one per vertex; or NULL */
+    struct mesh_extra *extras; /* optional vertex attributes, one element per vertex, or NULL */
     uint32_t *indices;         /* three vertex indices per triangle */
     uint32_t vertex_count;
     uint32_t index_count;

@@ -1,6 +1,6 @@
-/* similarity_transform.h: instancing detection: finds the similarity transform between two sets of
- * triangles. It is computed without a search, from an anchor of three corners that are far apart.
- * The caller then checks that all corners match. */
+/* similarity_transform.h: finds the similarity transform between two sets of triangles, to detect
+ * instances. The transform is computed without a search, from an anchor of three corners that are
+ * far apart. The caller then checks that all corners match. */
 #ifndef FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 #define FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 
@@ -29,13 +29,13 @@ struct similarity_transform {
 struct similarity_transform_anchor
 similarity_transform_anchor_find(const struct similarity_transform_corners *corners);
 
-/* Finds the transform of the anchor from `before` to `after`. Returns false if it is collinear. */
+/* Finds the transform from `before` to `after`. Returns false if the anchor is collinear. */
 bool similarity_transform_find(struct similarity_transform *motion,
                                const struct similarity_transform_anchor *anchor,
                                const struct similarity_transform_corners *before,
                                const struct similarity_transform_corners *after);
 
-/* Returns the error of a transformed corner: the largest difference of a coordinate. */
+/* Returns the largest coordinate error of a transformed corner. */
 double similarity_transform_error(const struct similarity_transform *motion,
                                   const float before[static 3], const float after[static 3]);
 

@@ -51,15 +51,15 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
 
 /* ---- files ---- */
 
-/* Opens the model file or a file that the model refers to. Returns NULL if the file is missing or
- * outside the model's folder, and records the name in *user, which is a struct model_import. */
+/* Opens the model file or a file that the model refers to. `user` is a struct model_import. If the
+ * file is missing or outside the model's folder, records its name in *user and returns NULL. */
 FILE *model_file_open(void *user, const char *path);
 
 /* Converts a reference to a file (URI, Windows path or other path) to a relative path, in place.
  * Returns false if the path leaves the model's folder: "../a", "/a", "https://a", URI "file:a". */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
-/* Returns the path of a file in the model's folder, which the caller frees, or NULL. */
+/* Returns a file's path in the model's folder, freed by the caller; NULL when out of memory. */
 char *model_file_join(const char *model, const char *name);
 
 /* ---- textures ---- */

@@ -129,8 +129,8 @@ struct model_pose {
     const char *animation;
     bool is_first; /* use the first animation, if any */
     float time;    /* animation time, seconds */
-    /* Names of the refractive objects, one per line, or NULL. A name is that of a node with a mesh
-     * or else of a material. Meshes neither named nor transmissive are surroundings. */
+    /* Names of the refractive objects, one per line, or NULL. Each name is that of a node with a
+     * mesh, else of a material. Meshes neither named nor transmissive are surroundings. */
     const char *objects;
 };
 
@@ -144,9 +144,9 @@ MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
 /* Appends both meshes of `other` to the surroundings of *model. Renumbers the textures and
- * resamples the smaller ones. If `other` has a box, it replaces that of *model. `other` is always
- * zeroed. On failure *model is unchanged. Returns STATUS_TRY_AGAIN when out of memory, and
- * STATUS_DATA for more than 4096 textures or 8191 materials. */
+ * resamples the smaller ones. A box of `other` replaces that of *model. `other` is always zeroed.
+ * On failure *model is unchanged. Returns STATUS_TRY_AGAIN when out of memory, and STATUS_DATA for
+ * more than 4096 textures or 8191 materials. */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
 /* Adds a surroundings object whose first vertex is `start`. Objects must be added in order of first

@@ -12,12 +12,12 @@
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
-/* Sends a model (or environment) to a sink. Returns false if writing fails. */
+/* Sends a model to a sink. Returns false if writing fails. */
 MUST_USE bool model_pipe_write_model(const struct pipe_sink *sink, const struct model *model);
 MUST_USE bool model_pipe_write_environment(const struct pipe_sink *sink,
                                            const struct environment *environment);
 
-/* Receives and validates a model (or environment). A fault zeroes it. Faults are not logged. */
+/* Receives and validates a model. A fault zeroes *model, but is not logged. */
 MUST_USE enum pipe_fault model_pipe_read_model(const struct pipe_source *source,
                                                struct model *model);
 MUST_USE enum pipe_fault model_pipe_read_environment(const struct pipe_source *source,

@@ -111,7 +111,7 @@ static uint32_t renumber(const struct mesh *mesh, const uint32_t *identical, uin
     return count;
 }
 
-/* Sets each object's first vertex to the smallest new index of its own and later vertices. */
+/* Sets each object's first vertex to the smallest new index in that object or any later one. */
 static void update_starts(const struct mesh *mesh, const uint32_t *new_index, uint32_t count,
                           uint32_t *starts, uint32_t start_count)
 {

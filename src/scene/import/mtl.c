@@ -397,7 +397,7 @@ enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name)
     bool is_found = false;
     if (word.at == word.end)
         return STATUS_OK;
-    /* The text is a file name, perhaps with blanks. If no such file exists, it is a list. */
+    /* The whole text is tried as a file name first, then as a list of names separated by blanks. */
     const bool is_list = text_skip(&rest);
     const bool has_missed = import->missing_file[0] != '\0';
     enum status status = read_file(obj_ply, name, &is_found);

@@ -51,7 +51,7 @@ static char *path_of(const struct obj_ply *obj_ply, struct mtl_map *map, enum st
     return file;
 }
 
-/* Finds or adds an image, of which it takes ownership. Returns 1 + its layer; 0 on failure. */
+/* Finds or adds an image, and takes ownership of *image. Returns 1 + the layer; 0 on failure. */
 static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *image_list,
                           const struct model_texture *image)
 {

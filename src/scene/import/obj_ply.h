@@ -65,7 +65,7 @@ struct obj_ply {
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Reads a file into *obj_ply, zeroed except for .import. Call obj_ply_finish() even on failure. */
+/* Reads a file. Only .import may be set in *obj_ply. Call obj_ply_finish() even after a failure. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 

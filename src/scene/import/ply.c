@@ -417,7 +417,7 @@ static enum status add_corners(struct ply *ply, uint32_t a, uint32_t b, uint32_t
     return STATUS_OK;
 }
 
-/* Reads a face, which is cut into a triangle fan, or triangle strips separated by -1. */
+/* Reads a face and cuts it into a triangle fan, or reads triangle strips separated by -1. */
 static enum status read_corners(struct ply *ply, struct text_scan *body,
                                 const struct property *property, uint64_t length)
 {

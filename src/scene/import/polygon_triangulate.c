@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 enum {
-    /* maximum point-in-ear tests per polygon; if reached, the rest is cut as a fan */
+    /* maximum number of point-in-ear tests per polygon; any remaining corners form a fan */
     TESTS_MAX = 1 << 26,
     SMALL_COUNT = 16, /* maximum corners for stack arrays */
 };

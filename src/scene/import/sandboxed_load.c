@@ -10,9 +10,9 @@
 #include "src/reader/preset_reader.h"
 #include "src/scene/import/model_pipe.h"
 
-/* Encodes a pose as an argument for the child process. The first character is '-' (rest pose), '*'
- * (first animation) or '=' (named animation). The time as a hexadecimal float, a space, the name
- * and lines of object names follow. The caller frees the text. */
+/* Encodes a pose as an argument for the child process. The argument has '-' (rest pose), '*' (first
+ * animation) or '=' (named animation), the time as a hexadecimal float, a space, the animation
+ * name, a line break, and lines of object names. The caller frees the text. */
 static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";

@@ -38,17 +38,17 @@ struct text_scan text_line(struct text_scan *scan);
 /* Skips the next word and returns true if it is `word`, ignoring case; else returns false. */
 bool text_take_word(struct text_scan *scan, const char *word);
 
-/* Returns the rest of a line without surrounding blanks, without advancing. */
+/* Returns the rest of a line without surrounding blanks. Does not advance. */
 struct text_scan text_rest(const struct text_scan *line);
 /* Returns the next word on a line, or an empty text at the end, and advances past it. */
 struct text_scan text_word(struct text_scan *scan);
 
 /* Reads a float up to a blank or the end. Returns false, without advancing, if there is none. */
 bool text_float(struct text_scan *scan, float *value);
-/* Reads an integer, whatever follows. Returns false, without advancing, if there is none. */
+/* Reads an integer; any text may follow. Returns false, without advancing, if there is none. */
 bool text_integer(struct text_scan *scan, int64_t *value);
 
-/* Reads all numbers that follow, stores at most `max` of them, and returns their count. */
+/* Reads all numbers that follow, and stores at most `max` of them. Returns how many were read. */
 uint32_t text_floats(struct text_scan *scan, float *values, uint32_t max);
 
 /* Copies a text to a string, truncated to `size` bytes including '\0'. */

@@ -25,7 +25,7 @@
 /* widening of cracks at the surface of fully melted ice, in gap widths */
 #define CRACK_WIDENING     20.0f
 #define SUBMERGED_FRACTION 0.917f /* submerged fraction of floating ice (density ratio) */
-#define PUDDLE_DEPTH       0.164f /* thickness of meltwater in half widths of the ice: 2.3 mm */
+#define PUDDLE_DEPTH       0.164f /* meltwater thickness, in half widths; 2.3 mm for a 28 mm cube */
 #define WATER_PER_ICE      0.917f /* volume of water per volume of ice */
 
 /* Returns the depth of cellular noise at a point, 0 to 1: round hollows with sharp ridges. */
@@ -63,7 +63,7 @@ float melted_hollow_factor(const struct melted *melted)
 struct ice {
     struct vertex_weld vertex_weld;
     struct melt_curvature_flow flow;
-    double half; /* half the width of a cube of the initial volume */
+    double half; /* half the width of a cube with the ice's initial volume */
     struct box before;
     bool floats;
     float rise; /* vertical displacement after melting */
@@ -237,7 +237,7 @@ static bool is_floating(const struct model *model, uint32_t object)
     return false;
 }
 
-/* Updates air inside the ice, and water below and around it. */
+/* Updates the air inside the ice, and the water below and around the ice. */
 static bool update_surroundings(struct model *model, const struct mesh *unmelted,
                                 const struct ice *ice, const struct object *of)
 {
@@ -341,7 +341,7 @@ static void shorten_capsule(const struct distance_field *depth, struct bubble *b
     const bool is_second =
         melt_air_and_water_depth(depth, ends[1]) > melt_air_and_water_depth(depth, ends[0]);
     const vec3s deep = ends[is_second], shallow = ends[!is_second];
-    /* fractions of the length, `whole` inside the ice, and `cut` partly outside */
+    /* The capsule is inside the ice up to `whole` of its length, but not up to `cut`. */
     float whole = 0.0f, cut = 1.0f;
     if (melt_air_and_water_depth(depth, shallow) >= bubble->radius)
         return;

@@ -19,7 +19,7 @@
 #define SPREAD    0.4   /* factor of tangential smoothing, applied SPREADS times per step */
 #define STEP      0.025 /* retreat of a face per step, in half widths */
 
-#define COTANGENT_MIN 0.02 /* cotangents are clamped because of sliver triangles */
+#define COTANGENT_MIN 0.02 /* minimum cotangent, which limits the effect of sliver triangles */
 #define COTANGENT_MAX 8.0
 
 enum {
@@ -27,7 +27,7 @@ enum {
     ITERATIONS_MAX = 60,
     HALVINGS = 30,
     SPREADS = 4,
-    TRIES = 5, /* maximum attempts per step while triangles are inverted */
+    TRIES = 5, /* maximum number of attempts at a step, which is repeated if triangles invert */
 };
 
 typedef double point[3];
@@ -144,8 +144,8 @@ static void measure_points(struct work *work)
     }
 }
 
-/* Marks the points of triangles that the step has inverted, where two faces have collided. Returns
- * the number of such triangles. */
+/* Marks the points of triangles that the step has inverted because two faces collide. Returns the
+ * number of newly inverted triangles. */
 static uint32_t mark_collisions(struct work *work)
 {
     const struct melt_curvature_flow *flow = work->flow;
@@ -255,7 +255,7 @@ static void smooth_tangentially(struct work *work)
     }
 }
 
-/* Collapses the next state to the current centroid. */
+/* Moves all points of the next state to the centroid of the current state. */
 static void collapse(struct work *work)
 {
     const struct melt_curvature_flow *flow = work->flow;
@@ -272,7 +272,7 @@ static void collapse(struct work *work)
     }
 }
 
-/* Computes the next state. Returns its volume. */
+/* Computes the surface after one time step in work->next. Returns the volume inside it. */
 static double compute_next(struct work *work, double half, double volume)
 {
     const struct melt_curvature_flow *flow = work->flow;
@@ -303,7 +303,7 @@ static double compute_next(struct work *work, double half, double volume)
     return 0;
 }
 
-/* Interpolates between the current and the next state. */
+/* Interpolates all points between the current and the next time step. */
 static void interpolate(struct work *work, double fraction, point *to)
 {
     for (uint32_t i = 0; i < work->flow->count; i++) {
@@ -333,7 +333,7 @@ static double run(struct work *work, double fraction, double further)
 {
     const double first = volume_of(work->flow, work->flow->points);
     const double half = melt_curvature_flow_half_width(work->flow);
-    double volume = first, left = -1; /* remaining steps; -1 until `fraction` is lost */
+    double volume = first, left = -1; /* steps left; -1 until `fraction` of the volume is lost */
     for (int stage = 0; stage < STAGES_MAX && volume > 0 && !(left >= 0 && left <= 0); stage++) {
         const double after = compute_next(work, half, volume);
         double part = 1;

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include "src/scene/geometry/vertex_weld.h"
 
-/* A component of air shrinks if its centre is at most this deep below the surface, in half widths
- * of the ice, and at most half the component's radius deep. */
+/* maximum depth of the centre of an air component that shrinks, in half widths of the ice; the
+ * depth must also be at most half the component's radius */
 #define SHRINKS_AT 0.06f
 
 #define SCALE_MIN 1e-3f /* minimum scale of a component, to keep its normals valid */
@@ -15,7 +15,7 @@
 
 #define COVERED_MAX 0.9f /* maximum fraction of the water's radius that ice covers */
 
-#define HOLLOW 3.0f /* factor on a water layer's depth in hollows of the ground */
+#define HOLLOW 3.0f /* maximum factor by which water gets deeper over a hollow of the ground */
 
 enum {
     BEARINGS = 64,
@@ -163,7 +163,7 @@ static bool is_below(const struct component *component, const struct box *ice)
            component->box.max.y < base.y && component->box.max.y > ice->min.y - epsilon;
 }
 
-/* Outline of a shape around a vertical axis: horizontal radius by bearing. */
+/* Horizontal radii of a shape around a vertical axis, by bearing. */
 struct outline {
     vec3s base;
     float out[BEARINGS];
@@ -216,8 +216,8 @@ static struct outline outline_of(const struct object *object, const struct mesh 
     return outline;
 }
 
-/* Returns the new radius of a water vertex. Water that touches the ice moves with its outline.
- * Farther out, the displacement blends quadratically to the displacement of the outer edge. */
+/* Returns the new horizontal radius of a water vertex. Vertices that touch the ice move with the
+ * ice's outline. Farther out, the displacement blends quadratically to that of the water's edge. */
 static float spread_radius(float out, float before, float after, float edge, float scale)
 {
     if (!(before > 0.0f && edge > 0.0f))
@@ -258,7 +258,7 @@ static void spread_component(const struct components *components, const struct c
     }
 }
 
-/* Spreads those components of an object that are below the ice. */
+/* Spreads each connected component of a water object that is below the ice. */
 static bool spread(struct mesh *mesh, const struct object *object, const struct model *model,
                    const struct melt_air_and_water_ice *ice)
 {
@@ -288,7 +288,7 @@ static bool is_water_layer(const struct model *model, const struct mesh_vertex *
     return index && model->materials[index - 1].flags & MATERIAL_IS_WATER_LAYER;
 }
 
-/* Selects all surroundings triangles in water layers, or all others. Borrows the vertices. */
+/* Selects surroundings triangles inside or outside water layers. *selected borrows the vertices. */
 static bool select_triangles(struct mesh *selected, const struct model *model,
                              bool are_water_layers)
 {
@@ -305,7 +305,7 @@ static bool select_triangles(struct mesh *selected, const struct model *model,
     return true;
 }
 
-/* Returns the height of the highest triangle at (x, z), or -INFINITY. */
+/* Returns the height of the highest triangle at (x, z); -INFINITY if there is none. */
 static float ground_height(const struct mesh *ground, float x, float z)
 {
     float height = -INFINITY;
@@ -360,7 +360,7 @@ static struct uv_gradient uv_gradient_of(const struct mesh *mesh)
     };
 }
 
-/* Rotates the normals of moved water layers; `rotated` has the geometric normals before the move.
+/* Rotates the normals of moved water layers. `rotated` has the geometric normals before the move.
  */
 static void rotate_normals(const struct model *model, struct mesh *layers, struct mesh *rotated)
 {
@@ -379,9 +379,9 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
     }
 }
 
-/* Moves the texture coordinates of water layers with the moved vertices. Lowers vertices over deep
- * hollows; elsewhere the surface stays level. `level` is the ground height below the ice. It
- * replaces the true height under protruding stone, so that the rest of the layer stays as thick. */
+/* Moves texture coordinates with the vertices of water layers, and lowers vertices over hollows of
+ * the ground. Under protruding stone, `level` replaces the ground height, so that the layer keeps
+ * its thickness. `level` is the ground height below the ice. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

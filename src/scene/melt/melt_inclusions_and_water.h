@@ -13,16 +13,16 @@ struct melt_air_and_water_ice {
     float half;                  /* half the ice's initial width, metres */
     float rise;                  /* vertical displacement of the ice, metres */
     float spread;                /* radius of the area that the meltwater covers, metres */
-    /* distance fields after and before melting, computed on demand; else zeroed */
+    /* distance fields after and before melting, zeroed until they are computed on demand */
     struct distance_field depth, depth_before;
 };
 
-/* Moves air inside the ice along with it. Shrinks components of air near the ice's surface, and
+/* Moves air along with the ice around it. Shrinks components of air near the ice's surface, and
  * collapses components outside the ice. Returns false when out of memory. */
 bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);
 
-/* Spreads an object's components that are below the ice. Returns false when out of memory. */
+/* Spreads an object's connected components below the ice. Returns false when out of memory. */
 bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
                                           const struct melt_air_and_water_ice *ice);
 

@@ -85,7 +85,7 @@ struct gltf_material {
     uint32_t uv_set;       /* n of mesh_vertex.uv's TEXCOORD_n, or gltf_none */
     vec3s uv_rows[2];      /* transform of set `uv_set` to mesh_vertex.uv */
     uint32_t other_uv_set; /* n of mesh_extra.uv's TEXCOORD_n, or gltf_none */
-    float ior;             /* index of refraction; 0 if the file has none, or has 0 */
+    float ior;             /* index of refraction; 0 if absent */
 };
 
 /* Features of a file that the importer recognises but the renderer does not draw. */
@@ -160,7 +160,7 @@ struct gltf_object gltf_item(const struct gltf_object *object, const char *key, 
 uint32_t gltf_length(const struct gltf_object *object, const char *key);
 uint32_t gltf_list_length(struct gltf *gltf, const char *list);
 
-/* Return a member's value, or `fallback` if it is absent. */
+/* Returns a member's value, or `fallback` if the member is absent. */
 float gltf_number(const struct gltf_object *object, const char *key, float fallback);
 bool gltf_flag(const struct gltf_object *object, const char *key);
 uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t fallback);
@@ -185,7 +185,7 @@ void gltf_close(struct gltf *gltf);
 enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
                           struct gltf_bytes *bytes);
 
-/* Returns a buffer view's bytes; none after a fault. *stride is 0 if the file gives no stride. */
+/* Returns a buffer view's bytes, or an empty range after a fault. A missing stride becomes 0. */
 struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
 
 /* Returns the bytes given by an object's members buffer, byteOffset and byteLength. */
@@ -231,7 +231,7 @@ void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 
 /* Returns true if morph targets or a skin deform a primitive of a node's mesh. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
-/* Computes the positions and normals of a deformed primitive in *posed, and zeroes the rest. They
+/* Computes the deformed positions and normals in *posed, and zeroes its other members. The results
  * are in model space if the mesh is skinned. The caller frees *posed, also after a fault. */
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,
@@ -250,7 +250,7 @@ MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
 MUST_USE enum status gltf_cameras_read(struct gltf *gltf, struct model *model);
 /* Reads the punctual lights of the scene into *model. */
 MUST_USE enum status gltf_lights_read(struct gltf *gltf, struct model *model);
-/* Reads the box of the first node with extras.firn.box into *model. */
+/* Reads the environment lookup box of the first node with extras.firn.box into *model. */
 MUST_USE enum status gltf_box_read(struct gltf *gltf, struct model *model);
 
 #endif

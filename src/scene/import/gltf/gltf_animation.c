@@ -16,7 +16,7 @@ enum interpolation {
     CUBIC,
 };
 
-/* Keyframes of an animation channel. Each has `width` components, or 3 * width if cubic. */
+/* Keyframes of an animation channel, of `width` numbers each, or 3 * width for cubic splines. */
 struct keys {
     struct gltf_array times, values;
     enum interpolation interpolation;

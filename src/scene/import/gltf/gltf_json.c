@@ -125,7 +125,7 @@ bool gltf_flag(const struct gltf_object *object, const char *key)
     return json_is_true(value);
 }
 
-/* Reads a non-negative integer, written as 3 or 3.0. Returns false for other values. */
+/* Reads a non-negative integer, such as 3 or 3.0. Returns false for other values. */
 static bool read_count(const json_t *value, uint64_t *count)
 {
     const double max = 9007199254740992; /* 2^53: all integers below are exact */

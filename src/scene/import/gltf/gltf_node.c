@@ -125,7 +125,7 @@ static void list_node(struct gltf *gltf, const struct gltf_object *owner, uint32
     gltf->order[gltf->order_count++] = index;
 }
 
-/* Lists the root nodes of the scene; if the file has no scene, all nodes without a parent. */
+/* Lists the scene's root nodes. If the file has no scene, lists all nodes without a parent. */
 static void list_roots(struct gltf *gltf)
 {
     const struct gltf_object top = gltf_top(gltf);
