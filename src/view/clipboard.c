@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Turns this child process into the clipboard owner, a program that serves paste requests. */
+/* Replaces this child process by wl-copy or xclip, which reads the image from descriptor `png`. */
 __attribute__((noreturn)) static void become_owner(int png, int nothing)
 {
     const bool ready = dup2(png, STDIN_FILENO) >= 0 && dup2(nothing, STDOUT_FILENO) >= 0 &&

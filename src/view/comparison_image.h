@@ -16,7 +16,7 @@ struct comparison_image {
     uint32_t curve;
 };
 
-/* Updates an outdated `image` from `linear` with the tone mapping of tonemap_encode(). */
+/* If `image` is outdated, tone-maps `linear` with tonemap_encode() and uploads the result. */
 MUST_USE enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu, float gain,
                                            uint32_t curve);
 

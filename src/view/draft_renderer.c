@@ -6,7 +6,7 @@
 #include "src/settings/quality.h"
 #include "src/settings/scene_settings.h"
 
-/* Maximum values of settings in drafts, each with the lowest draft level that applies it. */
+/* Upper limits of settings in drafts. `level` is the lowest draft level that has the limit. */
 static const struct {
     const char *setting;
     double value;
@@ -28,7 +28,7 @@ static const struct {
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
 static const double budget_seconds = 0.016; /* at half size, for 30 fps */
 
-/* Returns true if the setting of `row` has the value of one of the quality levels. */
+/* Returns true if some quality level gives the setting of `row` its current value. */
 static bool is_of_level(const struct settings *settings, const struct quality_row *row)
 {
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
@@ -88,7 +88,7 @@ static enum status fit_all(struct draft_renderer *q, const struct draft_renderer
     return status;
 }
 
-/* Recomputes the draft settings. Returns true if the plans must be recompiled for them. */
+/* Recomputes the draft settings. Returns true if they require recompiled render-graph plans. */
 static bool take_settings(struct draft_renderer *q, const struct draft_renderer_params *p)
 {
     const struct settings left = q->settings;
@@ -99,7 +99,7 @@ static bool take_settings(struct draft_renderer *q, const struct draft_renderer_
            (p->is_split && settings_changed(&right, &q->right_settings) >= SETTING_AFFECTS_PLAN);
 }
 
-/* Disables draft renderers after running out of memory; interaction uses the full renderers. */
+/* Disables draft renderers. Hides STATUS_TRY_AGAIN (out of memory), since drafts are optional. */
 static enum status give_up(struct draft_renderer *q, enum status status)
 {
     draft_renderer_finish(q);
@@ -132,7 +132,7 @@ static enum status make(struct draft_renderer *q, const struct draft_renderer_pa
     enum status status = fit_all(q, p);
     if (status == STATUS_OK)
         status = draw_timed(q, shot, min_extent);
-    if (status == STATUS_OK) /* the first frame is slower, so the time of a second is used */
+    if (status == STATUS_OK) /* draw twice, because the first frame is slower */
         status = draw_timed(q, shot, half);
     if (status == STATUS_OK)
         status = draw_timed(q, shot, half);

@@ -15,14 +15,14 @@
 
 #include "src/render/renderer.h"
 
-/* Parameters of the full renderers. Those of the draft renderers are derived from them. */
+/* Parameters of the full-quality renderers. Draft renderers use simplified copies of them. */
 struct draft_renderer_params {
     struct renderer_params left, right;
     bool is_split;    /* there is a right side (B) */
     uint64_t version; /* version of the viewport's renderers */
 };
 
-/* Simplifications of a draft. Each level adds to those of the levels before it. */
+/* Simplifications of a draft. Each level includes the simplifications of all levels before it. */
 enum draft_renderer_level {
     DRAFT_RENDERER_FULL,          /* nothing that is easily noticed */
     DRAFT_RENDERER_COARSE_MESH,   /* uses coarser meshes */
@@ -41,8 +41,8 @@ struct draft_renderer {
     bool failed;    /* there was not enough memory */
 };
 
-/* Returns the settings of a draft. First, settings that have the value of some quality level get
- * the value of quality `draft`. Then the upper limits of `level` are applied to all settings. */
+/* Returns simplified settings for drafts. Settings with the value of some quality level get the
+ * value of quality level `draft`. Then the upper limits of draft level `level` are applied. */
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level);
 

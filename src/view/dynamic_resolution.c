@@ -3,9 +3,9 @@
 #include <math.h>
 
 static const double target = 0.028;   /* target frame time, seconds */
-static const double early = 0.024;    /* size grows if the predicted time is below this, seconds */
-static const double late = 0.033;     /* frame time in seconds; two slower frames shrink the size */
-static const double very_late = 0.05; /* frame time in seconds; one slower frame shrinks the size */
+static const double early = 0.024;    /* frames predicted below `early` seconds let the size grow */
+static const double late = 0.033;     /* 2 successive frames over `late` seconds shrink the size */
+static const double very_late = 0.05; /* one frame over `very_late` seconds shrinks the size */
 static const double first_rest = 0.006;
 static const double smoothing = 0.1; /* weight of the newest frame */
 

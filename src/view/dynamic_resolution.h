@@ -23,13 +23,13 @@ struct dynamic_resolution {
     double passes, rest; /* smoothed V and F in seconds */
 };
 
-/* Restarts the controller. `passes` is the GPU time at full size in seconds, 0 if unknown. */
+/* Resets the size. `passes` is the GPU time of a full-size frame in seconds, or 0 if unknown. */
 void dynamic_resolution_begin(struct dynamic_resolution *m, double passes);
 
-/* Adds the times, in seconds, of a frame drawn at the current size: whole frame and GPU passes. */
+/* Adapts the size to the duration of a frame and the GPU time of its passes, both in seconds. */
 void dynamic_resolution_add(struct dynamic_resolution *m, double frame, double passes);
 
-/* Returns length * k / 16, rounded down to even. Returns `length` if that is 0 or if k is 16. */
+/* Returns length * k / 16 rounded down to even; `length` if k is 16 or the result would be 0. */
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k);
 
 #endif

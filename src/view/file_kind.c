@@ -22,7 +22,7 @@ static bool has_cross_shape(const struct image *image)
     return 3 * width == 4 * height || 4 * width == 3 * height;
 }
 
-/* Detects a cross-shaped cube map by the black texels around the cross; decodes the whole image. */
+/* Decodes an image to find out whether it is a cube map with black texels around a cross. */
 static enum status detect_cross(const char *path, const struct reader_params *reader,
                                 enum file_kind *kind)
 {

@@ -35,13 +35,13 @@ struct flip_error_map {
 void flip_error_map_finish(struct flip_error_map *map); /* waits for the thread; {0} works */
 
 /* Starts to compute the error of the first image relative to the second. Copies the images, which
- * must have the same size. `gain` and `curve` are as for tonemap_apply(). Must not be called while
- * a computation is running. Returns false if out of memory. */
+ * must have the same size. `gain` and `curve` are parameters of tonemap_apply(). Must not be called
+ * while a computation is running. Returns false if out of memory. */
 bool flip_error_map_begin(struct flip_error_map *map,
                           const struct flip_error_map_image sides[static 2], float gain,
                           uint32_t curve);
 
-/* Returns true in the first call after a run has finished. Unless `failed`, results are valid. */
+/* Returns true once after each computation. The results are valid unless map->failed is set. */
 bool flip_error_map_take(struct flip_error_map *map);
 
 #endif

@@ -398,7 +398,7 @@ const char *key_bindings_button(enum view_action action)
     return actions[action].button ? actions[action].button : actions[action].label;
 }
 
-/* Finds entry i of the shortcut list. *help is the full help text if `all`, otherwise the label. */
+/* Finds entry i of the shortcut list. *help is the label or, if `all`, the full help text. */
 static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;

@@ -66,7 +66,7 @@ enum view_action {
     VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
-    VIEW_DRAG = VIEW_ACTION_COUNT, /* VIEW_DRAG and all later inputs cannot be executed */
+    VIEW_DRAG = VIEW_ACTION_COUNT, /* VIEW_DRAG and later values cannot be run as commands */
     VIEW_PAN,
     VIEW_ROTATE_LIGHT,
     VIEW_MOVE_SUN,
@@ -96,7 +96,7 @@ const char *key_bindings_button(enum view_action action); /* one word if possibl
 /* Finds shortcut i of the F1 list and its description. Returns false after the last shortcut. */
 bool key_bindings_row(uint32_t i, const char **name, const char **help);
 
-/* Prints one line for each shortcut and mouse gesture. The list in docs/view.md is a copy. */
+/* Prints one line for each shortcut and mouse gesture. docs/view.md contains the same list. */
 void key_bindings_print(FILE *out);
 
 #endif

@@ -12,17 +12,17 @@ enum {
 
 struct noise_estimate {
     uint32_t columns, rows; /* number of blocks; 0 if empty */
-    double *blocks;         /* sum and sum of squares per block */
+    double *blocks;         /* sums over samples of each block's mean and squared mean */
     uint32_t count;         /* samples added so far */
 };
 
 void noise_estimate_finish(struct noise_estimate *noise); /* {0} is fine */
 
-/* Updates the estimate after a sample. `sample` counts from 0, and 0 restarts the estimate. `sums`
- * contains the accumulated planes R, G and B. If out of memory, there is no estimate. */
+/* Adds sample `sample` to the estimate; sample 0 restarts the estimate. `sums` contains the planes
+ * R, G and B accumulated so far. If out of memory, noise_estimate_now() is negative. */
 void noise_estimate_add(struct noise_estimate *noise, const struct image *sums, uint32_t sample);
 
-/* Returns the standard error in the image's units. It is negative with fewer than two samples. */
+/* Returns the standard error in the image's units. Returns -1 with fewer than two samples. */
 double noise_estimate_now(const struct noise_estimate *noise);
 
 #endif

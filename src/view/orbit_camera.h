@@ -19,8 +19,8 @@ void orbit_camera_toggle_projection(struct camera *camera, float depth);
 /* Pans camera and target by fractions of the image height, measured at the target's distance. */
 void orbit_camera_pan(struct camera *camera, float right, float up);
 
-/* Moves towards the target (steps > 0) or away, by a tenth of the distance per step. The distance
- * stays in `nearest` to `farthest`, metres. An orthographic camera changes its height instead. */
+/* Moves the camera towards the target (steps > 0) or away, by a tenth of the distance per step. The
+ * distance stays in [nearest, farthest], metres. An orthographic view is scaled instead. */
 void orbit_camera_zoom(struct camera *camera, float steps, float nearest, float farthest);
 
 #endif

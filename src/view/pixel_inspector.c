@@ -15,8 +15,8 @@ static const char *const always[] = { "Z", "N", "P", "object", NULL };
 static const float darkest_stops = -12.0f; /* histogram range, stops */
 static const float brightest_stops = 8.0f;
 
-/* Retires the current image but does not free it before the next change. The next image thus has a
- * different handle, which tells the window's plan that the image has changed. */
+/* Moves the current image to `previous`, which is freed at the next call. The next image thus has a
+ * different handle, by which the presenter recognises a new image. */
 static void forget(struct pixel_inspector *inspector, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &inspector->previous);
@@ -130,7 +130,7 @@ static void find_range(struct pixel_inspector *inspector, const struct planes *p
         inspector->min = inspector->max = 0.0f;
 }
 
-/* Fills the histogram. The axis is in stops for the image, a value range for layers. */
+/* Fills the histogram. The axis is in stops for the rendered image and linear for other layers. */
 static void count_bins(struct pixel_inspector *inspector, const struct planes *planes)
 {
     const bool is_log = !inspector->choice.layer;

@@ -42,7 +42,7 @@ const struct frame_layer *pixel_inspector_layer(uint32_t i);
 /* Returns true if the choice shows something other than the unmodified rendered image. */
 bool pixel_inspector_replaces_image(const struct pixel_inspector_choice *choice);
 
-/* Renders the layers that the choice and pixel_inspector_values() need. */
+/* Renders the chosen layer and the layers that pixel_inspector_values() reads. */
 MUST_USE enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewport *p,
                                           const struct renderer_shot *shot);
 

@@ -127,7 +127,7 @@ static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, area, columns(area, 0, area->line));
 }
 
-/* Fills the margins beside an image whose aspect ratio differs from that of its area. */
+/* Fills the margins around an image that does not fill its area of the window. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_area *p = &frame->window->present;
@@ -146,8 +146,8 @@ static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
         fill(cmd, frame, parts[i], p->surround);
 }
 
-/* Draws the margins and, if scaled, the left image. They share a pass because on llvmpipe every
- * pass over a window-sized image costs time, even if nothing is drawn. */
+/* Draws the margins, and the left image if it is scaled. One pass draws both, because on llvmpipe
+ * every pass over a window-sized image costs time, even if nothing is drawn. */
 static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     surround(cmd, frame);

@@ -41,16 +41,16 @@ struct presenter {
     double wait_seconds;  /* seconds the host waited to acquire and present this frame's image */
 };
 
-/* Initialises a presenter, which must not move. Borrows `surface` and `canvas` (may be NULL). */
+/* Initialises a presenter, which must not be moved. Borrows `surface`, and `canvas` unless NULL. */
 MUST_USE enum status presenter_init(struct presenter *s, struct gpu *gpu, VkSurfaceKHR surface,
                                     VkPresentModeKHR mode, const struct gpu_shared_window *canvas);
 void presenter_finish(struct presenter *s); /* {0} and half-built are fine */
 
-/* Recreates a swapchain that is stale or has another size. *remade is then true, and the presenter
- * is disconnected. If swapchain.stale is still true afterwards, nothing can be presented. */
+/* Recreates the swapchain if it is stale or `size` has changed. *remade is then true, and
+ * presenter_connect() must follow. If swapchain.stale is still true, nothing can be presented. */
 MUST_USE enum status presenter_fit(struct presenter *s, VkExtent2D size, bool *remade);
 
-/* Sets the user interface's font atlas (may be NULL). Disconnects the presenter. */
+/* Sets the user interface's font atlas (may be NULL). presenter_connect() must follow. */
 void presenter_set_font(struct presenter *s, const struct gpu_image *font);
 
 /* Sets the images to present, which must be ready for sampling. Without a split view, `right` must
@@ -63,8 +63,8 @@ void presenter_disconnect(struct presenter *s);
 /* Acquires a swapchain image. If *ready is false, call presenter_fit() and try again. */
 MUST_USE enum status presenter_begin(struct presenter *s, bool *ready);
 
-/* Draws and presents a frame. `frame->overlay` refers to the presenter's buffers overlay_vertices
- * and overlay_indices. Members of window_frame after `overlay` need not be set. */
+/* Draws and presents a frame. The draw list frame->overlay indexes the buffers overlay_vertices and
+ * overlay_indices. Members of `frame` that are declared after `overlay` need not be set. */
 MUST_USE enum status presenter_end(struct presenter *s, const struct window_frame *frame);
 
 /* Waits until no frame reads the source images. */

@@ -1,4 +1,4 @@
-/* rebuild_log.c: ring buffer of messages about slow changes. */
+/* rebuild_log.c: ring buffer of messages about rebuilds. */
 #include "src/view/rebuild_log.h"
 #include <stddef.h>
 #include <stdio.h>

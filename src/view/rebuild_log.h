@@ -1,4 +1,4 @@
-/* rebuild_log.h: log of recent changes that took longer than a frame, and why they did. */
+/* rebuild_log.h: log of recent changes that rebuilt the scene or a render-graph plan. */
 #ifndef FIRN_VIEW_REBUILD_LOG_H
 #define FIRN_VIEW_REBUILD_LOG_H
 
@@ -16,7 +16,7 @@ struct rebuild_log {
 
 void rebuild_log_add(struct rebuild_log *log, const char *message);
 
-/* Returns the message `ago` messages before the newest; NULL if there is none. */
+/* Returns the newest message if `ago` is 0, older ones if it is larger; NULL if there is none. */
 const char *rebuild_log_at(const struct rebuild_log *log, uint32_t ago);
 
 #endif

@@ -33,7 +33,7 @@ static char *take_line(FILE *file)
     return line;
 }
 
-/* Prints `first`, then all lines of the file `before` that differ from `first`. */
+/* Prints at most RECENT_FILES_COUNT lines: `first`, then lines of `before` that differ from it. */
 static void print(FILE *out, const char *first, FILE *before)
 {
     char *line;

@@ -90,7 +90,7 @@ static void *run(void *user)
     return NULL;
 }
 
-/* Returns the number of threads to use: one core is left for the window's thread. */
+/* Returns the number of threads for path tracing. One core is left to the window's thread. */
 static uint32_t thread_count(void)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);

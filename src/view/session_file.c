@@ -163,8 +163,8 @@ static bool parse_transform(struct session_file *s, const char *name, const char
     return true;
 }
 
-/* Parses an entry that is not a setting. Returns false if `name` is unknown. *expected describes
- * the valid values if `value` is invalid, otherwise it is NULL. */
+/* Parses an entry that is not a setting. Returns false if `name` is unknown. If `value` is invalid,
+ * sets *expected to a description of valid values, otherwise to NULL. */
 static bool parse_own(struct session_file *s, const char *name, char *value, const char **expected)
 {
     *expected = NULL;
@@ -208,7 +208,7 @@ static enum status parse_line(struct session_file *s, struct preset_line *line, 
     return settings_assign(&s->state.settings, line->assignment, &source, &row);
 }
 
-/* Checks entries that depend on each other. */
+/* Checks that the session names a scene and the refraction models that it needs. */
 static enum status check(const struct session_file *s, const char *path)
 {
     const enum view_side_b other = s->state.side_b;

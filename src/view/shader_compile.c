@@ -103,7 +103,7 @@ static bool read_code(struct shader_compile_code *code, FILE *file)
     return false;
 }
 
-/* Compiles a shader. `spirv` and `out` are temporary files without a name, so no files remain. */
+/* Compiles a shader. The compiler writes to the unnamed temporary files `spirv` and `out`. */
 static bool compile_to(struct shader_compile_code *code, const char *folder,
                        const struct embedded_origin *origin,
                        char message[static SHADER_COMPILE_MESSAGE_SIZE], FILE *spirv, FILE *out)

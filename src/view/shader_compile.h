@@ -27,7 +27,7 @@ bool shader_compile(struct shader_compile_code *code, const char *folder,
                     const struct embedded_origin *origin,
                     char message[static SHADER_COMPILE_MESSAGE_SIZE]);
 
-/* Returns a descriptor binding that `code` uses but `allowed` lacks; -1 if there is none. */
+/* Returns a descriptor binding of `code` that is not in `allowed`; -1 if there is none. */
 int shader_compile_new_binding(const struct shader_compile_code *code, const uint32_t *allowed,
                                size_t allowed_count);
 

@@ -89,7 +89,7 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
 }
 
 /* Polls all files. Returns true if files have changed since the last compilation but not since the
- * previous poll: an editor may still be writing a file that has just changed. */
+ * previous poll. An editor may still be writing a file that has just changed. */
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;
@@ -206,7 +206,7 @@ static void *run(void *data)
     return NULL;
 }
 
-/* Finds the source files, which shaders may share. Returns true if at least one exists. */
+/* Finds the source file of each shader. Returns true if at least one of the files exists. */
 static bool find_files(struct shader_reload *w)
 {
     bool found = false;

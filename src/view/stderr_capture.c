@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns true if a line is an error; warnings and notes are not shown in the window. */
+/* Returns true if the line is an error message, not a warning or note. */
 static bool is_error(const char *text, size_t size)
 {
     static const char *const prefixes[] = { "firn: warning: ", "firn: note: " };

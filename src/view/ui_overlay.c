@@ -122,7 +122,7 @@ static bool are_old(const struct rg_frame *frame, uint32_t repetition)
     return are_kept(frame, repetition) && frame->window->panels_are_outdated;
 }
 
-/* Returns the first command to be drawn; earlier commands are in the cached panel image. */
+/* Returns the index of the first draw command that the cached panel image does not contain. */
 static uint32_t first_command(const struct rg_frame *frame)
 {
     return are_kept(frame, 0) ? frame->window->overlay->docked_count : 0;

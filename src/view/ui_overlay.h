@@ -13,7 +13,7 @@ enum {
     OVERLAY_PASS_COUNT,
 };
 
-/* Render-graph tables for one window format. Must not be moved: contains pointers to itself. */
+/* Tables for one window format. The struct contains pointers to itself and must not be moved. */
 struct overlay_tables {
     struct rg_image panels;
     struct rg_use copy_uses[3];

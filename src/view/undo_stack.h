@@ -46,13 +46,13 @@ struct undo_stack {
 
 bool undo_stack_same_state(const struct view_state *a, const struct view_state *b);
 
-/* Pushes a state and drops all states that could be redone. If `gesture` is not 0 and is that of
- * the newest state, replaces that state: undo then reverts a whole slider drag in one step. */
+/* Pushes a state and drops all states that could be redone. A state with the same nonzero `gesture`
+ * replaces the newest state, so that undo reverts a whole slider drag in one step. */
 void undo_stack_push(struct undo_stack *h, const struct view_state *state, uint32_t gesture);
 
-/* Makes the previous or next state current and returns it; NULL if there is none. */
+/* Makes the previous state current and returns it; NULL if there is none. */
 const struct view_state *undo_stack_undo(struct undo_stack *h);
-const struct view_state *undo_stack_redo(struct undo_stack *h);
+const struct view_state *undo_stack_redo(struct undo_stack *h); /* next state instead */
 
 /* Describes the difference of two states for the status bar, such as "cracks.count 2 -> 5". */
 void undo_stack_describe(const struct view_state *before, const struct view_state *after,

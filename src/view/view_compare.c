@@ -27,7 +27,7 @@ static struct comparison_image *side_b_image(struct view *v)
                                                         : NULL;
 }
 
-/* Returns true if samples of the current renderers are displayed, false if there are none yet. */
+/* Returns true if the displayed image consists of samples from the current renderers. */
 static bool is_at_rest(const struct view *v)
 {
     return v->progressive.shown_count &&
@@ -36,8 +36,8 @@ static bool is_at_rest(const struct view *v)
 
 /* ---- choice of side B ---- */
 
-/* Returns the default refraction model of side B. This is the model of --split, if given. Otherwise
- * it is the last (most exact) model; if side A uses that, the first one. */
+/* Returns the default refraction model of side B. The option --split can specify it. Otherwise it
+ * is the last (most exact) model, or the first one if side A already uses the last. */
 static const struct technique *side_b_refraction(const struct view *v)
 {
     const struct technique *last = NULL, *next;
@@ -105,7 +105,7 @@ void view_compare_store(struct view *v)
     ui_show_message(v->ui, "stored as B: change something, then compare with W");
 }
 
-/* Selects a side B if there is none. Returns false if that fails. */
+/* Selects an image for side B if none is selected. Returns false on failure. */
 static bool has_side_b(struct view *v)
 {
     if (v->compare.side_b == VIEW_SIDE_B_NONE)
@@ -275,7 +275,7 @@ static bool is_compared(const struct view *v)
            !(gain < c->flip_map_gain || gain > c->flip_map_gain);
 }
 
-/* Returns true if the error map is outdated and the sample count is the last or a power of 2. */
+/* Returns true if the error map is outdated and 2^n or all samples are displayed. */
 static bool is_due(const struct view *v)
 {
     const uint32_t shown = v->progressive.shown_count;

@@ -106,8 +106,8 @@ static enum status return_to_scene(void *user)
     return viewport_apply_state(&v->viewport, &state);
 }
 
-/* Reopens the scene of a state if another scene is open. Restores the camera if the state has
- * another model; another environment does not affect the camera. */
+/* Reopens the scene of a state unless that scene is open already. Restores the scene's camera
+ * unless only the environment differs. */
 static enum status return_to(struct view *v, const struct view_state *state)
 {
     struct change change = { v, state };
@@ -155,7 +155,7 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     return status == STATUS_OK;
 }
 
-/* Writes to `words` why a change took longer than a frame. Writes "" if it was faster. */
+/* Writes to `words` what a change has rebuilt, and the time. Writes "" if nothing was rebuilt. */
 static void print_cost(const struct view_state *before, const struct view_state *after,
                        double seconds, char *words, size_t size)
 {
@@ -272,7 +272,7 @@ void view_load_preset(struct view *v, const char *path)
     ui_show_message(v->ui, words);
 }
 
-/* Prints the settings that have default values where the scene would set other values. */
+/* Prints settings that have their default value, if the scene would set another value. */
 static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
 {
     const struct settings scene_settings = view_scene_settings(v);

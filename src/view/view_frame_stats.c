@@ -39,7 +39,7 @@ void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *tim
         passes += passes_of(&times[i]);
         slots += (double)times[i].begin * 1e-9;
     }
-    /* GPU times belong to an earlier frame, so the first frames are not counted */
+    /* the first frames are not counted, because GPU times arrive some frames later */
     const bool counts = c->last_end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
     c->last = (struct ui_frame_pacing){
         .frame = counts ? whole : 0.0,

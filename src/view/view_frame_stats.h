@@ -50,14 +50,14 @@ void view_frame_stats_limit(struct view_frame_stats *c, double start);
 /* Excludes the time until the next frame, since nothing was drawn for a while. */
 void view_frame_stats_pause(struct view_frame_stats *c);
 
-/* Ends a frame. Records the newest GPU times of each plan, and the presentation time in seconds. */
+/* Ends a frame. `times` are the newest GPU times, one per plan; `presentation` is in seconds. */
 void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *times,
                           uint32_t time_count, double presentation);
 
-/* Starts latency measurements at the last mouse movement and release, seconds; 0 if none. */
+/* Starts latency measurements at the time of a mouse movement or release, seconds; 0 means none. */
 void view_frame_stats_input(struct view_frame_stats *c, double moved, double released);
 
-/* Records that the ended frame shows a new image: interactive if `is_moving`, else in full size. */
+/* Records that the last frame showed a new image. `is_moving` is true for interactive images. */
 void view_frame_stats_image(struct view_frame_stats *c, bool is_moving);
 
 /* Prints the number of frames and mean times, and interaction times if there were any. */

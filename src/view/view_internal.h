@@ -21,7 +21,7 @@ enum {
     VIEW_BOOKMARK_COUNT = 4,
 };
 
-#define VIEW_HOLD 0x80000000u /* marks gesture ids that do not come from imgui_gesture() */
+#define VIEW_HOLD 0x80000000u /* bit of gesture numbers that do not come from imgui_gesture() */
 
 struct view {
     const struct app_options *options;
@@ -44,7 +44,7 @@ struct view {
     struct window_layout layout;
     struct present_area image_area; /* image position in the last frame */
     VkExtent2D requested_size;      /* image size after the next resize */
-    double resize_at; /* when to resize the renderer, clock_seconds(); 0 if not needed */
+    double resize_at; /* clock_seconds() at which the renderer is resized; 0 if not needed */
     struct undo_stack undo_stack;
     struct undo_scene *undo_scenes; /* scenes that undo can return to */
     uint32_t scene, scene_count;    /* current number; number opened */
@@ -117,16 +117,16 @@ bool view_apply_state(struct view *view, const struct view_state *state);
 bool view_edit(struct view *view, const struct view_state *requested, uint32_t gesture);
 void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` */
 
-/* Load settings from a preset file, or save them to a new one. */
+/* Loads settings from a preset file. */
 void view_load_preset(struct view *view, const char *path);
-void view_save_preset(struct view *view);
+void view_save_preset(struct view *view); /* to a new file */
 
 /* Opens a model, environment, preset, session or image. The kind of file is detected. */
 void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
 
-/* Sets side B in `state`. Selects a refraction model if VIEW_SIDE_B_STATE has no stored state. */
+/* Sets side B of `state`. VIEW_SIDE_B_STATE becomes a refraction model if no state is stored. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
 /* Shows side B of a state. On failure, logs an error and changes nothing. */
@@ -141,7 +141,7 @@ void view_compare_store(struct view *view);  /* stores side A as side B */
 void view_compare_flip(struct view *view);   /* toggles between sides A and B */
 void view_compare_toggle_error_map(struct view *view);
 
-/* Makes the next dropped image file become side B. */
+/* Makes side B show the next image file that is dropped onto the window. */
 void view_compare_await(struct view *view);
 bool view_compare_accepts(const struct view *view, const char *path);
 void view_compare_open(struct view *view, const char *path); /* opens side B */
@@ -178,8 +178,8 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
-/* Copies scene, settings and refraction model of a session to a state. The state borrows the
- * strings. After the viewport shows that state, view_resume_session() restores the rest. */
+/* Copies scene, settings and refraction model of a session to `state`, which borrows the strings.
+ * After the viewport shows `state`, view_resume_session() restores camera, time and side B. */
 void view_apply_session(const struct session_file *session, struct app_image *state);
 MUST_USE enum status view_resume_session(struct view *view, const struct session_file *session);
 
@@ -191,7 +191,7 @@ void view_save_session(struct view *view);
 /* Creates draft renderers if they are needed. Call after drawing the first image. */
 MUST_USE enum status view_progressive_begin(struct view *view);
 
-/* Draws a view that has changed, at the reduced size for interaction. */
+/* If the view has changed, draws it at the reduced size for interaction. */
 MUST_USE enum status view_progressive_draw(struct view *view, const struct renderer_shot *shot);
 
 /* If the view is at rest, prepares or draws the next sample. *drew is false if nothing was done. */

@@ -8,8 +8,7 @@
 
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
-static const double soon_seconds =
-    0.15; /* seconds; if a sample takes longer, a draft is shown first */
+static const double soon_seconds = 0.15; /* seconds per sample above which a draft is shown first */
 
 enum {
     FIRST_COUNT = 8, /* up to this sample count, the image is shown only after 2^n samples */
@@ -157,8 +156,8 @@ static enum status draw_full_draft(struct view *v)
     return status;
 }
 
-/* Prepares the next sample: creates draft renderers, replaces renderers if viewport_is_outgrown(),
- * or draws a full-size draft. If nothing was necessary, *drew is false. */
+/* Does one step of work before the next sample, such as creating draft renderers or drawing a
+ * full-size draft. *drew is false if nothing was necessary. */
 static enum status prepare(struct view *v, bool *drew)
 {
     struct view_progressive *r = &v->progressive;

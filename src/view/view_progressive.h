@@ -1,6 +1,6 @@
 /* view_progressive.h: progressive refinement: fast frames during interaction, samples at rest.
- * Samples accumulate until camera, time, settings or renderers change. Changes are detected by
- * value. */
+ * Samples accumulate until camera, time, settings or renderers change. Changes are found by
+ * comparing values. */
 #ifndef FIRN_VIEW_VIEW_PROGRESSIVE_H
 #define FIRN_VIEW_VIEW_PROGRESSIVE_H
 

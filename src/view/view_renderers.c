@@ -126,8 +126,8 @@ struct renderer_params viewport_right_params(struct viewport *p)
     return params;
 }
 
-/* Sets p->side_b_scene to NULL or, if side B's settings require another scene, to a scene loaded in
- * the pose of side A. Does not free the previous scene. */
+/* Loads a scene for side B, in the pose of side A, if the settings of side B require another scene.
+ * Otherwise sets p->side_b_scene to NULL. The caller frees the previous scene. */
 static enum status make_right_scene(struct viewport *p)
 {
     struct app_scene given = p->state.scene;

@@ -68,8 +68,8 @@ MUST_USE enum status viewport_upload(struct viewport *p);
 /* Creates the renderers, or resizes them. On failure, there are no renderers. */
 MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
 
-/* Applies settings and refraction model. *remade is true if the renderer was replaced; old results
- * of renderer_display_image() are then invalid. A reloaded scene keeps the camera. */
+/* Applies settings and refraction model, and keeps the camera. *remade is true if the renderer was
+ * replaced. Images from renderer_display_image() are then invalid. */
 MUST_USE enum status viewport_change(struct viewport **viewport, const struct app_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
@@ -96,10 +96,10 @@ bool viewport_is_split(const struct viewport *p); /* true if side B is shown */
 /* Rotates the environment panorama, degrees. On failure nothing changes. */
 MUST_USE enum status viewport_rotate_panorama(struct viewport *p, float degrees);
 
-/* Returns true if a camera movement has changed the result of renderer_draws_beyond_image(). */
+/* Returns true if the camera has moved in such a way that viewport_rebuild() is required. */
 bool viewport_is_outgrown(struct viewport *p);
 
-/* Updates the renderers after a change of shaders, projection or viewport_is_outgrown(). On
+/* Updates the renderers after a change of shaders or projection, or if viewport_is_outgrown(). On
  * failure, there are no renderers until viewport_resize() creates them. */
 MUST_USE enum status viewport_rebuild(struct viewport *p);
 
@@ -110,9 +110,9 @@ bool viewport_is_posed(const struct viewport *p, float time);
  * be read, nothing changes. The file's camera animation applies until the user moves the camera. */
 MUST_USE enum status viewport_pose(struct viewport *p, float time);
 
-/* Call renderer_draw() or renderer_wait() for the renderers of both sides. */
+/* Draws a frame with the renderers of both sides. */
 MUST_USE enum status viewport_draw(struct viewport *p, const struct renderer_shot *shot);
-MUST_USE enum status viewport_wait(struct viewport *p);
+MUST_USE enum status viewport_wait(struct viewport *p); /* waits for both sides */
 
 /* Draws an interactive frame of at most full size, with draft renderers if there are any. */
 MUST_USE enum status viewport_draw_interactive(struct viewport *p, const struct renderer_shot *shot,
@@ -122,10 +122,10 @@ MUST_USE enum status viewport_draw_interactive(struct viewport *p, const struct 
 bool viewport_wants_draft(const struct viewport *p);
 MUST_USE enum status viewport_create_draft(struct viewport *p, const struct renderer_shot *shot);
 
-/* Call renderer_refine() or renderer_resolve() for the renderers of both sides. */
+/* Adds a sample with the renderers of both sides, as renderer_refine() does. */
 MUST_USE enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot,
                                      uint32_t sample);
-MUST_USE enum status viewport_resolve(struct viewport *p, uint32_t sample_count);
+MUST_USE enum status viewport_resolve(struct viewport *p, uint32_t sample_count); /* both sides */
 
 /* Returns the renderer of the left or right image. Without a split, the right one is NULL. */
 const struct renderer *viewport_renderer(const struct viewport *p, bool right);
@@ -150,7 +150,7 @@ struct signals;
 MUST_USE enum status viewport_save(struct viewport *p, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes an image with `rgba` and one sample to a PNG file with firn's metadata. */
+/* Writes drawn->rgba, an image with one sample per pixel, to a PNG file with firn's metadata. */
 MUST_USE enum status viewport_save_drawn(struct viewport *p, float time, const char *path,
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);
@@ -159,8 +159,8 @@ MUST_USE enum status viewport_save_drawn(struct viewport *p, float time, const c
 MUST_USE enum status viewport_can_save(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 
-/* Return parameters for renderers of side A and side B. */
+/* Returns the parameters for the renderer of side A. */
 struct renderer_params viewport_params(struct viewport *p);
-struct renderer_params viewport_right_params(struct viewport *p);
+struct renderer_params viewport_right_params(struct viewport *p); /* of side B */
 
 #endif

@@ -49,7 +49,7 @@ void view_apply_session(const struct session_file *session, struct app_image *st
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
 }
 
-/* Clears is_set of settings that have the scene's value. Another scene can then set its own. */
+/* Clears is_set of settings with the scene's value, so that another scene can change them. */
 static void unmark_scene_settings(struct view *v)
 {
     const struct app_scene *given = &v->options->image.scene;

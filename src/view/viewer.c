@@ -47,7 +47,7 @@ static bool shows_panels(const struct app_options *o)
            (is_interactive && o->view.overlay == APP_OVERLAY_AUTO);
 }
 
-/* Returns the window size for an image of --size. With panels, the size is limited to `room`. */
+/* Returns the window size for the image size of --size, limited to `room` if panels are shown. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;
@@ -379,7 +379,7 @@ static void remember(const struct view *v)
         recent_files_add(v->initial_state.scene.name);
 }
 
-/* Restores the rest of a session after the first frame, when renderers and panels exist. */
+/* Restores the parts of a session that need renderers and panels, after the first frame. */
 static void begin_session(struct view *v)
 {
     view_clear_errors(v);

@@ -177,7 +177,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->drags_divider) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
-    w->cursor_x = x; /* glfwGetCursorPos() may be newer than this event */
+    w->cursor_x = x; /* glfwGetCursorPos() may already report a later position */
     w->cursor_y = y;
     const double pixels = scale * window_size(w).height;
     if (notify(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
@@ -186,7 +186,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     if (!held)
         return;
     if (hypot(x - w->pressed_x, y - w->pressed_y) >= double_click_reach)
-        w->pressed_at = 0.0; /* a drag is not part of a double click */
+        w->pressed_at = 0.0; /* a dragged press cannot start a double click */
     if (!(w->input.moved_at > 0.0))
         w->input.moved_at = clock_seconds();
     current_drag(w)->x += dx;
@@ -292,7 +292,7 @@ static VkExtent2D choose_size(const struct window_params *params, VkExtent2D roo
     return params->fit(params->user, fmaxf(scale[0], scale[1]), room);
 }
 
-/* Subtracts title bar and borders. Window managers report these before the window is shown. */
+/* Subtracts the sizes of title bar and borders, which are known before the window is shown. */
 static VkExtent2D without_frame(struct window *w, VkExtent2D room)
 {
     int left, top, right, bottom;

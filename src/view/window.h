@@ -107,9 +107,9 @@ void window_title(struct window *window, const char *title);
 
 void window_hide(struct window *window);
 
-/* window_poll() handles pending events; window_wait() waits for events for at most `seconds`. */
+/* Handles pending events without waiting. */
 void window_poll(struct window *window);
-void window_wait(struct window *window, double seconds);
+void window_wait(struct window *window, double seconds); /* waits up to `seconds` for events */
 
 /* Makes window_wait() return; may be called from any thread. */
 void window_wake(void);
@@ -120,7 +120,7 @@ void window_set_listener(struct window *window, window_listen_fn *function, void
 /* Returns the accumulated input and clears it. */
 struct window_input window_take_input(struct window *window);
 
-/* Returns the path of the last dropped file, once; NULL if none. The caller frees the path. */
+/* Takes the path of the last dropped file; NULL if there is none. The caller frees the path. */
 char *window_take_dropped(struct window *window);
 
 /* Returns true once the user has requested to close the window. */

@@ -13,7 +13,7 @@ typedef Window get_window_fn(struct GLFWwindow *window);
 typedef int change_fn(Display *, Window, unsigned long, XSetWindowAttributes *);
 typedef XErrorHandler set_handler_fn(XErrorHandler handler);
 
-/* Converts object pointers to function pointers. ISO C does not allow a cast for that. */
+/* Conversion of object pointers to function pointers. ISO C does not allow a cast for that. */
 union symbol {
     void *address;
     get_display_fn *get_display;
@@ -55,7 +55,7 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
         dlclose(x11);
 }
 
-/* X error handler; it must not call Xlib. */
+/* Handles X errors. An X error handler must not call Xlib. */
 static int handle_error(Display *display, XErrorEvent *event)
 {
     (void)display;

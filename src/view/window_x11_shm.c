@@ -41,7 +41,7 @@ static void *map(void *user, uint32_t index, size_t size)
         free(error);
     }
     if (number >= 0)
-        shmctl(number, IPC_RMID, NULL); /* delete the segment after the last detach */
+        shmctl(number, IPC_RMID, NULL); /* mark the segment for deletion after the last detach */
     if (memory != (void *)-1 && !is_attached)
         shmdt(memory);
     s->memory = is_attached ? memory : NULL;
@@ -114,7 +114,7 @@ static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visua
     return NULL;
 }
 
-/* Returns true if pixels of a visual are BGRX bytes, the format of gpu_host_memory_images.h. */
+/* Returns true if the bytes of a pixel are in the order blue, green, red, unused. */
 static bool is_blue_first(const xcb_setup_t *setup, xcb_visualid_t visual_id)
 {
     const xcb_visualtype_t *visual = NULL;

@@ -44,7 +44,7 @@ static bool make_folder(char *path)
     return mkdir(path, 0700) == 0 || errno == EEXIST;
 }
 
-/* Returns firn's folder `name` in the folder given by the XDG variable, or else below HOME. */
+/* Returns $variable/name, or $HOME/below_home/name if unset. With `make`, creates the folder. */
 static char *firn_folder(const char *variable, const char *below_home, const char *name, bool make)
 {
     const char *given = getenv(variable);
@@ -96,7 +96,7 @@ static bool has_ending(const char *name, const char *const *endings)
     return false;
 }
 
-/* Lists a folder in alphabetical order; the caller frees the entries. */
+/* Lists the entries of a folder in alphabetical order. The caller frees `entries`. */
 static int list(const char *folder, struct dirent ***entries)
 {
     const int count = scandir(folder, entries, NULL, alphasort);

@@ -89,8 +89,8 @@ static void set_theme(float scale, const theme &theme)
     style.WindowMinSize = ImVec2(1.0f, 1.0f); /* Dear ImGui rejects less */
 }
 
-/* Runs one empty frame, then clears the focus. Dear ImGui gives the first focus to the fallback
- * window of that frame; otherwise the first panel would get it. */
+/* Keeps Dear ImGui from giving the first panel the initial focus. An empty frame gives that focus
+ * to the fallback window. Then the focus is cleared. */
 static void lose_first_focus()
 {
     ImGui::GetIO().DisplaySize = ImVec2(1.0f, 1.0f);

@@ -171,8 +171,7 @@ bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, 
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 
-/* Widgets that edit a value. They return true if the user has changed the value. `format` is a
- * printf format for one float or unsigned. */
+/* Draws a checkbox. Like the widgets below, returns true if the user has changed the value. */
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
@@ -180,7 +179,7 @@ bool imgui_is_enter_pressed(void); /* Enter finished the last text field */
 
 struct imgui_slider_range {
     float min, max;
-    const char *format;
+    const char *format; /* printf format; float or unsigned */
     bool logarithmic;
 };
 
@@ -205,7 +204,7 @@ struct imgui_item {
 /* Returns the visible items of the last frame. */
 const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
 
-/* Returns the gesture number: constant during a drag, increased when an item becomes active. */
+/* Returns the gesture number. All changes during one drag of a widget have the same number. */
 uint32_t imgui_gesture(const struct imgui *ui);
 
 /* ---- drawing ---- */

@@ -70,7 +70,7 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Records the last item. Its name is the label; for short labels, the text after "##". */
+/* Records the last item. A label prefix of at most 2 characters and "##" is left out. */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -94,7 +94,7 @@ void imgui_focus_panel(const char *title)
     ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
     if (!window)
         return;
-    ImGui::NavInitWindow(window, true); /* selects an item, so that arrow keys can move the focus */
+    ImGui::NavInitWindow(window, true); /* select an item, so that arrow keys can navigate */
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
@@ -145,8 +145,8 @@ void imgui_next_width(float width)
     ImGui::SetNextItemWidth(width);
 }
 
-/* Gives the next text field the focus. The focus is set after the field is drawn, by focus(): in
- * Dear ImGui 1.90, SetKeyboardFocusHere() fails if another panel has the focus. */
+/* Gives the next text field the focus. In Dear ImGui 1.90, SetKeyboardFocusHere() fails if another
+ * panel has the focus, so focus() sets the focus after the field is drawn. */
 void imgui_next_focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900

@@ -28,7 +28,7 @@ void ui_dump(struct ui *ui, const char *path)
     ui->dump_path = path;
 }
 
-/* Writes a new file and renames it, so that readers never see an incomplete list. */
+/* Writes a new dump file, then renames it, so that scripts never read an incomplete one. */
 static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
 {
     char path[SYSTEM_FONT_PATH_SIZE];
@@ -252,7 +252,7 @@ static bool has_keys(const struct ui *ui)
     return imgui_wants_keyboard(ui->imgui) && !ui->releases_keys;
 }
 
-/* Handles the palette's navigation keys. Returns true if the event was one. */
+/* Handles a navigation key of the open command palette. Returns false for other keys. */
 static bool handle_palette_key(struct ui *ui, const struct window_event *event)
 {
     const int key = event->code;

@@ -34,17 +34,17 @@ bool ui_is_shown(const struct ui *ui);
 bool ui_is_busy(const struct ui *ui);
 
 bool ui_drags_image(const struct ui *ui); /* the user drags the image */
-/* Returns true if the panels need not be updated in this frame, because an image is being dragged
- * and the last update was recent. During a drag, only the displayed frame times change. */
+/* Returns true if this frame can reuse the drawn panels, because the user drags the image and the
+ * panels were updated recently. A drag changes only the frame times that the panels show. */
 bool ui_can_skip_frame(const struct ui *ui, double now);
 
-/* Changes the scale and replaces ui_font(). No frame may still use the old font. */
+/* Changes the scale and rebuilds the font atlas. No frame in flight may use the old font atlas. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets a text file that describes the panels to scripts. A line has left, top, width and height in
- * pixels and the label of an item. Lines that begin with four zeros count actions instead. */
+/* Sets the path of a text file that lists the visible items for scripts. A line contains left, top,
+ * width and height in pixels, and the label. "0 0 0 0" begins the execution count of an action. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -115,8 +115,8 @@ void ui_set_error(struct ui *ui, const char *message);
 /* Runs the panels for one frame; call it before drawing that frame. */
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
-/* Fills the buffers of OVERLAY_*_COUNT elements. Returns the draw list, which the ui owns. It is
- * empty while the panels are hidden. */
+/* Copies vertices and indices to buffers of OVERLAY_*_COUNT elements. Returns the draw list, which
+ * the ui owns. The draw list is empty while the panels are hidden. */
 const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_vertex *vertices,
                                                   uint32_t *indices);
 

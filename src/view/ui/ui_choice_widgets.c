@@ -4,7 +4,7 @@
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    BUTTON_MAX = 8, /* maximum number of values shown as buttons, not as a list */
+    BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
 };
 
 static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */

@@ -87,7 +87,7 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     p->count += e->distance != UI_FUZZY_MATCH_NONE;
 }
 
-/* Compares the match distances of two entries; if equal, their original positions. */
+/* Orders palette entries by match distance. Entries of equal distance keep their order. */
 static int compare(const void *a, const void *b)
 {
     const struct entry *x = *(const struct entry *const *)a;

@@ -2,8 +2,8 @@
 #include "src/view/ui/ui_frame_pacing.h"
 
 static const double smoothing = 0.1; /* weight of the newest frame */
-static const double busy = 0.8;      /* GPU-bound if GPU time / frame time exceeds this */
-static const double waits = 0.3;     /* a wait is the limit if wait / frame time exceeds this */
+static const double busy = 0.8;      /* fraction of frame time above which the GPU is the limit */
+static const double waits = 0.3;     /* fraction of frame time above which a wait is the limit */
 
 static void mix(double *mean, double value, double by)
 {
@@ -21,7 +21,7 @@ void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pac
     mix(&pace->limit, sample->limit, by);
 }
 
-/* Checks the device first, because waiting for the screen includes waiting for the device. */
+/* Checks the device first, because a slow device also prolongs the wait for the screen. */
 const char *ui_frame_pacing_limit(const struct ui_frame_pacing *pace)
 {
     if (pace->device > busy * pace->frame)

@@ -7,7 +7,7 @@
 enum {
     WITHIN = 2,              /* match distance inside another word */
     GAPS_MAX = 2,            /* maximum skipped letters per typed one */
-    GAPS_PART = 2,           /* a wrong letter allows 1 skipped letter per this many typed */
+    GAPS_PART = 2,           /* with a wrong letter, length / GAPS_PART letters may be skipped */
     ABBREVIATION = 3,        /* minimum length of a fuzzy word */
     MISSPELT_LENGTH_MIN = 4, /* minimum length for a wrong letter */
     MISSPELT = 8,            /* distance added for a wrong letter */
@@ -62,7 +62,7 @@ static uint32_t whole(const char *text, const char *word, size_t length)
     return distance;
 }
 
-/* Counts the skipped letters of `text` between matched letters of `word`. Ignores word[wrong]. */
+/* Counts the skipped letters between matches of `word` in `text`. word[wrong] need not match. */
 static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t count = 0;
@@ -82,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Returns the match distance if `text` contains the letters of `word` in order and the first one
- * begins a word. Returns UI_FUZZY_MATCH_NONE otherwise, or if too many letters are skipped. */
+/* Returns the match distance of a text that contains the letters of `word` in order, from the start
+ * of a word. Returns UI_FUZZY_MATCH_NONE for other texts and if too many letters are skipped. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;

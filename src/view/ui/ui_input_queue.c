@@ -4,11 +4,11 @@
 #include <GLFW/glfw3.h>
 #include <string.h>
 
-/* Maps GLFW keys to Dear ImGui keys. Of the numeric keypad, only Enter is mapped. */
+/* Mapping of GLFW keys to Dear ImGui keys. Of the numeric keypad, only Enter is mapped. */
 static const struct {
     int key;
     enum imgui_key means;
-    bool with_control; /* used only with Ctrl, because the key alone types a character */
+    bool with_control; /* the mapping applies only with Ctrl, because the key alone types text */
 } keys[] = {
     { GLFW_KEY_TAB, IMGUI_TAB, false },
     { GLFW_KEY_LEFT, IMGUI_LEFT, false },
@@ -91,7 +91,7 @@ static void apply(struct imgui_input *now, const struct window_event *event,
     }
 }
 
-/* Returns true if an event must wait for the next frame because of earlier changes in this one. */
+/* Returns true if an event must wait for the next frame because of earlier events in this frame. */
 static bool must_wait(const struct imgui_input *now, const struct window_event *event,
                       const struct changes *changes)
 {

@@ -10,7 +10,7 @@
 #include "src/view/window.h"
 
 enum {
-    UI_INPUT_QUEUE_COUNT = 128, /* maximum queued events; if full, the oldest is applied at once */
+    UI_INPUT_QUEUE_COUNT = 128, /* capacity in events; a full queue applies its oldest event */
 };
 
 struct ui_input_queue {

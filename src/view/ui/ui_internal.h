@@ -57,7 +57,7 @@ struct ui {
     uint32_t action_counts[VIEW_INPUT_COUNT]; /* number of executions of each action */
 };
 
-/* Draw parts of the user interface; must be called between imgui_begin() and imgui_end(). */
+/* Draws the panels. Call this and the next functions between imgui_begin() and imgui_end(). */
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 void ui_toolbar(const struct ui_view *view, struct ui_request *request);
 void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);
@@ -81,7 +81,7 @@ struct ui_gallery {
 
 bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 
-/* Draws exclusive buttons with a label, wrapped if needed. Returns true if one was chosen. */
+/* Draws a label and exclusive buttons on as many lines as needed. Returns true if one is chosen. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip);
 

@@ -80,7 +80,7 @@ static void quality_list(struct ui_request *request)
     request->changed = true;
 }
 
-/* Draws the list of side B: none, the refraction models, reference, image file, stored state. */
+/* Draws the list that selects the image on side B, such as a refraction model or image file. */
 static void list_side_b(const struct ui_view *view, struct ui_request *request, const char **names,
                         uint32_t count)
 {
@@ -113,7 +113,7 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-/* Returns the thumbnail; UI_THUMBNAIL_NONE if the panel is too low for thumbnails. */
+/* Returns `thumbnail`, or UI_THUMBNAIL_NONE if the panel is too low for thumbnails. */
 static uint32_t thumbnail_if_high(const struct ui *ui, const struct ui_view *view,
                                   uint32_t thumbnail)
 {
@@ -145,7 +145,7 @@ static void refraction_lists(const struct ui *ui, const struct ui_view *view,
     list_side_b(view, request, names, count + 1);
 }
 
-/* Draws a button for each material preset. The refractive index tells which one is current. */
+/* Draws buttons for material presets. The preset with the current refractive index is selected. */
 static void material_buttons(const struct ui *ui, const struct ui_view *view,
                              struct ui_request *request)
 {
@@ -380,7 +380,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
 {
     const struct window_layout *l = view->layout;
     if (ui->focus_panel || ui->release)
-        /* must precede the panel's first widget, which gets the focus highlight */
+        /* focus the panel before its first widget, which is then highlighted */
         imgui_focus_panel(ui->release ? NULL : panel);
     ui->focus_panel = ui->release = false;
     if (l->panel.extent.width) {

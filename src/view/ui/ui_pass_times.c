@@ -149,7 +149,7 @@ static void bar(const struct ui_pass_times_row *row, double most)
     imgui_text(text);
 }
 
-/* Returns the name of a frame's longest pass. If the newest plan lacks it, returns a note. */
+/* Returns the name of a frame's longest pass, or a note if the current plan lacks that pass. */
 static const char *name_longest(const struct ui_pass_times *times,
                                 const struct ui_pass_times_frame *frame)
 {
@@ -163,7 +163,7 @@ static const char *name_longest(const struct ui_pass_times *times,
     return "a pass of a previous plan";
 }
 
-/* Draws a frame as stacked bars, clipped at the top. */
+/* Draws the pass times of one recorded frame as a stacked column, clipped at the top. */
 static void draw_column(const struct ui_pass_times *times, uint32_t ago, struct imgui_rect whole,
                         float scale)
 {

@@ -57,7 +57,7 @@ static bool has_roll(const struct camera *camera)
     return glms_vec3_distance(camera_basis(camera).up, camera_basis(&upright).up) > roll_tolerance;
 }
 
-/* Prints the initial camera options if they still apply, otherwise the camera's vectors. */
+/* Prints the initial camera options if the camera still matches them, otherwise eye and target. */
 static void print_camera(FILE *out, const struct ui_render_command *c)
 {
     const struct app_image *p = c->image;
@@ -102,7 +102,7 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Returns true if ice-only effects are on by default. The option --material turns them off. */
+/* Returns true if an ice-only effect is on by default. --material would disable the effect. */
 static bool has_default_inclusions(const struct settings *settings)
 {
     const struct settings defaults = settings_default();
@@ -115,8 +115,8 @@ static bool has_default_inclusions(const struct settings *settings)
     return false;
 }
 
-/* Prints --material or refract.ior, unless the refractive index is the default or the model's. For
- * files, a given --material is always printed, because it also selects the refractive parts. */
+/* Prints options for a refractive index that differs from the scene's own. For model files, a given
+ * --material is always printed, because it also selects the refractive parts of the model. */
 static void print_ior(FILE *out, const struct ui_render_command *c)
 {
     const struct setting *row =

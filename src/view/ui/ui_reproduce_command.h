@@ -1,8 +1,8 @@
-/* ui_reproduce_command.h: prints the `firn render` command that reproduces the viewer's image. Of a
- * split view, that is side A. The command is quoted for a shell; default options are omitted. With
- * env_cube.dynamic=off, the environment cube may differ: it depends on the scene time. */
-#ifndef FIRN_VIEW_UI_UI_REPRODUCE_COMMAND_H
-#define FIRN_VIEW_UI_UI_REPRODUCE_COMMAND_H
+/* ui_reproduce_command.h: prints a `firn render` command, quoted for a shell, that reproduces the
+ * viewer's image. A split view is reproduced as side A only. With env_cube.dynamic=off, the
+ * environment cube may differ, because the viewer may have drawn it at another scene time. */
+#ifndef FIRN_VIEW_UI_UI_RENDER_COMMAND_H
+#define FIRN_VIEW_UI_UI_RENDER_COMMAND_H
 
 #include "src/app/app.h"
 
@@ -13,8 +13,8 @@ struct ui_render_command {
     float time; /* scene time, seconds */
 };
 
-/* Returns one line, malloc'd, without newline. If out of memory, logs and returns NULL. Warns if
- * the camera has roll, which no option can describe. The printed camera is level. */
+/* Returns the command as one line, malloc'd, without newline. If out of memory, logs and returns
+ * NULL. A rolled camera is printed level, with a warning, because no option describes roll. */
 char *ui_render_command_print(const struct ui_render_command *command);
 
 #endif

@@ -20,7 +20,7 @@ static const struct rg_buffer pixels = {
     .memory = RG_MEMORY_READBACK,
 };
 
-/* Tables contain pointers to this struct, so it must not move. */
+/* State of a screenshot. Tables contain pointers to this struct, so it must not be moved. */
 struct shot {
     const struct presenter *presenter;
     const struct viewport *viewport;

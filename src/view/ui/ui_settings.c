@@ -16,7 +16,7 @@ static const double wide = 50.0;    /* a slider is logarithmic if max - min > wi
 static const double too_wide = 1e4; /* maximum integer range of a slider */
 static const float label_fraction = 0.5f; /* widget start / row width */
 
-/* Abbreviations of units, as the words are wider than the numbers. */
+/* Unit symbols. Widgets show these, because unit names would be wider than the numbers. */
 static const struct {
     const char *name, *sign;
 } units[] = {

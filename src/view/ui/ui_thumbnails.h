@@ -9,7 +9,7 @@
 #define UI_THUMBNAIL_NONE UINT32_MAX
 
 /* Thumbnails of all material presets, followed by those of all refraction models, in table order.
- * All members are 0 if there are none; buttons then show labels only. */
+ * If there are no thumbnails, all members are 0 and buttons show only labels. */
 struct ui_thumbnails {
     struct imgui_thumbnails list;
     uint8_t *rgba; /* texels of `list` */
@@ -20,8 +20,8 @@ struct ui_thumbnails {
 void ui_thumbnails_load(struct ui_thumbnails *p, const struct reader_params *reader);
 void ui_thumbnails_finish(struct ui_thumbnails *p); /* {0} is fine */
 
-/* Return the thumbnail of preset or refraction model i; UI_THUMBNAIL_NONE if there is none. */
+/* Returns the thumbnail of material preset i; UI_THUMBNAIL_NONE if there is none. */
 uint32_t ui_thumbnails_material(const struct ui_thumbnails *p, uint32_t i);
-uint32_t ui_thumbnails_model(const struct ui_thumbnails *p, uint32_t i);
+uint32_t ui_thumbnails_model(const struct ui_thumbnails *p, uint32_t i); /* of refraction model i */
 
 #endif
