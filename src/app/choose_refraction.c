@@ -120,8 +120,8 @@ static void warn_of_materials(const struct app_image *image, const struct scene 
                            refract_bounce_is_nested(&image->scene.settings, scene);
     name_undrawn(scene, is_nested, text, sizeof(text));
     if (text[0])
-        log_warning("%s: approximated as separate smooth solids (%u objects, of which %s); "
-                    "--refraction trace draws them exactly",
+        log_warning("%s: its %u objects (of which %s) are approximated as separate smooth solids; "
+                    "use --refraction trace to draw them exactly",
                     image->scene.name, scene->model.object_count, text);
 }
 
@@ -289,15 +289,15 @@ static void warn_of_media(const struct app_image *image, const struct scene *sce
     if (refract_has_medium(image->refraction, scene, settings))
         config.renders_media = true;
     else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
-        log_warning("air.model=medium: drawn as planes; only --refraction bounce, one-sided, trace "
-                    "and reference draw a medium");
+        log_warning("air.model=medium: drawn as planes by this refraction model; use --refraction "
+                    "bounce, one-sided, trace or reference to draw a medium");
     else if (refraction->shaders && !config.hits_surroundings && !image->scene.quiet)
         log_note("%s: its scattering medium is drawn clear; --refraction trace and bounce draw "
                  "scattering%s",
                  image->scene.name,
                  refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
     if (scene->scattering_media.left_out)
-        log_warning("%s: more than %d objects are cloudy; %u of them are drawn clear",
+        log_warning("%s: more than %d objects contain scattering media; %u of them are drawn clear",
                     image->scene.name, SCATTERING_MEDIA_MAX, scene->scattering_media.left_out);
 }
 

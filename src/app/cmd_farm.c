@@ -35,9 +35,9 @@ static enum status parse_arguments(struct app_options *o, bool is_status)
     const char *scene = o->positionals[1];
     if (is_status && is_image_option(scene)) {
         if (outputs->count) {
-            log_error(
-                "--output cannot be used with 'farm status %s'; name a SCENE instead of the file",
-                scene);
+            log_error("--output: 'farm status %s' already names a file; give a SCENE in its place, "
+                      "or leave out --output",
+                      scene);
             return STATUS_USAGE;
         }
         outputs->paths[outputs->count++] = scene;
@@ -51,8 +51,8 @@ static enum status check_files(const struct app_options *o)
 {
     for (uint32_t i = 0; i < o->run.outputs.count; i++) {
         if (!strcmp(o->run.outputs.paths[i], "-")) {
-            log_error("--output: expected a file name, got '-', but the stdout of tasks is not "
-                      "collected");
+            log_error(
+                "--output: expected a file name, got '-': the stdout of tasks is not collected");
             return STATUS_USAGE;
         }
     }

@@ -74,7 +74,8 @@ static enum status check(struct job *job)
         return STATUS_NO_DEVICE;
     }
     if (status == STATUS_OK && o->mask.file && !o->ladder.reference_image) {
-        log_error("--mask %s: --truth is missing, to whose image the mask applies", o->mask.file);
+        log_error("--mask %s: selects pixels of the image of --truth, which is missing",
+                  o->mask.file);
         return STATUS_USAGE;
     }
     for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
@@ -162,12 +163,12 @@ static enum status measure(struct job *job)
         log_warning("firn ladder: the reference draws the scene without %s", names);
     if (!o->run.quiet && o->ladder.furnace &&
         material_table_has_lit(&job->scene.model.surroundings))
-        log_warning("%s: opaque surfaces around its objects absorb light, so pixels that show "
-                    "them are below 1",
+        log_warning("%s: pixels that show opaque surfaces are darker than the furnace's radiance "
+                    "of 1, because these surfaces absorb light",
                     p->scene.name);
     if (!o->run.quiet && air_is_medium(&p->scene.settings))
-        log_warning("air.model=medium: bounce, one-sided, trace and the reference draw a medium, "
-                    "other refraction models draw planes");
+        log_warning("air.model=medium: only bounce, one-sided, trace and the reference draw a "
+                    "medium; other refraction models draw the air as planes");
     progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);

@@ -238,8 +238,8 @@ static void warn_of_remaining(const struct job *job)
     const unsigned long long count = job->pixels_beyond;
     if (count && !job->o.run.quiet)
         log_warning(
-            "--refraction reference: light paths were cut, so up to %.2g of a pixel's light "
-            "is missing, and more than %g in %llu pixel%s (layer remaining); raise "
+            "--refraction reference: light paths were terminated early: up to %.2g of a pixel's "
+            "light is missing, and more than %g in %llu pixel%s (see layer remaining); raise "
             "reference.bounces, lower reference.cutoff, or set reference.russian_roulette=on",
             job->remaining, REFERENCE_REMAINING_MAX, count, count > 1 ? "s" : "");
 }

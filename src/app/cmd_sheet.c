@@ -69,7 +69,7 @@ static enum status check(struct job *job)
     for (uint32_t i = 0; i < job->sweep.parameter_count && status == STATUS_OK; i++) {
         if (strcmp(job->sweep.parameters[i].name, "size") != 0)
             continue;
-        log_error("--sweep %s: all images of a sheet have the same size; use --size",
+        log_error("--sweep %s: all images of a sheet have the same size; set it with --size",
                   o->sweeps.texts[i]);
         status = STATUS_USAGE;
     }

@@ -130,8 +130,8 @@ static void note_brightness(const struct app_scene *options, const struct scene 
     const double stops = log2((double)brightest / (double)CGLM_PI);
     if (stops >= BRIGHT_STOPS && !options->quiet && !options->is_preset[settings_index(exposure)] &&
         !options->is_set[settings_index(exposure)])
-        log_note("%s: its lights overexpose white surfaces %.0f times; "
-                 "use --set tonemap.exposure=%.0f",
+        log_note("%s: its lights overexpose white surfaces by a factor of %.0f; use --set "
+                 "tonemap.exposure=%.0f",
                  options->name, exp2(stops), fmax(-stops, exposure->min));
 }
 

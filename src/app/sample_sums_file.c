@@ -30,8 +30,8 @@ static enum status refuse_settings(const struct sample_sums_file *file, const ch
         found += length + (found[length] != '\0');
         length = strcspn(expected, " ");
     }
-    log_error("%s: expected sample sums of an image with '%.*s'; remove the file, or "
-              "leave out --resume",
+    log_error("%s: expected sample sums of an image with the parameter '%.*s'; remove the "
+              "file, or leave out --resume",
               file->path, (int)length, expected);
     return STATUS_DATA;
 }

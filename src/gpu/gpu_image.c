@@ -101,7 +101,8 @@ static enum status check_size(const struct gpu_image_params *params, const struc
     if (extent.width == 0 || extent.height == 0 || extent.width > limits->maxExtent.width ||
         extent.height > limits->maxExtent.height || image->layers > limits->maxArrayLayers ||
         image->mips > limits->maxMipLevels) {
-        log_error("%s is %u x %u in %u layers; the device's limit is %u x %u in %u",
+        log_error("%s has %u x %u texels and %u layers; the device supports at most %u x %u texels "
+                  "and %u layers",
                   name_of(params), extent.width, extent.height, image->layers,
                   limits->maxExtent.width, limits->maxExtent.height, limits->maxArrayLayers);
         return STATUS_DATA;

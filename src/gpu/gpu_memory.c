@@ -26,7 +26,7 @@ static enum status too_large(const char *name, VkDeviceSize size, VkDeviceSize l
 {
     const unsigned long long needed = size / MIB + (size % MIB != 0 ? 1 : 0);
     const unsigned long long given = limit / MIB;
-    log_error("%s needs %llu MiB of memory, the device's limit per allocation is %llu MiB",
+    log_error("%s needs %llu MiB of memory, but the device's limit per allocation is %llu MiB",
               name ? name : "a buffer", needed, given);
     return STATUS_TRY_AGAIN;
 }

@@ -71,7 +71,8 @@ static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
             return STATUS_OK;
         }
     }
-    log_error("the window has no format with 8 bits per channel (%u formats)", count);
+    log_error("the window supports no pixel format with 8 bits per channel (%u other formats)",
+              count);
     return STATUS_NO_DEVICE;
 }
 

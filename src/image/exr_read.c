@@ -110,7 +110,8 @@ static exr_result_t choose_part(struct exr_file *file)
     if (chosen < 0)
         return fault(file, "deep images are not supported");
     if (count > 1)
-        log_warning("%s: only part %d of %d is read", file->path, chosen + 1, count);
+        log_warning("%s: only part %d of the file's %d parts is read", file->path, chosen + 1,
+                    count);
     file->part = chosen;
     return exr_get_storage(file->context, chosen, &file->storage);
 }

@@ -328,7 +328,8 @@ static enum status load(const char *path, json_t **root)
         return status;
     if (size > MAX_FILE_SIZE) {
         fclose(file);
-        log_error("%s: not a profile: larger than %d MiB", path, MAX_FILE_SIZE >> 20);
+        log_error("%s: larger than %d MiB, so it is no profile of firn profile --json", path,
+                  MAX_FILE_SIZE >> 20);
         return STATUS_DATA;
     }
     *root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);

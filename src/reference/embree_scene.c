@@ -214,8 +214,8 @@ static enum status check_size(const struct embree_scene *embree_scene, uint64_t 
         triangles += embree_scene->meshes[i].mesh->index_count / 3;
     if (triangles <= memory / TRIANGLE_SIZE)
         return STATUS_OK;
-    log_error("--refraction reference: %llu triangles need about %.1f GiB, %.1f GiB are available: "
-              "reduce object.triangles or landscape.triangles",
+    log_error("--refraction reference: %llu triangles need about %.1f GiB, but only %.1f GiB are "
+              "available: reduce object.triangles or landscape.triangles",
               (unsigned long long)triangles, (double)triangles * TRIANGLE_SIZE / 0x1p30,
               (double)memory / 0x1p30);
     return STATUS_TRY_AGAIN;

@@ -48,7 +48,8 @@ enum status material_override_apply(struct model *model, const struct material_o
     if (!count || !model->object_count)
         return STATUS_OK;
     if (first + count > MESH_SURFACE_MAX) {
-        log_error("--material: expected at most %u materials of the model and of options together",
+        log_error("--material: expected at most %u materials, including those of the model; leave "
+                  "some out",
                   MESH_SURFACE_MAX);
         return STATUS_DATA;
     }

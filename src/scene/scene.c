@@ -296,8 +296,8 @@ static enum status add_extras(struct scene *scene)
     if (!mesh->extras)
         return STATUS_OK;
     if (mesh_extra_row_count(mesh->vertex_count) > MESH_EXTRA_HEIGHT) {
-        log_error("expected at most %d vertices around the objects, since some have tangents or a "
-                  "second set of texture coordinates, got %u: export them without",
+        log_error("expected at most %d vertices in surroundings with tangents or a second set of "
+                  "texture coordinates, got %u: export the surroundings without these",
                   MESH_EXTRA_HEIGHT * (MESH_EXTRA_WIDTH / MESH_EXTRA_TEXELS), mesh->vertex_count);
         return STATUS_DATA;
     }

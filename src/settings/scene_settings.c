@@ -27,7 +27,8 @@ static const struct setting ice_rows[] = {
         .offset = offsetof(struct ice_params, melt),
         .max = 1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "fraction of the ice's volume melted at time 0 (rounder, wet, in a larger pool)",
+        .help = "fraction of the ice's volume melted at time 0; melting makes the ice rounder and "
+                "wet and enlarges its pool",
     },
 };
 
@@ -134,7 +135,8 @@ static const struct setting env_rows[] = {
         .offset = offsetof(struct env_params, sun_strength),
         .initial = 1,
         .max = 1000,
-        .help = "factor on the panorama's sun; with env.sun=own, the strength of a white sun",
+        .help = "factor on the brightness of the panorama's sun; with env.sun=own, brightness of a "
+                "white sun",
     },
     {
         .name = "env.sun_azimuth",
@@ -337,7 +339,8 @@ static const struct setting ground_rows[] = {
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
         .help = "trace fewer rays for ground.light=traced and denoise the result (edge-avoiding "
-                "filter); only with --refraction trace, below 32 samples, in files without tiles",
+                "filter); only for files drawn with --refraction trace, fewer than 32 samples and "
+                "no tiles",
     },
 };
 
@@ -378,8 +381,8 @@ static const struct setting target_rows[] = {
         .min = 0.125,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "resolution of the images of cracks, air and bubbles, and of the depths that clip "
-                "them to the ice, relative to the final image (below 1: faster, coarser)",
+        .help = "resolution of cracks, air and bubbles relative to the final image (below 1: "
+                "faster, but coarser)",
     },
 };
 

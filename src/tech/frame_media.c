@@ -6,7 +6,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* Sets the indices n - h (red), n (green) and n + h (blue), by KHR_materials_dispersion. */
+/* Computes the refractive indices for red, green and blue by KHR_materials_dispersion. */
 static void disperse(float ior[static 3], float green, float dispersion)
 {
     const float half = (green - 1.0f) * 0.025f * dispersion;
@@ -43,7 +43,7 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
 
 float frame_media_air(const struct scene *scene)
 {
-    /* glTF assumes a vacuum around objects; the paper assumes air. */
+    /* glTF files assume a vacuum around objects; Seipel and Nivfors (2006) assume air. */
     return frame_media_are_from_settings(scene) ? REFRACT_IOR_AIR : 1.0f;
 }
 

@@ -10,15 +10,15 @@ struct frame_medium {
     vec3s absorption; /* absorption coefficients, 1 / metre */
     vec3s tint;       /* colour factor of transmitted light */
     float roughness;  /* of the surface, 0 to 1 */
-    float opacity;    /* opacity: fraction of refracted light that reaches the diffuse base */
-    uint32_t rank;    /* nesting priority; outside: 0 */
-    bool is_thin;     /* same medium on both sides */
+    float opacity; /* opacity: fraction of refracted light that an opaque diffuse base scatters */
+    uint32_t rank; /* nesting priority; outside: 0 */
+    bool is_thin;  /* same medium on both sides */
     bool is_textured; /* textured: material_is_textured() */
 };
 
-/* Returns the medium of object `index`; the last index is the medium around the objects. Settings
- * override materials: refract.ior if it has changed since the scene was loaded, absorb.* and
- * refract.dispersion if not 0. Objects without material use settings only. */
+/* Returns the medium of object `index`; the last index stands for the medium around the objects.
+ * Settings override materials: refract.ior if it was changed after loading, absorb.* and
+ * refract.dispersion if they are not 0. Objects without a material use only settings. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 

@@ -61,14 +61,14 @@ const struct rg_image frame_display = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
-/* Width and height are placeholders; frame_plan_init() sets the actual size. */
+/* Environment cube images. frame_plan_init() replaces the width and height by the actual size. */
 const struct rg_image frame_env_cube = {
     .name = "env_cube.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .width = 512,
     .height = 512,
     .cube = true,
-    .persistent = true, /* cube faces that are not redrawn keep their content */
+    .persistent = true, /* persistent: faces that a frame does not redraw keep their content */
 };
 
 const struct rg_image frame_env_cube_depth = {
@@ -91,7 +91,7 @@ const struct rg_buffer frame_samples = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Images imported from the scene, declared with the size of their fallbacks. */
+/* Images imported from the scene. Width and height are those of the 1x1 fallback images. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,

@@ -23,7 +23,7 @@ struct frame_view {
     vec2s jitter;           /* subpixel offset of the sample, pixels */
     vec2s light_jitter;     /* photon jitter, in [-0.5, 0.5) */
     uint32_t face_size;     /* environment cube face size, texels */
-    /* Offset, in pixels, from the centre of a block of pixels to the one that this tile renders. */
+    /* Offset of the rendered pixel from the centre of its block, pixels; 0 if not interleaved. */
     vec2s tile;
     uint32_t sample; /* sample index, from 0 */
     float lod_bias;  /* mip bias of an interleaved tile (-log2 of its pixel spacing) */
@@ -33,22 +33,22 @@ struct frame_view {
 /* Returns the time of the previous frame in seconds, at least 0. */
 float frame_time_before(const struct settings *settings, float time);
 
-/* Computes the rotations about `center` of objects and orbiting bodies at `time`, seconds. */
+/* Computes rotations of objects and of bodies that orbit `center` at `time`, in seconds. */
 void frame_rotations(const struct frame_view *view, vec3s center, float time,
                      mat4s *world_from_object, mat4s *world_from_movers);
 
-/* One of several refractive objects and the passes that draw it in this frame. */
+/* A refractive object of a scene with several objects, and the passes that draw the object. */
 struct frame_object {
     const struct rg_pass *passes;
     size_t pass_count;
     uint32_t first_index, index_count; /* index range of the object's triangles */
     VkRect2D area, lookup_area;        /* as in struct rg_frame */
     VkRect2D reach;                    /* pixels that its rays may read */
-    uint32_t layer;                    /* index of the layer of objects that are drawn together */
-    /* next object of the layer, drawn by the same passes; NULL if last */
+    uint32_t layer;                    /* index of the group of objects that the same passes draw */
+    /* next: following object of the group; NULL for the last one */
     const struct frame_object *next;
-    /* Area drawn by the object's passes: the union of `reach` of all objects in the layer. Empty if
-     * this object is drawn by another object's passes. */
+    /* Area that the object's passes draw: the union of `reach` of the group's objects. Empty if the
+     * passes of another object of the group draw this object. */
     VkRect2D drawn;
 };
 
@@ -140,13 +140,13 @@ VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *fra
 const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame);
 
-/* Record functions without push constants. They draw the pass's object, a full-screen triangle
- * (fullscreen.vert), or the part of such a triangle within lookup_area. */
+/* Record functions without push constants. frame_draw_object() draws the pass's object, the others
+ * a full-screen triangle, frame_draw_lookup_area() only within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Draws the mesh that the technique's `mesh` function has returned. */
+/* Draws the mesh that the technique's `mesh` function returns. */
 void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
                      const struct technique *technique);
 
@@ -154,8 +154,8 @@ enum {
     FRAME_DENOISE_COUNT = 3
 };
 
-/* Inputs of the denoise pass, written by shaders/trace/trace_denoise.glsl: light with the fraction
- * of samples that gathered light, throughput, and position. --aov cannot select them. */
+/* Images that shaders/trace/trace_denoise.glsl writes for the denoise pass: traced lighting,
+ * throughput and position. These layers cannot be selected by --aov. */
 extern const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT];
 
 #endif

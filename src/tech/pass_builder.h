@@ -24,10 +24,10 @@ struct rg_pass *pass_builder_copy_passes(struct pass_builder *builder, const str
 /* Returns the string "PREFIX.NAME". */
 const char *pass_builder_name(struct pass_builder *builder, const char *prefix, const char *name);
 
-/* Returns a table of one target, for passes with one colour target. */
+/* Returns a table that contains one colour target. */
 const struct rg_target *pass_builder_target(struct pass_builder *builder, struct rg_target target);
 
-/* Return writable copies of a pass's targets and of its uses, or NULL if it has none. */
+/* Return writable copies of a pass's targets and uses. An empty table gives NULL. */
 struct rg_target *pass_builder_copy_targets(struct pass_builder *builder,
                                             const struct rg_target *targets, uint32_t count);
 struct rg_use *pass_builder_copy_uses(struct pass_builder *builder, const struct rg_use *uses);

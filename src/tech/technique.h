@@ -44,7 +44,7 @@ struct technique_config {
     bool is_limited;       /* draw only the pixels rays read */
     bool is_dispersive;    /* dispersive media: paths per colour channel */
     bool may_exceed_image; /* the object may exceed the image */
-    uint32_t object_count; /* number of refractive objects with separate passes; 0 means 1 */
+    uint32_t object_count; /* number of refractive objects with own passes; 0 counts as 1 */
     bool has_rays;         /* the device has ray queries */
     bool has_fast_rays;    /* hardware ray queries, not emulated ones */
     /* Set by refraction_model.choose: */
@@ -54,12 +54,12 @@ struct technique_config {
     bool is_nested;         /* nested objects are rendered together (ice_nested.h) */
     bool hits_surroundings; /* rays hit triangles of the surroundings */
     bool has_diffuse_light; /* ray-traced lighting of all surroundings */
-    /* True if traced lighting is denoised when the request allows it (frame_requests.c). */
+    /* is_lighting_denoised: traced lighting is denoised if the request allows it */
     bool is_lighting_denoised;
     bool queries; /* rays use hardware acceleration structures */
 };
 
-/* Order of a frame's pass groups; within a phase, they have the order of techniques.h. */
+/* Order of the pass groups in a frame. Groups of one phase follow the order of techniques.h. */
 enum technique_phase {
     PHASE_LIGHT,       /* shadow and caustic maps */
     PHASE_ENVIRONMENT, /* the environment cube */
@@ -101,21 +101,20 @@ struct technique_pass_group {
 struct refraction_model {
     const char *name;                      /* NULL: not a refraction model */
     const struct refract_shaders *shaders; /* NULL for the CPU reference */
-    float reach;                           /* face lookup distance in bounding radii; 0 means 1 */
-    /* Shades a full-screen triangle instead of front faces
-     * (shaders/refract/refract_fullscreen.glsl), for models with slow fragment shaders. */
+    float reach; /* maximum distance of lookups from the centre, bounding radii; 0 means 1 */
+    /* True if the model shades a full-screen triangle instead of front faces
+     * (shaders/refract/refract_fullscreen.glsl), for slow fragment shaders. */
     bool shades_fullscreen;
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
     bool traces_bvh;        /* traces rays through scene->bvh */
-    /* Returns true if refracted rays can hit air-filled cracks; NULL means never. */
+    /* Returns true if refracted rays can hit air-filled cracks. NULL if rays cannot. */
     bool (*refracts_cracks)(const struct settings *settings); /* NULL: never */
     bool (*refracts_bubbles)(const struct settings *settings);
     /* Optional. Sets the members of `config` that depend on the model, after all other members. */
     void (*choose)(struct technique_config *config, const struct scene *scene);
-    /* If rays hit surroundings, turns a pass of ice_caustics.c into one that traces photons through
-     * the scene's triangles. Keeps targets and record function. Adds the uses `own`, a list that
-     * ends at an empty use. If this function is NULL, photons are rasterised. */
+    /* Makes a pass of ice_caustics.c trace photons through the scene's triangles if rays hit
+     * surroundings, and adds the uses `own`, which end at an empty use. NULL: rasterise photons. */
     void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_builder *builder, const struct rg_use *own);
 };
@@ -132,7 +131,7 @@ struct technique_texels {
     const void *texels;     /* NULL imports the fallback */
     uint32_t width, height; /* first mip level; never 0 */
     uint32_t layers;        /* array layers; 0 means 1 */
-    /* true: `texels` includes all mip levels, largest first; false: mips are generated */
+    /* True if `texels` includes all mip levels, largest first. False generates them. */
     bool all_mips;
     bool no_mips; /* only one mip level */
 };
@@ -143,7 +142,7 @@ struct technique_bytes {
     size_t size;
 };
 
-/* Image or buffer of the scene, imported unless the plan draws it; an empty import ends a list. */
+/* Image or buffer of the scene, imported unless the plan's passes write it. {0} ends a list. */
 struct technique_import {
     const struct rg_image *image;
     struct technique_texels (*find)(const struct scene *scene);
@@ -169,12 +168,12 @@ struct technique {
     const char *name;
     const char *help; /* one line, no full stop */
     const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
-    /* Returns true if the technique is on, false if the first setting is 0. NULL: always on. */
+    /* Returns true if the technique is on, false if its first setting is 0. NULL if always on. */
     bool (*is_on)(const struct settings *settings);
     bool is_traced;   /* the CPU reference models the feature */
     bool is_ice_only; /* by default, only ice has it */
-    bool is_hit;      /* is_hit: ray tracing models hit the feature itself and need no passes */
-    /* Returns true if the technique makes objects transmit or block light; NULL means never. */
+    bool is_hit;      /* is_hit: ray tracing models intersect the feature and skip its passes */
+    /* Returns true if the technique makes objects transmit or block light. NULL if it does not. */
     bool (*affects_light)(const struct scene *scene);
     const char *title; /* display name; NULL: `name` */
     struct technique_pass_group pass_groups[TECHNIQUE_PASS_GROUP_COUNT];

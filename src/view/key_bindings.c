@@ -202,8 +202,8 @@ static const struct {
         .characters = "w",
         .name = "W",
         .label = "compare A and B side by side",
-        .help = "show A and B side by side with a draggable divider, or A alone; B is the stored "
-                "state, or the most exact refraction model",
+        .help = "switch between A alone and A beside B with a draggable divider; B is the stored "
+                "state or, if none is stored, the most exact refraction model",
         .button = "Compare",
     },
     [VIEW_REFERENCE] = {
@@ -229,7 +229,8 @@ static const struct {
         .characters = "dD",
         .name = "D",
         .label = "difference of A and B",
-        .help = "show the difference of A and B (FLIP error, from black to yellow), or the images",
+        .help = "switch between the images and the difference of A and B (FLIP error, from black "
+                "to yellow)",
     },
     [VIEW_DIVIDER_LEFT] = {
         .characters = "[",
@@ -250,21 +251,21 @@ static const struct {
         .characters = "bB",
         .name = "B",
         .label = "time of each pass",
-        .help = "show the time of each pass, or the settings again",
+        .help = "switch between the settings and the time of each pass",
         .button = "Passes",
     },
     [VIEW_PLAN] = {
         .characters = "gG",
         .name = "G",
         .label = "render graph of the frame",
-        .help = "show the compiled render graph of the frame, or the settings again",
+        .help = "switch between the settings and the compiled render graph of the frame",
         .button = "Plan",
     },
     [VIEW_INSPECT] = {
         .characters = "iI",
         .name = "I",
         .label = "layers and pixel values",
-        .help = "show layers, histogram and the values below the cursor, or the settings again",
+        .help = "switch between the settings and the layers, histogram and values below the cursor",
         .button = "Inspect",
     },
     [VIEW_NEXT_LAYER] = {
@@ -284,8 +285,8 @@ static const struct {
         .characters = "mM",
         .name = "M",
         .label = "draft or full quality in motion",
-        .help = "while something moves, draw fast drafts at lower resolution, or full size and "
-                "quality",
+        .help = "switch between fast drafts at lower resolution and full quality while something "
+                "moves",
     },
     [VIEW_FULLSCREEN] = {
         .keys = { GLFW_KEY_F11 },

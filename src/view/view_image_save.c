@@ -35,7 +35,8 @@ enum status viewport_can_save(bool is_split, const char *const *paths, uint32_t 
 {
     for (uint32_t i = 0; i < path_count && is_split; i++) {
         if (!strcmp(paths[i], "-")) {
-            log_error("--screenshot: expected NAME.exr for the two files of a split view, got '-'");
+            log_error("--screenshot: expected a file name, got '-': a split view is written to two "
+                      "files");
             return STATUS_USAGE;
         }
     }
@@ -72,8 +73,8 @@ static enum status write_side(struct viewport *p, const struct side *side, const
     const int length =
         snprintf(name, sizeof(name), "%.*s%s%s", stem, path, side->suffix, path + stem);
     if (length < 0 || length >= PATH_SIZE) {
-        log_error("%s: expected a path of at most %d bytes with '%s' added to it", path,
-                  PATH_SIZE - 1, side->suffix);
+        log_error("%s: the path is too long: expected at most %d bytes, including the suffix '%s'",
+                  path, PATH_SIZE - 1, side->suffix);
         return STATUS_CANT_CREATE;
     }
     return write_file(p, &side->output, name, &side->result, stop);

@@ -211,7 +211,8 @@ static void on_drop(GLFWwindow *handle, int count, const char **paths)
     if (!w->dropped)
         log_error("out of memory");
     if (count > 1)
-        log_warning("%d files were dropped: using only the first, %s", count, paths[0]);
+        log_warning("%d files were dropped on the window, but only the first is opened: %s", count,
+                    paths[0]);
 }
 
 static void on_refresh(GLFWwindow *handle)

@@ -279,7 +279,8 @@ class Furnace(LadderCase):
                                                   (opaque, [0, -3, 0], 2)))
         done = self.firn('ladder', 'a.gltf', *SIZE, '--furnace', '--rungs', 'bounce')
         self.assertEqual(done.returncode, FAILED)
-        self.assertRegex(done.stderr.decode(), 'warning: a.gltf: opaque surfaces .* absorb light')
+        self.assertRegex(done.stderr.decode(),
+                         'warning: a.gltf: pixels .* opaque surfaces .* absorb light')
 
 
 class Refused(LadderCase):

@@ -62,5 +62,5 @@ enum status option_fail_above(const struct option *option, void *at, const char 
         return STATUS_OK;
     }
     return option_refuse(option, value,
-                         "METRIC=N with flip, rmse, relmse, mae or angle, and N at least 0");
+                         "METRIC=N with METRIC flip, rmse, relmse, mae or angle, and N at least 0");
 }

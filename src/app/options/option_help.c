@@ -90,7 +90,7 @@ void option_help(enum app_command command, const struct option *options, size_t 
     if (command == APP_FARM)
         printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
                "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "
-               "all are. For files without\nSCENE, status compares their settings with those of "
+               "all are. Without SCENE, status\ncompares the settings of all files with those of "
                "the newest file.\n");
     if (command == APP_LADDER)
         printf("\nThe default SCENE is valley. firn ladder draws the smooth object alone, "

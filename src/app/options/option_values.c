@@ -25,8 +25,8 @@ enum status option_refuse(const struct option *option, const char *value, const 
 
 enum status option_refuse_more(const struct option *option, const char *value, uint32_t max_count)
 {
-    log_error("--%s: expected at most %u of these options, got another with '%s'", option->name,
-              max_count, value);
+    log_error("--%s: can be given at most %u times; leave out '%s'", option->name, max_count,
+              value);
     return STATUS_USAGE;
 }
 

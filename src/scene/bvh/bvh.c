@@ -307,11 +307,11 @@ static bool is_too_large(const struct model *model)
     const uint64_t count =
         ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3;
     if (count > BVH_TRIANGLES_MAX)
-        log_error("--refraction trace: the scene has %llu triangles, at most %u can be traced: "
+        log_error("--refraction trace: the scene has %llu triangles, but at most %u can be traced: "
                   "choose a simpler model or another refraction model",
                   (unsigned long long)count, BVH_TRIANGLES_MAX);
     else if (model->object_count > BVH_OBJECTS_MAX)
-        log_error("--refraction trace: the scene has %u refractive objects, at most %d can be "
+        log_error("--refraction trace: the scene has %u refractive objects, but at most %d can be "
                   "traced: make some opaque by --material, or use --refraction bounce",
                   model->object_count, BVH_OBJECTS_MAX);
     return count > BVH_TRIANGLES_MAX || model->object_count > BVH_OBJECTS_MAX;
@@ -364,10 +364,9 @@ enum status bvh_init(struct bvh *bvh, const struct bvh_params *params)
         return log_out_of_memory("the scene's triangles");
     }
     if (bvh->medium_count > BVH_MEDIA_MAX) {
-        log_error(
-            "--refraction trace: the scene's refractive objects have %u materials, at most %d "
-            "can be traced: use fewer, or another refraction model",
-            bvh->medium_count, BVH_MEDIA_MAX);
+        log_error("--refraction trace: the scene's refractive objects have %u materials, but at "
+                  "most %d can be traced: use fewer, or another refraction model",
+                  bvh->medium_count, BVH_MEDIA_MAX);
         bvh_finish(bvh);
         return STATUS_DATA;
     }

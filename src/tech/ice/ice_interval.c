@@ -35,7 +35,7 @@ const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
     LAYERS("ice_interval.far", 7), LAYERS("ice_interval.far", 8),
 };
 
-/* Depth peeling: draws all faces once per layer and keeps the nearest ones not yet peeled. */
+/* Pass for depth peeling, which draws the nearest faces behind those of the previous layer. */
 static const struct rg_pass peel = {
     .depth = { .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1.0f, 0 } } },
     .depth_compare = VK_COMPARE_OP_LESS,

@@ -8,8 +8,8 @@ struct ice_interval_params {
     uint32_t count; /* maximum intervals per pixel */
 };
 
-/* Images for k intervals are at index k - 1. Each interval has two depth layers: entry and exit.
- * The nearer half and the farther half of all layers are separate images, because one image would
+/* Depth images, indexed by the maximum number of intervals per pixel - 1. Each interval has two
+ * layers, entry and exit. Nearer and farther layers are separate images, because one image would
  * exceed device limits in large views. */
 extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
 extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];
@@ -18,7 +18,7 @@ extern const struct rg_image ice_interval_count; /* number of intervals in each 
 
 extern const struct setting_group ice_interval_settings;
 
-/* Returns the index of the images in use in the arrays ice_interval_near and ice_interval_far. */
+/* Returns the index into ice_interval_near and ice_interval_far that the settings select. */
 uint32_t ice_interval_index(const struct settings *settings);
 
 #endif

@@ -98,7 +98,7 @@ static const struct rg_pass passes[] = {
     FACES("ice_nested.far_innermost", 5, FAR, BEHIND(2)),
 };
 
-/* Returns the medium of the object whose nesting priority is `rank`; 0 (outside) if none has it. */
+/* Returns 1 + the index of the object with nesting priority `rank`, or 0 if there is none. */
 static uint32_t medium_of(const struct model *model, uint32_t rank)
 {
     for (uint32_t i = 0; i < model->object_count; i++) {

@@ -9,12 +9,12 @@
 #include "shaders/ice/ice_nested.h"
 #include "src/tech/technique.h"
 
-/* Layers 2 i and 2 i + 1 show the near and the far face of level i. Depth is that of
- * globals.clip_from_world. Normals: xyz is the world-space unit normal, pointing out of the level;
- * w is 1 + the index of the medium just inside the face, or 0 without a face. */
+/* Depth and normals of faces. Layer 2 i holds the near face of level i, layer 2 i + 1 the far face.
+ * Normals are world-space unit vectors that point out of the level. w is 1 + the index of the
+ * medium just inside the face, or 0 in pixels without a face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
-/* Depth and normals in an area larger than the image, drawn if technique_config.is_wide. */
+/* Depth and normals of an area larger than the image. Drawn only if technique_config.is_wide. */
 extern const struct rg_image ice_nested_wide_depths, ice_nested_wide_normals;
 
 extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */

@@ -212,8 +212,8 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_object(cmd, frame);
 }
 
-/* Returns true if front faces must not be drawn to frame_depth, because it contains the depth of a
- * finished image or of other objects. Only the refraction model's passes may add to it. */
+/* Returns true if front faces need a separate depth buffer, because frame_depth holds the depth of
+ * a finished image or of other objects, to which only the refraction model's passes may add. */
 static bool keeps_depth(const struct technique_config *config)
 {
     const bool are_many = config->object_count > 1;
@@ -221,7 +221,7 @@ static bool keeps_depth(const struct technique_config *config)
            (are_many && !config->refraction->refraction.shades_fullscreen);
 }
 
-/* Makes a pass clear its normals. In a limited area, a separate pass would be slower. */
+/* Makes a pass clear its normals, which is faster in a limited area than a separate clear pass. */
 static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
 {
     struct rg_target *color = pass_builder_copy_targets(builder, pass->color, pass->color_count);
@@ -230,7 +230,7 @@ static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
     pass->color = color;
 }
 
-/* Returns the G-buffer passes. In a pool they run after the background and have no bump mapping. */
+/* Returns the G-buffer passes. Pools have no bump mapping. */
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
@@ -258,8 +258,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
     return (struct rg_technique){ "ice_normal", copies, count };
 }
 
-/* Returns a pass that draws the back faces of all objects for the AOV layer. Without it, the layer
- * would show one object, as refraction models redraw the normals for each. */
+/* Returns a pass that draws the back faces of all objects for the AOV layer back.N. Refraction
+ * models draw the objects one by one, so their image would show only the last object's faces. */
 static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_builder *builder)
 {

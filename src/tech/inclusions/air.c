@@ -23,7 +23,7 @@
 
 static rg_record_fn record_planes;
 
-/* Imported textures of air planes (struct air_layers), declared with the fallback image's size. */
+/* Imported textures of air planes (struct air_layers). The declared size is the fallback's. */
 static const struct rg_image air_layers = {
     .name = "frame.air",
     .format = VK_FORMAT_R8G8_UNORM,
@@ -157,7 +157,8 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 128,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "number of the largest bubbles on air planes along the object's diagonal",
+        .help = "number of bubbles of the largest size on air planes, counted along the object's "
+                "diagonal",
     },
     {
         .name = "air.strength",
@@ -226,8 +227,8 @@ static const struct setting rows[] = {
         .initial = 6,
         .max = 64,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "ray march steps per path segment in scattering media, bounce and one-sided (0: "
-                "clear ice)",
+        .help = "ray march steps per path segment in scattering media, for refraction models "
+                "bounce and one-sided (0: clear ice)",
     },
 };
 

@@ -39,7 +39,7 @@ struct air_params {
     float density;          /* maximum optical depth across the object */
     float scattering_media; /* factor on material.scattering_optical_depth */
     float anisotropy;       /* Henyey-Greenstein g of all scattering media */
-    uint32_t steps; /* ray march steps per segment, except in model `trace`; 0 renders clear ice */
+    uint32_t steps;         /* ray march steps per segment in raster models; 0 renders clear ice */
 };
 
 #endif

@@ -77,7 +77,7 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
-/* Simpler pass for scenes in which all bubbles are spheres. */
+/* Pass for scenes whose bubbles are all spheres. */
 static const struct rg_pass spheres_pass = {
     .name = "bubbles.spheres",
     .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
@@ -131,8 +131,8 @@ static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
-/* Fragment shaders for bubbles along refracted rays. First index: 0 for unrefracted light, 1 for
- * light traced through the ice, 2 through a scattering medium. Second index: 1 for all shapes. */
+/* Fragment shaders for bubbles along refracted rays, indexed by how light reaches them (straight,
+ * traced through ice, traced through a medium) and by whether some bubbles are not spheres. */
 static const struct rg_shader *const refracted_frags[3][2] = {
     { &bubbles_refracted_frag, &bubbles_shapes_refracted_frag },
     { &bubbles_traced_frag, &bubbles_shapes_traced_frag },
@@ -215,8 +215,8 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* Returns true if refracted rays can hit bubbles. In scenes with several objects they cannot,
- * because depth and normal maps contain only the nearest faces. */
+/* Returns true if refracted rays can hit bubbles. In scenes with several objects rays cannot,
+ * because the depth and normal maps contain only the nearest faces. */
 bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
@@ -264,8 +264,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
 
 struct far_bubble {
     struct bubbles_drawn drawn;
-    /* Sort key. Perspective: squared length of a tangent from the camera to the bounding sphere
-     * (power of a point). Orthographic: distance along the camera axis. */
+    /* Sort key: squared distance to the centre minus squared radius of the bounding sphere, or the
+     * distance along the camera axis of an orthographic camera. */
     float power;
 };
 
@@ -276,8 +276,8 @@ static int compare_far(const void *a, const void *b)
     return (x->power < y->power) - (x->power > y->power);
 }
 
-/* Sorts the bubbles back to front by power. For two spheres that do not overlap, the points of
- * equal power form a plane between them. The sphere with more power is behind it. */
+/* Sorts the bubbles back to front by `power`. The plane of points with equal power to two disjoint
+ * spheres separates them, and the sphere of larger power lies beyond that plane. */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     const struct bubbles *all = &view->scene->bubbles;

@@ -87,7 +87,7 @@ static const struct clipping convex = {
     .before_back = true,
 };
 
-/* No clipping, for cracks that were clipped at load time or are drawn over the whole image. */
+/* Shaders without clipping, for cracks clipped at load time or drawn over the whole image. */
 static const struct clipping none = {
     .uses = globals_use,
     .normal_uses = globals_use,
@@ -118,8 +118,8 @@ static const struct rg_use *use_intervals(struct pass_builder *builder, uint32_t
                                   2);
 }
 
-/* Returns the clipping method. In a convex object, each pixel has one interval, from the nearest to
- * the farthest face, so depth peeling is not needed. */
+/* Returns the clipping method. Convex objects need no depth peeling, because a pixel's ray is
+ * inside them only from the nearest to the farthest face. */
 static struct clipping find_clipping(const struct technique_config *config,
                                      struct pass_builder *builder)
 {
@@ -223,7 +223,7 @@ static const struct setting rows[] = {
         .min = 0.05,
         .max = 4,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "width of the cracks, relative to sheets that are about as wide as the ice",
+        .help = "width of the cracks; at 1 the cracks are about as wide as the ice",
     },
     {
         .name = "cracks.clip",
@@ -234,8 +234,8 @@ static const struct setting rows[] = {
         .max = CRACKS_CLIP_NONE,
         .choices = clip_names,
         .affects = SETTING_AFFECTS_SCENE,
-        .help =
-            "method that confines cracks to the ice; convex, from the paper, needs a convex object",
+        .help = "method that clips cracks to the ice; the paper's method, convex, needs a convex "
+                "object",
     },
     {
         .name = "cracks.refract",
@@ -246,7 +246,7 @@ static const struct setting rows[] = {
         .max = CRACKS_REFRACT_GAP,
         .choices = refract_names,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "effect of cracks on the view through the ice: none, their normals, or air gaps",
+        .help = "refraction of the view at cracks: none, by the cracks' normals, or at air gaps",
     },
     {
         .name = "cracks.strength",
@@ -321,7 +321,7 @@ bool cracks_are_traced(const struct settings *settings, const struct technique *
            params->refract == CRACKS_REFRACT_GAP && !params->shading.surface;
 }
 
-/* Makes the colour pass. Without cracks the pass only clears the layer, and is culled if unused. */
+/* Makes the pass that draws the cracks' colour. Without cracks it only clears the image. */
 static struct rg_technique make_color(const struct technique_config *config,
                                       struct pass_builder *builder)
 {

@@ -31,18 +31,18 @@ struct cracks_params {
 extern const struct rg_image cracks_color;
 
 /* Depth and normal of the most reflective air gap in each pixel, or 0 without a gap. Refraction
- * models continue the path there. Only written if cracks_are_traced(). */
+ * models reflect rays there. Written only if cracks_are_traced(). */
 extern const struct rg_image cracks_hits;
 
 extern const struct setting_group cracks_settings;
 
 extern const struct technique cracks;
 
-/* Returns true if cracks are clipped to the ice and drawn by composite.c. Otherwise they are drawn
- * over the finished image. */
+/* Returns true if composite.c blends cracks, clipped to the ice, into the image. Otherwise cracks
+ * are drawn over the finished image. */
 bool cracks_are_in_ice(const struct settings *settings);
 
-/* Returns true if a refraction model, which may be NULL, traces reflections at cracks. */
+/* Returns true if the refraction model traces reflections at cracks. `refraction` may be NULL. */
 bool cracks_are_traced(const struct settings *settings, const struct technique *refraction);
 
 #endif

@@ -42,7 +42,7 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
     return &made->image;
 }
 
-/* Makes a pass read low-resolution images, bilinearly if the pass has a higher resolution. */
+/* Makes a pass sample the low-resolution images. The filter is bilinear unless `is_small`. */
 static void read_small(struct low_res_images *small, struct rg_pass *pass, bool is_small)
 {
     struct rg_use *uses = pass_builder_copy_uses(small->builder, pass->uses);
@@ -93,7 +93,7 @@ static struct rg_pass upsample(struct low_res_images *small, const struct rg_ima
     };
 }
 
-/* Returns passes that draw the group's depth maps again, at reduced resolution. */
+/* Returns the group's depth map passes at reduced resolution, without its AOV layers. */
 static struct rg_technique draw_depths_again(struct low_res_images *small,
                                              const struct rg_technique *group, float scale)
 {
@@ -110,7 +110,7 @@ static struct rg_technique draw_depths_again(struct low_res_images *small,
     return (struct rg_technique){ group->name, passes, count };
 }
 
-/* Lets passes that blend inclusions draw at low resolution, and adds passes for upsampling. */
+/* Makes passes that blend inclusions draw at low resolution, and adds upsampling passes. */
 static void change_inclusions(struct low_res_images *small, struct rg_technique *group, float scale)
 {
     struct rg_pass *passes =

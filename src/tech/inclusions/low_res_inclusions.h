@@ -5,16 +5,15 @@
 #include "src/tech/pass_builder.h"
 #include "src/tech/technique.h"
 
-/* List of a frame's images of reduced resolution. */
+/* List of the images that a frame draws at reduced resolution. */
 struct low_res_images {
     struct pass_builder *builder; /* owner of images and passes */
     struct low_res_image *first;
 };
 
-/* Changes a pass group: inclusions are drawn at the scale inclusions.scale and upsampled, or read
- * at that scale when composited. Returns additional passes that draw the object's depth maps at
- * that scale, if any. Changes nothing in a pool or if inclusions.scale is 1. Sets builder->failed
- * when out of memory. */
+/* Changes a pass group so that inclusions are drawn at the resolution set by inclusions.scale.
+ * Returns additional passes that draw the object's depth maps at that resolution. Does nothing for
+ * pools or a scale of 1. Sets builder->failed when out of memory. */
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
                                              const struct technique_config *config,
                                              enum technique_phase phase,

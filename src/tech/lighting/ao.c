@@ -43,7 +43,7 @@ static const struct rg_image map = {
     .persistent = true, /* read between updates, too */
 };
 
-/* Depth buffers of the surroundings from above: upward faces (`heights`), lowest undersides. */
+/* Depth buffers of surroundings from above, of highest upward and lowest downward faces. */
 static const struct rg_image heights = {
     .name = "ao.heights",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -133,8 +133,8 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "strength of the ambient occlusion of objects on the surroundings (0: off; trace "
-                "and reference: ground.light)",
+        .help = "strength of the ambient occlusion of objects on the surroundings (0: off); "
+                "refraction models trace and reference use ground.light instead",
     },
 };
 
@@ -151,7 +151,7 @@ static bool is_on(const struct settings *settings)
     return strength_of(settings) > 0.0f;
 }
 
-/* Returns the mean relative density in a ball. A cube has the same mean. */
+/* Returns the mean of medium_relative_density() over the volume of a ball or a cube. */
 static float medium_mean_density(void)
 {
     const int steps = 32;
@@ -190,7 +190,7 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
     return medium;
 }
 
-/* Moves a box corner towards the vertical axis, so that the box gets the occluder's volume. */
+/* Moves a box corner towards the vertical axis, so that the box has the occluder's volume. */
 static vec3s slimmed_corner(const struct ao_shape *shape, vec3s corner)
 {
     const vec3s middle = box_center(shape->box);

@@ -11,7 +11,7 @@
 #include "shaders/lighting/bump.h"
 #include "src/tech/technique.h"
 
-/* Imported bump map of the scene, declared with the size of the fallback image. */
+/* Imported bump map of the scene. The declared size is that of the fallback image. */
 extern const struct rg_image bump_map;
 
 extern const struct technique bump;

@@ -343,8 +343,8 @@ static const struct setting rows[] = {
         .max = ICE_CAUSTICS_SUN,
         .choices = lights,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "light source of the ice's caustics and shadow (none: neither; scene files lit by "
-                "the sun select sun)",
+        .help = "light source of the ice's caustics and shadow; none turns both off (scene files "
+                "lit by the sun select sun)",
     },
     {
         .name = "ice_caustics.radius",
@@ -356,7 +356,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 100,
         .unit = "radii",
-        .help = "half width of the caustic map around the shadow's centre; larger is coarser",
+        .help = "half width of the caustic map around the shadow's centre; larger maps are coarser",
     },
     {
         .name = "ice_caustics.shadow",
@@ -366,7 +366,7 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "block direct sunlight in the ice's shadow (off: caustics are added to it)",
+        .help = "let the ice block direct sunlight (off: caustics are added to unblocked sunlight)",
     },
     {
         .name = "ice_caustics.surroundings_shadow",
@@ -376,8 +376,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct ice_caustics_params, ground),
         .initial = 1,
         .max = 1,
-        .help = "shadow map of the surroundings, up to 6 radii from the ice (off: shadows "
-                "only where ground.light=traced)",
+        .help = "sun shadows of the surroundings, up to 6 radii from the ice (off: only with "
+                "ground.light=traced)",
     },
 };
 

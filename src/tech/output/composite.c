@@ -56,7 +56,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
     const struct inclusion_target_params *target =
         settings_of(settings, &inclusion_target_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
-    /* The refraction model has already drawn traced cracks, but not their light highlights. */
+    /* Traced cracks are already in the image, except for their highlights of light sources. */
     const bool is_without_cracks = cracks_are_traced(settings, refraction) && !light->count;
     return (highlight.is_on(settings) ? COMPOSITE_HAS_HIGHLIGHT : 0u) |
            (air.is_on(settings) && !((uses_bvh || renders_media) && air_is_medium(settings))

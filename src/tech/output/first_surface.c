@@ -1,7 +1,7 @@
 /*
- * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface.
- * Alpha-tested holes show what is behind them. Blended surfaces do so where alpha is below one
- * half. Motion vectors are the surface's own, not those of what it reflects or refracts.
+ * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface. Holes cut
+ * by alpha testing and blended surfaces with alpha below one half count as invisible. Motion
+ * vectors are those of the surface, not of objects seen in reflection or refraction.
  */
 #include "src/tech/output/first_surface.h"
 #include "shaders/embedded.h"

@@ -68,8 +68,8 @@ static const struct rg_use scene_uses[] = {
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
-/* color_pass and layer_pass draw front faces and find the nearest by a depth test. pixel_color_pass
- * and pixel_layer_pass shade a full-screen triangle and use the depth of ice_normal.front. */
+/* Passes that shade the object. color_pass and layer_pass draw front faces with a depth test.
+ * pixel_color_pass and pixel_layer_pass draw a full-screen triangle and read ice_normal.front. */
 static const struct rg_pass color_pass = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
@@ -132,7 +132,7 @@ void refract_choose(struct technique_config *config, const struct scene *scene)
     config->renders_media = refract_has_medium(config->refraction, scene, config->settings);
 }
 
-/* Makes a pass draw front faces and compute Fresnel reflectance per vertex (eq. 4 of the paper). */
+/* Makes a pass draw front faces. */
 static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refraction, bool bumped)
 {
     pass->vert = refraction->vert ? refraction->vert : bumped ? &refract_bump_vert : &refract_vert;
@@ -254,7 +254,7 @@ static const struct setting rows[] = {
         .max = 4.0,
         .help =
             "refractive index of the medium around the objects, such as 1.333 for water; bubbles "
-            "and cracks contain air with any value (1.0003 means 1 for files with materials)",
+            "and cracks always contain air (for files with materials, 1.0003 is treated as 1)",
     },
     {
         .name = "refract.dispersion",
@@ -319,7 +319,7 @@ float refract_outside(const struct scene *scene, const struct settings *settings
     return scene->has_pool ? REFRACT_IOR_AIR : params->outside;
 }
 
-/* Writes index ratios for n - h (red), n (green) and n + h (blue), by KHR_materials_dispersion. */
+/* Writes relative refractive indices for red, green and blue by KHR_materials_dispersion. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct refract_params *params = settings_of(view->settings, &refract_settings);

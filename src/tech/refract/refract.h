@@ -8,20 +8,20 @@
 #include "shaders/refract/refract.h"
 #include "src/tech/technique.h"
 
-/* AOV layers of the ice's front faces; 0 elsewhere. Exit and path are those of green light. */
+/* AOV layers of the ice's front faces; 0 without ice. Exit and path are those of green light. */
 extern const struct rg_image refract_exit;       /* unit exit direction of the path */
 extern const struct rg_image refract_refraction; /* linear refracted radiance */
 extern const struct rg_image refract_reflection; /* linear reflected radiance */
 extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
-/* x: length of the path inside the object, metres, or 0 if the model does not compute it; y: number
- * of total internal reflections; z: 1 if the first inner surface reflects totally, else 0 */
+/* Path of refracted light. x: length inside the object, metres, or 0 if the model does not compute
+ * it; y: number of total internal reflections; z: 1 if the first inner surface reflects totally */
 extern const struct rg_image refract_path;
 
 extern const struct setting_group refract_settings;
 
 struct refract_params {
     float ior;        /* of the object, for green */
-    float outside;    /* index around objects; REFRACT_IOR_AIR means 1 with materials from files */
+    float outside;    /* outside: refractive index around the objects */
     float dispersion; /* 20 / Abbe number; 0 if there is none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
@@ -43,8 +43,8 @@ struct refract_medium_shaders {
 
 /* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
-    /* Fragment shaders for image and layers, first without, then with bump mapping, compiled from
-     * refract_STEM.frag. `bump_frag` is NULL if the model has no bump mapping. */
+    /* Fragment shaders of the image and of the AOV layers, without and with bump mapping.
+     * `bump_frag` is NULL if the model has no bump mapping. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* Variants for textured or tinted objects (ice_normal's material images); NULL if none. */
     const struct rg_shader *material_frag, *material_layers_frag;
@@ -52,11 +52,11 @@ struct refract_shaders {
     const struct rg_shader *nested_frag, *nested_layers_frag;
     /* NULL: scattering media are rendered clear */
     const struct refract_medium_shaders *medium_shaders;
-    /* Variants that shade the object for rays reflected by surroundings (ssr.c), first without,
-     * then with material images. If NULL, such rays read the object's colour from the image. */
+    /* Variants for rays that surroundings reflect to the object (ssr.c), without and with material
+     * images. NULL makes such rays read the object's colour from the image. */
     const struct rg_shader *ssr_frag, *ssr_material_frag;
-    /* Vertex shader. NULL selects refract.vert, refract_bump.vert with bump mapping, or
-     * refract_fullscreen.vert for models that shade a full-screen triangle. */
+    /* Vertex shader. NULL selects refract.vert or refract_bump.vert, or refract_fullscreen.vert for
+     * models that shade a full-screen triangle. */
     const struct rg_shader *vert;
     const struct rg_use *uses;             /* besides globals and bump map */
     const struct rg_use *wide_uses;        /* replaces `uses` if technique_config.is_wide */
@@ -77,14 +77,14 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
  * shader for them and bump mapping is off. */
 void refract_choose(struct technique_config *config, const struct scene *scene);
 
-/* Binding of the environment cube for models with refract_fullscreen_mean.vert. */
+/* Resource use of the environment cube for models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
 
-/* Make a refraction model's passes. The image is drawn before the background, which hidden pixels
- * reject by depth. Layers are drawn after the background, which may hide the object. */
+/* Make the passes of a refraction model. The image is drawn before the background, so that the
+ * depth test rejects hidden background. Layers follow, as surroundings may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
 #define REFRACT_PASS_GROUPS \
     { \

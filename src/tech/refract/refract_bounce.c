@@ -154,7 +154,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 16,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "maximum number of faces through which a ray's light leaves",
+        .help = "maximum number of faces at which the light of one ray leaves the object",
     },
     {
         .name = "refract_bounce.min_throughput",
@@ -163,7 +163,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_bounce_params, min_throughput),
         .max = 1,
-        .help = "minimum fraction of a ray's light at which it is followed to another exit",
+        .help = "minimum remaining fraction of a ray's light for following the ray to another exit",
     },
     {
         .name = "refract_bounce.min_branch",
@@ -173,9 +173,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_bounce_params, branch),
         .initial = 0.1,
         .max = 1,
-        .help =
-            "minimum throughput at which the weaker path is followed, too, where a crack splits "
-            "a path (once per pixel)",
+        .help = "minimum throughput of the weaker path for following both paths where a crack "
+                "splits a path (once per pixel)",
     },
     {
         .name = "refract_bounce.margin",
@@ -197,9 +196,8 @@ static const struct setting rows[] = {
         .max = REFRACT_BOUNCE_NESTED_ALL,
         .choices = nested_choices,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "refraction also at hidden faces of hollow objects, folded ones such as a teapot, and "
-            "nested objects (all: of every concave object)",
+        .help = "refraction also at hidden faces of nested, hollow and folded objects, such as a "
+                "teapot (all: of every concave object)",
     },
     {
         .name = "refract_bounce.inclusions",
@@ -211,19 +209,16 @@ static const struct setting rows[] = {
         .max = REFRACT_BOUNCE_INCLUSIONS_ALL,
         .choices = bent_choices,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "inclusions intersected along refracted rays: none; gaps of cracks, which then reflect "
-            "the object's inside; or also bubbles, and cracks along rays that faces and cracks "
-            "have "
-            "reflected",
+        .help = "inclusions that rays hit inside the object: off (none), cracks (air gaps, which "
+                "reflect rays), or all (also bubbles, and cracks in the path of reflected rays)",
     },
 };
 
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
 
-/* Minimum mesh_depth_complexity() at which all faces of an object are rendered. With nearest faces
- * only, the ice cube (complexity 0) has an error of 0.0075 and the teapot (0.09) 0.039. */
+/* Minimum mesh_depth_complexity() at which all faces of an object are rendered. Objects of lower
+ * complexity have small errors with their nearest faces only. */
 static const float depth_complexity_min = 0.05f;
 
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene)
@@ -238,7 +233,7 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
            !scene_has_textured_objects(scene) && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
-/* Implements refraction_model.choose. Wide maps need untextured objects, no refractive cracks. */
+/* Implements refraction_model.choose. Textures and refractive cracks disable config->is_wide. */
 static void choose(struct technique_config *config, const struct scene *scene)
 {
     const struct refract_bounce_params *params =
@@ -272,7 +267,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
-/* Returns `view`, a width or height in pixels, divided by the wide maps' width or height. */
+/* Returns a view's width or height divided by that of the maps that extend beyond the image. */
 static float wide_ratio(uint32_t view)
 {
     return (float)view / ceilf((float)view * ICE_NORMAL_WIDE);

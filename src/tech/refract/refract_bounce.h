@@ -7,8 +7,8 @@
 extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 
-/* Returns true if nested objects are rendered together and all faces of concave objects are used
- * (setting refract_bounce.nested). Textured or tinted objects or refractive cracks prevent it. */
+/* Returns true if all faces of concave and nested objects are rendered (refract_bounce.nested).
+ * Returns false if an object is textured or tinted or if cracks refract. */
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene);
 
 #endif

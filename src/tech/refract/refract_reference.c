@@ -72,7 +72,8 @@ static const struct frame_layer layers[] = {
     {
         .name = "inclusions",
         .planes = { "inclusions.Z" },
-        .help = "inclusions hit by the path of layer exit, as a sum: 1 bubbles, 2 cracks, 4 air",
+        .help = "inclusions that the path of layer exit hits, as a sum of 1 (bubbles), 2 (cracks) "
+                "and 4 (air)",
     },
     {
         .name = "error",

@@ -30,7 +30,7 @@ static const struct refract_shaders refraction = {
 
 const struct technique refract_sphere = {
     .name = "refract_sphere",
-    .help = "two refractions, as by a sphere that touches the front face",
+    .help = "two refractions; the object is treated as a sphere that touches the front face",
     .pass_groups = REFRACT_PASS_GROUPS,
     .refraction = { .name = "sphere", .shaders = &refraction, .choose = refract_choose },
 };

@@ -36,7 +36,7 @@ const struct technique refract_wyman = {
     .name = "refract_wyman",
     .help = "two refractions; the exit point is estimated from two thicknesses (Wyman 2005)",
     .pass_groups = REFRACT_PASS_GROUPS,
-    /* reach: the lookup along the normal extends one diameter beyond the object */
+    /* reach: lookups extend one diameter beyond the object, 3 radii from its centre */
     .refraction = { .name = "wyman",
                     .shaders = &refraction,
                     .choose = refract_choose,

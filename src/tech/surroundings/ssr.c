@@ -42,7 +42,7 @@ const struct rg_image ssr_specular = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-/* Colour of the refractive objects, with mip levels. Level 0 is undefined far from the objects. */
+/* Colour of the refractive objects, with mip levels. Pixels far from the objects are undefined. */
 static const struct rg_image object_color = {
     .name = "ssr.objects",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -177,7 +177,7 @@ static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D 
                          (uint32_t)((last_y < height ? last_y : height) - first_y) } };
 }
 
-/* Copies the objects with a margin, so that the next mip level reads only written texels. */
+/* Copies the objects' pixels and a margin, which the filter of the next mip level reads. */
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_scissor(cmd, area_at(frame->object_area, 0, 4, rg_cmd_extent(cmd)));
@@ -199,7 +199,7 @@ static float thickness_of(const struct scene *scene)
     return most;
 }
 
-/* Writes an area to the push constants. Edges shared with the image are moved far outside. */
+/* Writes an area to the push constants. Edges on the image border do not fade reflections. */
 static void write_area(struct ssr_push *push, VkRect2D area, VkExtent2D image_size)
 {
     const int32_t first[2] = { area.offset.x, area.offset.y };
@@ -260,7 +260,7 @@ static const struct setting rows[] = {
         .max = 64,
         .switches = SETTING_AFFECTS_PLAN,
         .help = "ray march steps of the screen-space reflections of objects in glossy surroundings "
-                "(0: off; trace and reference: ground.light)",
+                "(0: off); refraction models trace and reference use ground.light instead",
     },
     {
         .name = "ssr.refract",
@@ -272,8 +272,8 @@ static const struct setting rows[] = {
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
         .help =
-            "refract reflected rays at the object that they hit, instead of reusing the camera's "
-            "view of it (refraction model bounce, one object, not nested)",
+            "refract rays that surroundings reflect to the object, instead of reusing the camera's "
+            "view of the object (only refraction model bounce, with one object that is not nested)",
     },
 };
 
@@ -303,7 +303,7 @@ static struct rg_technique make_object_passes(const struct technique_config *con
 }
 
 /* Returns the shader that refracts reflected rays in the object, or NULL if rays read the image.
- * With several or nested objects, rays read the image, as the depth maps are overwritten. */
+ * Several or nested objects need NULL, because they overwrite each other's depth maps. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);

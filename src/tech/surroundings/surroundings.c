@@ -40,8 +40,8 @@ static const struct rg_use texture_uses[] = {
     { 0 },
 };
 
-/* Sampler for cube maps. Elongated texture footprints are filtered as squares. An anisotropic
- * filter would cost more than the rest of the shading of textured surfaces. */
+/* Sampler for cube maps. It has no anisotropic filter, which would cost more than all other shading
+ * of textured surfaces. */
 static const struct rg_sampler square_sampler = {
     .linear = true,
     .mips = true,
@@ -124,7 +124,7 @@ static void light_vertices(struct rg_pass *pass, struct pass_builder *builder,
 struct rg_technique surroundings_make(struct pass_builder *builder,
                                       const struct surroundings_pass_params *params)
 {
-    /* The sky is drawn to all pixels that no surroundings cover, so colour needs no clear. */
+    /* Colour needs no clear, because the sky covers all pixels without surroundings. */
     const enum rg_load color_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
     const bool has_extras = params->has_materials && params->has_extras;
@@ -169,7 +169,7 @@ struct rg_technique surroundings_make(struct pass_builder *builder,
     return (struct rg_technique){ params->name, copies, 2 };
 }
 
-/* Makes the background's passes, which run before a pool's water or after other objects. */
+/* Makes the passes of the background: the surroundings and the sky. */
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {

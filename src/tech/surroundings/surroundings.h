@@ -4,7 +4,7 @@
 #include "graph/rg_cmd.h"
 #include "src/tech/technique.h"
 
-/* Parameters of the passes that draw the surroundings, and then the sky in the remaining pixels. */
+/* Parameters of the passes that draw the surroundings and the sky. */
 struct surroundings_pass_params {
     const char *name;                     /* technique name; prefixes pass names */
     const struct rg_image *color, *depth; /* reversed depth: 0 is infinity */

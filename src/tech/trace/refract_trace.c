@@ -151,7 +151,7 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
     return false;
 }
 
-/* Returns the cosine, the sine and the translation in x and z of a pose, for trace_bvh_pose(). */
+/* Returns a rotation's cosine and sine and its translation in x and z, for trace_bvh_pose(). */
 static vec4s rotation_of(mat4s pose)
 {
     return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };
@@ -287,7 +287,7 @@ static const struct rg_use light_uses[] = {
     { 0 },
 };
 
-/* Fallback of the sun's shadow and caustic maps; without the maps nothing blocks sunlight. */
+/* Fallback of the sun's shadow and caustic maps: nothing blocks sunlight. */
 static const struct rg_fallback no_map = { { 0 } };
 static const struct rg_use sun_uses[] = {
     { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT },

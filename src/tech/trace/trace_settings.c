@@ -66,9 +66,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct trace_params, footprint),
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "filter environment map lookups by ray differentials against fireflies, less with each "
-            "sample (refraction model trace)",
+        .help = "filter environment map lookups by ray differentials to reduce fireflies; "
+                "the filter narrows with each sample (refraction model trace)",
     },
 };
 
@@ -162,9 +161,9 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
 }
 
-/* Minimum throughput for trace.min_branch=auto. Clear objects: below ice's reflectance at normal
- * incidence, 0.018, so each path's first reflection is followed. In other scenes that would take
- * 1.5 times as long, or errors of the cube map are larger. */
+/* Minimum throughput for trace.min_branch=auto. The value for clear objects is below 0.018, the
+ * reflectance of ice at normal incidence, so that the first reflection of each path is followed.
+ * With this value, other scenes would take 1.5 times as long or show errors of the cube map. */
 static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)

@@ -20,7 +20,7 @@ struct trace_params {
     float branch;          /* minimum throughput; below 0: automatic */
     uint32_t surroundings; /* enum trace_surroundings */
     uint32_t rays;         /* enum trace_rays_by */
-    uint32_t footprint;    /* 1 to filter lookups by ray differentials, else 0 */
+    uint32_t footprint;    /* footprint: 1 to filter lookups by ray differentials, else 0 */
 };
 
 extern const struct setting_group trace_settings;
@@ -31,9 +31,9 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
 /* Returns true if the diffuse lighting of surroundings is ray traced and some of them are lit. */
 bool trace_has_diffuse_light(const struct scene *scene, const struct settings *settings);
 
-/* Returns true if rays that leave the objects hit the surroundings. With trace.surroundings=auto
- * this is so if lighting is ray traced, there are several objects, an object is scattering,
- * textured or partly opaque, or surroundings are within a bounding-box diagonal of the centre. */
+/* Returns true if rays that leave the objects are traced to the triangles of the surroundings.
+ * trace.surroundings=auto chooses this for traced lighting, several objects, objects that are
+ * scattering, textured or partly opaque, and surroundings near the objects. */
 bool trace_hits_surroundings(const struct scene *scene, const struct settings *settings);
 
 /* Returns true if objects or surroundings may rotate. */

@@ -313,7 +313,8 @@ static const struct frame_layer layers[] = {
         .planes = { "caustics.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "sunlight on the ground, relative to that with level water or without the ice",
+        .help = "sunlight on the ground, relative to sunlight below level water or, without water, "
+                "to unblocked sunlight",
     },
     { 0 },
 };

@@ -4,11 +4,11 @@
 #include "shaders/water/caustics.h"
 #include "src/tech/technique.h"
 
-/* Light map on the floor's plane (lib/caustics_map.glsl), relative to light through level water. */
+/* Light map of the pool's floor (lib/caustics_map.glsl), relative to light through level water. */
 extern const struct rg_image caustics_light;
 
-/* AOV layer: sunlight on the ground visible in a pixel; 0 without ground. Relative to sunlight
- * below level water (caustics_light) or to sunlight without the ice (ice_caustics.h). */
+/* AOV layer of sunlight on the visible ground; 0 without ground. Pools: relative to sunlight below
+ * level water. Other scenes: relative to sunlight without the ice. */
 extern const struct rg_image caustics_layer;
 
 extern const struct technique caustics;              /* passes depend on the method */

@@ -50,7 +50,8 @@ static const struct setting rows[] = {
     WATER(frequency, .label = "Wave frequency", .initial = 10, .max = 1000,
           .help = "wave frequency of the first octave"),
     WATER(amplitude, .label = "First octave amplitude", .initial = 1, .min = 0.01, .max = 100,
-          .help = "amplitude of the first octave of the wave series; each next octave has half"),
+          .help = "amplitude of the first octave of the wave series; each further octave has half "
+                  "the amplitude"),
     WATER(speed, .label = "Wave speed", .initial = 2, .min = -100, .max = 100,
           .unit = "radians per second", .help = "speed of the waves"),
     {
@@ -63,7 +64,7 @@ static const struct setting rows[] = {
         .help = "number of octaves of the wave series",
     },
     WATER(scale, .label = "Wave scale", .initial = 2.6, .min = 0.01, .max = 1000, .unit = "metres",
-          .help = "length of one unit of the wave function"),
+          .help = "length scale of the waves; larger values make the waves longer and higher"),
     WATER(ior, .label = "Refractive index", .initial = 1.333, .min = 1.001, .max = 4,
           .help = "refractive index of the water"),
     WATER(red, .label = "Absorption, red", .initial = 0.34, .max = 100, .unit = "1/metre",

@@ -184,7 +184,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
     return technique;
 }
 
-/* Returns true if the camera is below the water's surface, even inside the floating ice. */
+/* Returns true if the camera is in the pool below the waves. Ice in the pool is ignored. */
 static bool is_below(const struct rg_frame *frame, uint32_t repetition)
 {
     const struct water_push push = pool_push_of(frame->settings);

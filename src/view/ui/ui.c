@@ -455,7 +455,7 @@ const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_
            is_beside(ui, &list->commands[list->docked_count], vertices, indices))
         list->docked_count++;
     if (!whole && !ui->is_full)
-        log_warning("the panels exceed the vertex limit: the rest is not drawn");
+        log_warning("the panels have too many vertices: some of them are not drawn");
     ui->is_full = ui->is_full || !whole;
     return &ui->list;
 }

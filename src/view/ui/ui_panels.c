@@ -244,8 +244,8 @@ static void show_costs(const struct ui_view *view)
     if (renderer)
         ui_plan_chart_memory(renderer_frame(renderer));
     imgui_text_dim(message ? "slow changes:" : "no slow changes");
-    imgui_tooltip("changes that took longer than a frame, newest first; what a setting rebuilds "
-                  "is in its tooltip");
+    imgui_tooltip("changes that took longer than a frame, newest first; a setting's tooltip says "
+                  "what the setting rebuilds");
     for (uint32_t i = 0; (message = rebuild_log_at(view->rebuild_log, i)); i++)
         imgui_text_wrapped(message);
 }

@@ -70,7 +70,8 @@ static void choose(struct pixel_inspector_choice *c)
     imgui_slider("##gain", &c->stops, &stops);
     imgui_tooltip("exposure gain of the inspector; changes no setting");
     imgui_checkbox("False colours", &c->false_color);
-    imgui_tooltip("black (minimum) over violet and red to yellow (maximum) (Z)");
+    imgui_tooltip(
+        "false colours from black (minimum) through violet and red to yellow (maximum); key Z");
     imgui_same_line(0.0f);
     if (imgui_button("Reset"))
         *c = (struct pixel_inspector_choice){ 0 };

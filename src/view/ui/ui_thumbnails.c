@@ -46,8 +46,8 @@ static bool read_sheet(const char *name, uint32_t count, uint8_t *rgba,
     const bool fits = status == STATUS_OK && sheet.width == sheet_width(&grid) &&
                       sheet.height == sheet_height(&grid, count);
     if (status == STATUS_OK && !fits)
-        log_warning("%s: expected a sheet of %u thumbnails: buttons are shown without them", path,
-                    count);
+        log_warning("%s: expected an image of %u thumbnails: buttons are shown without thumbnails",
+                    path, count);
     for (uint32_t i = 0; i < count && fits; i++)
         cut(&sheet, i, rgba + 4 * texel_count(i));
     image_finish(&sheet);

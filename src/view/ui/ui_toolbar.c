@@ -58,7 +58,8 @@ static void exposure(float width, struct ui_request *request)
         settings_set_value(&request->settings, row, (double)stops);
         request->changed = true;
     }
-    imgui_tooltip("exposure (E, Shift+E: half a stop): tonemap.exposure; needs no new samples");
+    imgui_tooltip("exposure in stops (setting tonemap.exposure); E raises and Shift+E lowers it by "
+                  "half a stop");
 }
 
 void ui_toolbar(const struct ui_view *view, struct ui_request *request)
