@@ -495,6 +495,6 @@ RG_API const struct rg_format_info *rg_format_info(VkFormat format);
 }
 #endif
 
-#include "graph/rg_table.h"
+#include "graph/rg_initializers.h"
 
 #endif

@@ -89,7 +89,7 @@ struct rg_exec_params {
     bool render_passes;
     /* true for an executor that only warms up; needs no `imports`, excludes `render_passes` */
     bool warm_up_only;
-    bool measured;   /* enables rg_time.h */
+    bool measured;   /* enables rg_profile.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
     /* values of specialization constants, read only during the call; NULL means the defaults */
     const VkSpecializationInfo *constants;

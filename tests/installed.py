@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 # Public headers of each library.
-HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_time.h']}
+HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_profile.h']}
 WARNINGS = '-Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers'
 EXAMPLES = {  # expected pixels of the examples' images: (x, y): colour
     'blur.c': {(128, 128): (255, 255, 255), (64, 128): (119, 119, 119), (4, 4): (0, 0, 0)},

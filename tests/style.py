@@ -36,8 +36,8 @@ TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitigno
 # What the frame and the renderer know of techniques and shaders: nothing that is of a single one.
 OF_ALL_TECHNIQUES = (
     'src/tech/frame_resources.h', 'src/tech/frame_media.h',
-    'src/tech/inclusions/low_res_inclusions.h', 'src/tech/inclusions/medium_field.h',
-    'src/tech/layer.h', 'src/tech/pass_builder.h',
+    'src/tech/inclusions/low_res_inclusions.h', 'src/tech/inclusions/medium_density_lookup.h',
+    'src/tech/aov_layer.h', 'src/tech/pass_arena.h',
     'src/tech/technique.h', 'src/tech/techniques.h',
     'shaders/specialization_constants.h', 'shaders/globals.h',
     'shaders/brdf.h', 'shaders/mesh_layout.h', 'shaders/surroundings/sky.h',
@@ -388,7 +388,7 @@ SAMPLES = (
     ('graph/compile/a.c', '#include "graph/rg_exec.h"\n', 'graph/compile/ may not include'),
     ('graph/dump/a.c', '#include "graph/compile/arena.h"\n', 'graph/dump/ may not include'),
     ('graph/exec/a.c', '#include "graph/compile/arena.h"\n', 'graph/exec/ may not include'),
-    ('graph/exec/a.c', '#include "graph/exec/executor.h"\n#include "graph/rg_time.h"\n', None),
+    ('graph/exec/a.c', '#include "graph/exec/executor.h"\n#include "graph/rg_profile.h"\n', None),
     ('graph/a.c', '#include <cglm/struct.h>\n', 'graph/ may not include <cglm'),
     ('graph/a.c', '#include <stdlib.h>\n#include <vulkan/vulkan_core.h>\n', None),
     ('src/tech/a.c', '#include "graph/rg_exec.h"\n', 'may not include "graph/rg_exec.h"'),

@@ -306,7 +306,7 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
     return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
 }
 
-/* ---- check_params.c, check_pass.c ---- */
+/* ---- check_compile_params.c, check_pass.c ---- */
 
 /* Counts the passes and checks the params' arrays. Returns true if all arrays can be read. */
 bool rg_check_params(struct compiler *c);
@@ -341,7 +341,8 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
-/* find_fallbacks.c: binds a use to its fallback if its image is missing. Returns true if bound. */
+/* bind_placeholder_images.c: binds a use to its fallback if its image is missing. Returns true if
+ * bound. */
 bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
 /* Returns true for a use, and false for the zero entry that ends an array of uses. */
@@ -373,7 +374,7 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
     return count;
 }
 
-/* ---- resource.c ---- */
+/* ---- resource_records.c ---- */
 
 /* Adds the imports and outputs, and reports their faults. */
 void rg_add_boundary(struct compiler *c);

@@ -1,5 +1,5 @@
 /* dot_dump.c: dumps a plan as a Graphviz digraph. */
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 /* Writes a name with escapes for a quoted string. */
 static void dot_name(FILE *out, const char *name)

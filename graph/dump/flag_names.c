@@ -1,6 +1,6 @@
 /* flag_names.c: names of flags, layouts and operations in dumps. */
 #include <inttypes.h>
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 const struct rg_dump_flag_name rg_dump_aspects[] = {
     { "color", VK_IMAGE_ASPECT_COLOR_BIT },

@@ -1,7 +1,7 @@
 /* formatted_output.c: formatted output with UTF-8 validation and escaped names. */
 #include <inttypes.h>
 #include <stdarg.h>
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 enum {
     REPLACEMENT = 0xfffd

@@ -1,7 +1,7 @@
 /* html_chart.c: SVG timeline of passes and memory, with one column per pass and a last one for the
  * end of the frame. Barrier batches are marked between columns. */
 #include <inttypes.h>
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 enum {
     AXIS_WIDTH = 190, /* pixels, like all sizes below */

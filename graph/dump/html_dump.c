@@ -1,5 +1,5 @@
 /* html_dump.c: dumps a plan as a self-contained HTML page that is also well-formed XML. */
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 /* CSS colours by resource usage, for light and dark mode. */
 static const char colors[] =

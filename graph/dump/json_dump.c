@@ -1,5 +1,5 @@
 /* json_dump.c: dumps a plan as a JSON object; docs/render-graph.md describes its members. */
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 /* Writes a quoted and escaped string. */
 static void json_name(FILE *out, const char *text)

@@ -1,5 +1,5 @@
 /* text_dump.c: dumps a plan as text. */
-#include "graph/dump/dump.h"
+#include "graph/dump/dump_internal.h"
 
 static void print_span(FILE *out, const char *what, uint32_t first, uint32_t count, uint32_t all)
 {

@@ -4,7 +4,7 @@
 
 #include "graph/exec/vulkan_functions.h"
 #include "graph/rg_exec.h"
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 
 /* Buffer of one frame in flight (slot). In device memory, all slots share one buffer. */
 struct exec_buffer {
@@ -265,13 +265,14 @@ bool rg_exec_is_limited(const struct rg_cmd *cmd);
 VkRect2D rg_exec_area(const struct rg_cmd *cmd);            /* render area within the region */
 VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 
-/* pipeline_warm_up.c: creates the buffer of the triangle that `warm_up_only` draws */
+/* warm_up_draws.c: creates the buffer of the triangle that `warm_up_only` draws */
 VkResult rg_exec_make_warm_up(struct rg_exec *exec);
 
 /* check_features.c: checks that the device has the features that the plan needs */
 VkResult rg_exec_check_features(struct rg_exec *exec);
 
-/* initial_content.c: finds the persistent resources that keep the content of the previous plan */
+/* zero_fill_resources.c: finds the persistent resources that keep the content of the previous plan
+ */
 VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
 /* Records a layout transition that synchronises with all commands before and after. */

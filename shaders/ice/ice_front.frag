@@ -1,6 +1,6 @@
 /* ice_front.frag: G-buffer of the ice's front faces; REFRACT_BUMP adds bump mapping. */
 #version 460
-#include "refract/refract_front_face.glsl"
+#include "refract/refract_front_face_input.glsl"
 
 layout(location = 0) out vec4 front; /* outward unit normal, world; w: 1 */
 layout(location = 1) out float depth;

@@ -3,7 +3,7 @@
  * BUBBLES_REFRACTED adds a depth output, in which composite.frag finds hits of refracted rays. */
 #ifndef BUBBLES_LIGHT_GLSL
 #define BUBBLES_LIGHT_GLSL
-#include "lib/ice_clip.glsl"
+#include "lib/clip_to_ice_depth.glsl"
 
 #ifdef BUBBLES_REFRACTED
 #include "refract/inclusion_march.glsl"

@@ -3,8 +3,8 @@
 #include "inclusions/bubbles.h"
 #include "lib/bubble_deflection.glsl"
 #include "lib/bubble_intersect.glsl"
+#include "lib/clip_to_ice_depth.glsl"
 #include "lib/globals.glsl"
-#include "lib/ice_clip.glsl"
 #include "lib/optics.glsl"
 #include "lib/primary_ray.glsl"
 

@@ -1,7 +1,7 @@
 /* cracks_air_gap.frag: draws air-filled cracks, which reflect the environment cube map. */
 #version 460
-#include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
+#include "inclusions/cracks_shading.glsl"
 #include "lib/optics.glsl"
 
 layout(set = 0, binding = CRACKS_ENV_CUBE) uniform samplerCube env_cube;

@@ -1,7 +1,7 @@
 /* cracks_color.frag: draws the highlights on cracks, clipped by cracks_clip.glsl. */
 #version 460
-#include "inclusions/cracks.glsl"
 #include "inclusions/cracks_clip.glsl"
+#include "inclusions/cracks_shading.glsl"
 
 layout(location = 0) out vec4 color; /* premultiplied alpha */
 

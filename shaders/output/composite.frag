@@ -4,7 +4,7 @@
 #include "lib/specialization_constants.glsl"
 #include "output/composite.h"
 #ifdef BUBBLES_REFRACTED
-#include "output/composite_refracted.glsl"
+#include "output/composite_refracted_bubbles.glsl"
 #endif
 
 layout(set = 0, binding = COMPOSITE_HIGHLIGHT) uniform sampler2D highlights;

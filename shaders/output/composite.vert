@@ -1,11 +1,11 @@
 /* composite.vert: vertex shader of compositing. Draws a full-screen triangle and computes milky
  * air's radiance. BUBBLES_REFRACTED adds view parameters to the outputs. */
 #version 460
-#include "lib/air_light.glsl"
+#include "lib/milky_air_radiance.glsl"
 #include "output/composite.h"
 #ifdef BUBBLES_REFRACTED
 #define COMPOSITE_VERTEX
-#include "output/composite_refracted.glsl"
+#include "output/composite_refracted_bubbles.glsl"
 #endif
 
 layout(set = 0, binding = COMPOSITE_ENVIRONMENT) uniform sampler2D environment;

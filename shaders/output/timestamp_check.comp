@@ -1,6 +1,6 @@
 /* timestamp_check.comp: compute shader of a test load for src/profile/timestamp_check.c. */
 #version 460
-#include "lib/gpu_load.glsl"
+#include "lib/gpu_busy_loop.glsl"
 #include "output/timestamp_check.h"
 
 layout(local_size_x = TIMESTAMP_CHECK_GROUP) in;

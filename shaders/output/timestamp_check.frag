@@ -1,6 +1,6 @@
 /* timestamp_check.frag: fragment shader of a test load for src/profile/timestamp_check.c. */
 #version 460
-#include "lib/gpu_load.glsl"
+#include "lib/gpu_busy_loop.glsl"
 #include "output/timestamp_check.h"
 
 layout(push_constant, scalar) uniform Push

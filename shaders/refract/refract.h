@@ -10,15 +10,15 @@
 #define REFRACT_NORMAL_FRONT 4
 #define REFRACT_DEPTH_FRONT  5
 #define REFRACT_SHADING      7 /* shading normal of front faces */
-#define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_fullscreen.glsl) */
+#define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_deferred_front_face.glsl) */
 /* Front faces' depth map for ray marching with REFRACT_FULLSCREEN, perhaps with a margin. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
-/* Images of material parameters, as written by ice_normal.c and sampled with REFRACT_MATERIAL. */
+/* Images of material parameters, as written by ice_gbuffer.c and sampled with REFRACT_MATERIAL. */
 #define REFRACT_MATERIAL_FRONT 9
 #define REFRACT_MATERIAL_BACK  10
 #define REFRACT_MATERIAL_BASE  11
-/* Image of the cracks that refracted rays can hit, as written by cracks_hit.frag. */
+/* Image of the cracks that refracted rays can hit, as written by cracks_gbuffer.frag. */
 #define REFRACT_CRACKS    6
 #define REFRACT_COMPOSITE 1 /* image that refract_composite.frag composites */
 

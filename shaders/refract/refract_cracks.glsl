@@ -1,10 +1,10 @@
 /*
  * refract_cracks.glsl: intersects path segments inside the ice with the image cracks.hits.
  *
- * Errors: the image holds a single crack per pixel as visible from the camera (cracks_hit.frag),
- * so hidden ones are missed and rays reflected towards the camera hit the visible one from behind.
- * After a reflection, steps across the image are long: they miss narrow cracks, and cracks crossed
- * while the ray hardly changes depth.
+ * Errors: the image holds a single crack per pixel as visible from the camera
+ * (cracks_gbuffer.frag), so hidden ones are missed and rays reflected towards the camera hit the
+ * visible one from behind. After a reflection, steps across the image are long: they miss narrow
+ * cracks, and cracks crossed while the ray hardly changes depth.
  */
 #ifndef REFRACT_CRACKS_GLSL
 #define REFRACT_CRACKS_GLSL

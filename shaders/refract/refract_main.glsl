@@ -6,9 +6,9 @@
 #include "lib/specialization_constants.glsl"
 #include "refract/refract_environment.glsl"
 #ifdef REFRACT_MATERIAL
-#include "refract/refract_material.glsl"
+#include "refract/refract_transmittance.glsl"
 #endif
-#include "refract/refract_path.glsl"
+#include "refract/refract_result.glsl"
 #ifdef REFRACT_MEDIUM
 #include "refract/refract_medium.glsl"
 #endif

@@ -3,7 +3,7 @@
 #ifndef REFRACT_MARCH_PATH_GLSL
 #define REFRACT_MARCH_PATH_GLSL
 #include "refract/refract_march_ray.glsl"
-#include "refract/refract_path.glsl"
+#include "refract/refract_result.glsl"
 
 #ifdef MARCH_GROUND
 /* Returns true if a point is in the ground, where no air is below the ice. */

@@ -2,7 +2,7 @@
 #ifndef REFRACT_THICKNESS_GLSL
 #define REFRACT_THICKNESS_GLSL
 #include "refract/refract_depth_maps.glsl"
-#include "refract/refract_front_face.glsl"
+#include "refract/refract_front_face_input.glsl"
 
 /* Returns the ice's thickness along the unrefracted ray in metres; 0 without a back face. Distance
  * is proportional to 1 / depth in perspective views, and linear in depth in orthographic views. */

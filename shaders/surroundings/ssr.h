@@ -11,7 +11,7 @@
 #define SSR_SPECULAR     6 /* ssr_specular */
 #define SSR_REFRACTED    7 /* half resolution: reflected rays' refracted colour */
 
-/* Bindings of ssr_refract.frag, in addition to those of the refraction model. */
+/* Bindings of ssr_hit_refraction.frag, in addition to those of the refraction model. */
 #define SSR_HIT_POINT 20 /* hit point of the reflected ray, relative to the camera */
 #define SSR_HIT_DIR   21 /* direction of the reflected ray */
 
@@ -26,7 +26,7 @@ struct ssr_push {
     float thickness;          /* assumed thickness behind front faces, metres */
     vec2s area_min, area_max; /* scissored area, pixels; infinite where it touches image edges */
     vec2s area_edge;          /* fade width at the scissored area's edges, pixels */
-    float pixel; /* pixel size, metres; in perspective views at a depth of 1 metre */
+    float pixel;              /* pixel size, metres; in perspective views at a depth of 1 metre */
 };
 
 #endif

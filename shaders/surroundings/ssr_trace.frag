@@ -1,4 +1,4 @@
-/* ssr_trace.frag: fragment shader that traces reflected rays for ssr_refract.frag. */
+/* ssr_trace.frag: fragment shader that traces reflected rays for ssr_hit_refraction.frag. */
 #version 460
 #include "surroundings/ssr.glsl"
 

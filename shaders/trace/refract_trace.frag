@@ -32,7 +32,7 @@
 #endif
 #include "trace/trace_medium_stack.glsl"
 #ifdef TRACE_DENOISE
-#include "trace/trace_denoise.glsl"
+#include "trace/trace_denoise_inputs.glsl"
 #endif
 
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
@@ -140,7 +140,7 @@ struct trace_crossing {
     vec3 d_origin, d_n;       /* ray differentials of the hit point and of `n` */
 };
 
-#include "trace/trace_bvh_mask.glsl"
+#include "trace/trace_bvh_select.glsl"
 #include "trace/trace_inclusions.glsl"
 #include "trace/trace_ray_differentials.glsl"
 

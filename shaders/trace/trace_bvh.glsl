@@ -5,7 +5,7 @@
 #define TRACE_BVH_GLSL
 #include "lib/bubble_intersect.glsl"
 #include "trace/refract_trace.h"
-#include "trace/trace_bvh_stack.glsl"
+#include "trace/trace_traversal_stack.glsl"
 
 layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
 {

@@ -1,7 +1,7 @@
 /* caustics.glsl: refraction of sunlight by waves, and light map coordinates, for pool caustics. */
 #ifndef CAUSTICS_GLSL
 #define CAUSTICS_GLSL
-#include "lib/caustics_map.glsl"
+#include "lib/caustics_map_coordinates.glsl"
 #include "lib/optics.glsl"
 #include "lib/pool_walls.glsl"
 #include "water/caustics.h"

@@ -6,7 +6,7 @@
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"
 #include "refract/refract.h"
-#include "water/water.glsl"
+#include "water/pool_radiance.glsl"
 
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 

@@ -1,6 +1,6 @@
 /* water_color.frag: fragment shader of the water surface for a camera above it. */
 #version 460
-#include "water/water_surface.glsl"
+#include "water/water_surface_radiance.glsl"
 
 layout(location = 0) out vec4 color;
 

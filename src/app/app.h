@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 #include "src/base/status.h"
 #include "src/frame/output_layers.h"
 #include "src/gpu/gpu.h"

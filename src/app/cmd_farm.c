@@ -11,7 +11,7 @@
 #include "src/app/app.h"
 #include "src/app/farm_script.h"
 #include "src/app/farm_status.h"
-#include "src/app/frame_sequence.h"
+#include "src/app/sequence_frame_list.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 

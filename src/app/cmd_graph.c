@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include "src/app/app.h"
 #include "src/frame/frame_plan.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 
 typedef void dump_fn(const struct rg_plan *plan, FILE *out);
 

@@ -7,7 +7,7 @@
 #include "src/base/tile.h"
 #include "src/image/exr.h"
 #include "src/image/file_io.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 
 /* An opened tile file. */
 struct input {

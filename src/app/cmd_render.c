@@ -6,27 +6,27 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
-#include "src/app/frame_sequence.h"
 #include "src/app/image_output.h"
-#include "src/app/layer_image.h"
+#include "src/app/layer_quantize.h"
 #include "src/app/options/reference_options.h"
 #include "src/app/previous_pose.h"
 #include "src/app/progress.h"
 #include "src/app/render_report.h"
 #include "src/app/sample_sums_file.h"
+#include "src/app/sequence_frame_list.h"
 #include "src/app/signals.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/base/tile.h"
 #include "src/image/file_io.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_aov_planes.h"
-#include "src/render/frame_requests.h"
 #include "src/render/lavapipe_tuning.h"
+#include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
-#include "src/tech/refract/refract_reference.h"
+#include "src/tech/refract/refract_cpu_reference.h"
 
 struct job {
     struct app_options o;
@@ -370,7 +370,7 @@ static enum status open_renderer(struct job *job)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_image_bit(p->show);
     params.linear = params.linear || p->is_adaptive || (job->makes_png && !p->show);
-    if (p->refraction == &refract_reference)
+    if (p->refraction == &refract_cpu_reference)
         return open_reference(job, &params);
     enum status status = open_device(job);
     if (status == STATUS_OK)
@@ -492,7 +492,7 @@ static enum status run_frames(struct job *job)
     const uint32_t count = job->sequence.range.count;
     enum status first = STATUS_OK, status = STATUS_OK;
     progress_begin(&job->progress, count,
-                   job->o.image.refraction == &refract_reference ? "tiles" : "samples",
+                   job->o.image.refraction == &refract_cpu_reference ? "tiles" : "samples",
                    job->o.run.quiet);
     for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
         job->progress.frame = i;

@@ -11,7 +11,7 @@
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
 #include "src/ladder/sheet_grid.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"

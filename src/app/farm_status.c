@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "src/app/image_output.h"
 #include "src/base/log.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 
 /* States of a file, from best to worst. A frame has the state of its worst file. */
 enum state {

@@ -2,7 +2,7 @@
 #ifndef FIRN_APP_FARM_STATUS_H
 #define FIRN_APP_FARM_STATUS_H
 
-#include "src/app/frame_sequence.h"
+#include "src/app/sequence_frame_list.h"
 
 /* Prints the state of all frames as text or JSON. Frames are done if firn render --resume would
  * keep them. Without a scene name, frames are done if they have the settings of the newest file,

@@ -20,7 +20,7 @@
 #include "src/tech/refract/env_box.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 
 /* Number of stops by which lights must overexpose the image for a note to be logged. */
 #define BRIGHT_STOPS 4.0

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/output/first_surface.h"
-#include "src/app/layer_image.h"
+#include "src/app/layer_quantize.h"
 #include "src/base/log.h"
 #include "src/tech/frame_resources.h"
 

@@ -11,7 +11,7 @@
 #include "src/image/file_io.h"
 #include "src/profile/html_page.h"
 #include "src/profile/json.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 

@@ -5,7 +5,7 @@
 #include "src/app/app.h"
 #include "src/app/progress.h"
 #include "src/profile/measure_frames.h"
-#include "src/profile/sweep.h"
+#include "src/profile/sweep_power_law.h"
 
 struct profile_job {
     struct app_options o;

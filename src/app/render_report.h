@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
-#include "src/app/frame_sequence.h"
+#include "src/app/sequence_frame_list.h"
 #include "src/base/status.h"
 
 enum render_report_state {

@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/image/exr.h"
 #include "src/image/file_io.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 #include "src/reference/reference_sample_sums.h"
 #include "src/version.h"
 

@@ -8,7 +8,7 @@
 #include "src/scene/material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"
-#include "src/tech/inclusions/medium_field.h"
+#include "src/tech/inclusions/medium_density_lookup.h"
 #include "src/tech/techniques.h"
 
 /* Margins of frame_view_reach() for jittered samples, for bilinear lookups and for rays that begin

@@ -38,7 +38,7 @@ static bool is_applicable(const struct technique *technique,
 static struct rg_technique passes_of_group(const struct technique *technique,
                                            const struct technique_pass_group *group,
                                            const struct technique_config *config,
-                                           struct pass_builder *builder)
+                                           struct pass_arena *builder)
 {
     const bool is_traced =
         technique->is_hit && config->refraction && config->refraction->refraction.traces_bvh;
@@ -80,19 +80,19 @@ static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t dept
         if (list->objects[i].depth_index == depth_index)
             return list->objects[i].globals;
     }
-    struct rg_buffer *buffer = pass_builder_alloc(&list->builder, sizeof(*buffer));
+    struct rg_buffer *buffer = pass_arena_alloc(&list->builder, sizeof(*buffer));
     if (!buffer)
         return NULL;
     *buffer = frame_globals;
-    buffer->name = pass_builder_name(&list->builder, frame_globals.name, number);
+    buffer->name = pass_arena_name(&list->builder, frame_globals.name, number);
     return buffer;
 }
 
 /* Returns a copy of a pass's resource uses with frame_globals replaced by another buffer. */
-static const struct rg_use *uses_with(struct pass_builder *builder, const struct rg_use *uses,
+static const struct rg_use *uses_with(struct pass_arena *builder, const struct rg_use *uses,
                                       const struct rg_buffer *globals)
 {
-    struct rg_use *copy = pass_builder_copy_uses(builder, uses);
+    struct rg_use *copy = pass_arena_copy_uses(builder, uses);
     for (struct rg_use *use = copy; use && use->access; use++) {
         if (use->buffer == &frame_globals)
             use->buffer = globals;
@@ -115,9 +115,9 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     for (size_t i = first; i < list->count; i++)
         object.pass_count += list->pass_groups[i].pass_count;
     object.passes =
-        pass_builder_alloc(&list->builder, (object.pass_count + 1) * sizeof(*object.passes));
+        pass_arena_alloc(&list->builder, (object.pass_count + 1) * sizeof(*object.passes));
     object.names =
-        pass_builder_alloc(&list->builder, (object.pass_count + 1) * sizeof(*object.names));
+        pass_arena_alloc(&list->builder, (object.pass_count + 1) * sizeof(*object.names));
     if (!object.passes || !object.names || !object.globals)
         return false;
     size_t count = 0;
@@ -131,9 +131,9 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     for (size_t r = 0; r < count; r++) {
         struct rg_pass *pass = &object.passes[r];
         object.names[r] =
-            for_layers ? pass_builder_name(&list->builder, pass->name, "layers") : pass->name;
+            for_layers ? pass_arena_name(&list->builder, pass->name, "layers") : pass->name;
         if (depth_index || for_layers)
-            pass->name = pass_builder_name(&list->builder, pass->name, suffix);
+            pass->name = pass_arena_name(&list->builder, pass->name, suffix);
         pass->uses = uses_with(&list->builder, pass->uses, object.globals);
     }
     list->objects[list->object_count++] = object;
@@ -236,7 +236,7 @@ static void keep_shared_in_pass(struct frame_list *list, const struct frame_list
                                 struct rg_pass *pass)
 {
     struct rg_target *color =
-        pass_builder_copy_targets(&list->builder, pass->color, pass->color_count);
+        pass_arena_copy_targets(&list->builder, pass->color, pass->color_count);
     for (uint32_t c = 0; color && c < pass->color_count; c++) {
         if (is_shared(list, object, color[c].image))
             color[c].load = RG_LOAD_KEEP;
@@ -301,7 +301,7 @@ enum status frame_list_init(struct frame_list *list, const struct technique_conf
 
 void frame_list_finish(struct frame_list *list)
 {
-    pass_builder_finish(&list->builder);
+    pass_arena_finish(&list->builder);
     free(list->pass_groups);
     free(list->objects);
     *list = (struct frame_list){ 0 };

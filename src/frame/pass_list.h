@@ -4,7 +4,7 @@
 
 #include "src/base/status.h"
 #include "src/tech/inclusions/low_res_inclusions.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/technique.h"
 
 /* Passes for one position in back-to-front order, whose object may change from frame to frame. */
@@ -26,7 +26,7 @@ struct frame_list {
     bool is_nested; /* nested objects are not listed separately */
     /* The passes of all objects but the farthest draw only the area near their object. */
     bool is_local_to_objects;
-    struct pass_builder builder;
+    struct pass_arena builder;
     struct low_res_images small;
 };
 

@@ -14,7 +14,7 @@
 #include "src/metric/flip.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_aov_planes.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 
 static const char *const colors[3] = { "R", "G", "B" };
 static const char *const directions[3] = { "exit.X", "exit.Y", "exit.Z" };

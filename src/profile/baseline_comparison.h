@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 
 /*
  * Writes a table of PROFILE_COLUMNS columns: medians, their ratio, and a verdict by the

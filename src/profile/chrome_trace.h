@@ -10,7 +10,7 @@
 #define FIRN_PROFILE_CHROME_TRACE_H
 
 #include <stddef.h>
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 
 /* Writes the trace to *text. Ownership and errors are those of profile_write_json(). */
 MUST_USE enum status profile_write_trace(const struct profile *profile, char **text, size_t *size);

@@ -3,7 +3,7 @@
 #define FIRN_PROFILE_CSV_H
 
 #include <stdio.h>
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 
 /*
  * Writes a header line, then one record per row and run:

@@ -6,8 +6,8 @@
 #define FIRN_PROFILE_HTML_PAGE_H
 
 #include <stddef.h>
-#include "src/profile/profile.h"
-#include "src/profile/sweep.h"
+#include "src/profile/profile_data.h"
+#include "src/profile/sweep_power_law.h"
 
 /*
  * Writes the page to *text, which the caller frees. *size is the length of the text with its final

@@ -7,7 +7,7 @@
 #define FIRN_PROFILE_JSON_H
 
 #include <stddef.h>
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 
 /* Writes a profile to *text, which the caller frees. *size excludes the text's final '\0'. When out
  * of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL. In HTML, every '<' must be

@@ -3,7 +3,7 @@
 #define FIRN_PROFILE_JSON_FIELDS_H
 
 #include <jansson.h>
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 
 enum {
     PROFILE_JSON_FORMAT = 1,

@@ -6,7 +6,7 @@
 #ifndef FIRN_PROFILE_MEASURE_FRAMES_H
 #define FIRN_PROFILE_MEASURE_FRAMES_H
 
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 #include "src/profile/timestamp_check.h"
 #include "src/render/renderer.h"
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/profile/sweep.h"
+#include "src/profile/sweep_power_law.h"
 
 static double *sorted_copy(const struct profile *p)
 {

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 
 /* Prints the table. A line adds up all repetitions of a pass, such as cube faces. If `each` is
  * true, each repetition has a line. When out of memory logs and returns STATUS_TRY_AGAIN. */

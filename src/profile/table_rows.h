@@ -5,7 +5,7 @@
 #ifndef FIRN_PROFILE_TABLE_ROWS_H
 #define FIRN_PROFILE_TABLE_ROWS_H
 
-#include "src/profile/profile.h"
+#include "src/profile/profile_data.h"
 #include "src/profile/statistics.h"
 
 struct profile_table_row {

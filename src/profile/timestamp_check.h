@@ -11,7 +11,7 @@
 #ifndef FIRN_PROFILE_TIMESTAMP_CHECK_H
 #define FIRN_PROFILE_TIMESTAMP_CHECK_H
 
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 #include "src/gpu/gpu.h"
 
 struct profile_clock {

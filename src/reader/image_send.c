@@ -5,7 +5,7 @@
 #include "src/image/exr.h"
 #include "src/image/hdr.h"
 #include "src/image/png.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 
 /* Image formats that are decoded as a whole; EXR is decoded row by row. */
 static const struct format {

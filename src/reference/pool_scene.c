@@ -5,7 +5,7 @@
 #include <string.h>
 #include "shaders/water/wave_function.h"
 #include "src/tech/frame_media.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 
 enum {
     SHELL_SIDE = POOL_SCENE_GRID + 3, /* one more ring at the bottom */

@@ -2,10 +2,10 @@
 #ifndef FIRN_REFERENCE_TRACER_H
 #define FIRN_REFERENCE_TRACER_H
 
-#include "src/reference/inclusions.h"
+#include "src/reference/inclusion_shading.h"
 #include "src/reference/nested_media.h"
 #include "src/reference/volume_scattering.h"
-#include "src/tech/refract/refract_reference.h"
+#include "src/tech/refract/refract_cpu_reference.h"
 
 enum {
     TRACER_CHANNEL_COUNT = 3 /* red, green, blue */

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
-#include "src/scene/geometry/similarity_transform.h"
+#include "src/scene/geometry/fit_similarity.h"
 
 enum {
     GROUPS_MAX = 1 << 17,           /* per BVH root; else one group */

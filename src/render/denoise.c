@@ -38,7 +38,7 @@ static float brightness(vec3s v)
     return (v.x + v.y + v.z) / 3.0f;
 }
 
-/* Decodes an octahedral normal that denoise_normal() in trace_denoise.glsl has packed. */
+/* Decodes an octahedral normal that denoise_normal() in trace_denoise_inputs.glsl has packed. */
 static vec3s normal_of(float code)
 {
     const float steps = fmaxf(code - 1.0f, 0.0f), y = floorf(steps / 4096.0f);

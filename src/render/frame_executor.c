@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
-#include "src/render/frame_requests.h"
 #include "src/render/lavapipe_tuning.h"
+#include "src/render/make_frame_request.h"
 #include "src/settings/scene_settings.h"
 
 enum {

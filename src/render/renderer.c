@@ -16,7 +16,7 @@
 #include "src/image/half_float.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/render/frame_executor.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/render/object_draw_order.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"

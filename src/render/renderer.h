@@ -16,7 +16,7 @@
 #define FIRN_RENDER_RENDERER_H
 
 #include "graph/rg_exec.h"
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 #include "src/frame/output_layers.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
@@ -116,7 +116,8 @@ struct renderer_costs {
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* Sets what frames measure (graph/rg_time.h). Times are in the pass order of renderer_frame(). */
+/* Sets what frames measure (graph/rg_profile.h). Times are in the pass order of renderer_frame().
+ */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);

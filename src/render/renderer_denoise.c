@@ -2,7 +2,7 @@
 #include "src/base/log.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/render/denoise.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
 #include "src/tech/frame_resources.h"

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/image/half_float.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
 

@@ -2,7 +2,7 @@
  * need. */
 #include <stdlib.h>
 #include "src/base/log.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/shader_warm_up.h"
 

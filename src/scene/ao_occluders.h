@@ -11,7 +11,7 @@
 
 #include "shaders/lighting/ao.h"
 #include "src/base/status.h"
-#include "src/scene/object.h"
+#include "src/scene/refractive_object.h"
 
 enum {
     AO_PLANES = 18,

@@ -2,7 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/base/log.h"
-#include "src/scene/geometry/closed_mesh.h"
+#include "src/scene/geometry/point_in_mesh.h"
 #include "src/scene/import/greyscale_map.h"
 #include "src/scene/scene.h"
 

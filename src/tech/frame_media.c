@@ -1,6 +1,6 @@
 /* frame_media.c: media of a scene's objects: refractive index, absorption, surface parameters. */
 #include "src/tech/frame_media.h"
-#include "src/tech/refract/absorb.h"
+#include "src/tech/refract/absorption.h"
 #include "src/tech/refract/refract.h"
 
 #include <cglm/struct.h>

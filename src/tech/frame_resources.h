@@ -8,7 +8,7 @@
 #include "src/scene/camera.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
-#include "src/tech/layer.h"
+#include "src/tech/aov_layer.h"
 
 struct technique;
 struct window_frame;
@@ -154,7 +154,7 @@ enum {
     FRAME_DENOISE_COUNT = 3
 };
 
-/* Images that shaders/trace/trace_denoise.glsl writes for the denoise pass: traced lighting,
+/* Images that shaders/trace/trace_denoise_inputs.glsl writes for the denoise pass: traced lighting,
  * throughput and position. These layers cannot be selected by --aov. */
 extern const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT];
 

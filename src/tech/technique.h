@@ -10,13 +10,13 @@
 
 #include "graph/rg.h"
 #include "src/settings/settings.h"
-#include "src/tech/layer.h"
+#include "src/tech/aov_layer.h"
 
 struct frame_view;
 struct globals;
 struct mesh;
 struct refract_shaders;
-struct pass_builder;
+struct pass_arena;
 struct scene;
 struct technique;
 
@@ -50,7 +50,7 @@ struct technique_config {
     /* Set by refraction_model.choose: */
     bool is_textured;       /* objects have textured or tinted surfaces */
     bool renders_media;     /* raster model with scattering media */
-    bool is_wide;           /* maps extend beyond the image (ice_normal.h) */
+    bool is_wide;           /* maps extend beyond the image (ice_gbuffer.h) */
     bool is_nested;         /* nested objects are rendered together (ice_nested.h) */
     bool hits_surroundings; /* rays hit triangles of the surroundings */
     bool has_diffuse_light; /* ray-traced lighting of all surroundings */
@@ -85,9 +85,9 @@ enum technique_scene {
 };
 
 /* Returns the passes of a pass group, or none if the technique is off. The builder allocates and
- * owns tables that depend on `config` (src/tech/pass_builder.h). */
+ * owns tables that depend on `config` (src/tech/pass_arena.h). */
 typedef struct rg_technique technique_passes_fn(const struct technique_config *config,
-                                                struct pass_builder *builder);
+                                                struct pass_arena *builder);
 
 struct technique_pass_group {
     enum technique_phase phase;
@@ -103,7 +103,7 @@ struct refraction_model {
     const struct refract_shaders *shaders; /* NULL for the CPU reference */
     float reach; /* maximum distance of lookups from the centre, bounding radii; 0 means 1 */
     /* True if the model shades a full-screen triangle instead of front faces
-     * (shaders/refract/refract_fullscreen.glsl), for slow fragment shaders. */
+     * (shaders/refract/refract_deferred_front_face.glsl), for slow fragment shaders. */
     bool shades_fullscreen;
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
@@ -116,7 +116,7 @@ struct refraction_model {
     /* Makes a pass of ice_caustics.c trace photons through the scene's triangles if rays hit
      * surroundings, and adds the uses `own`, which end at an empty use. NULL: rasterise photons. */
     void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
-                          struct pass_builder *builder, const struct rg_use *own);
+                          struct pass_arena *builder, const struct rg_use *own);
 };
 
 /* A buffer that the host fills in every frame whose plan contains it. */

@@ -2,8 +2,8 @@
 #include "src/view/file_kind.h"
 #include <string.h>
 #include "src/base/path.h"
-#include "src/reader/image_reader.h"
-#include "src/scene/environment/panorama.h"
+#include "src/reader/image_receive.h"
+#include "src/scene/environment/cube_to_equirect.h"
 #include "src/scene/scene.h"
 
 /* Returns true if the aspect ratio is 2:1 (panorama), 6:1 or 1:6 (strip of cube faces). */

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/output/tonemap.h"
-#include "src/app/layer_image.h"
-#include "src/app/object_names.h"
+#include "src/app/layer_quantize.h"
+#include "src/app/object_id_names.h"
 #include "src/base/log.h"
 #include "src/metric/heat_map.h"
 #include "src/tech/output/tonemap.h"

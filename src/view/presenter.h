@@ -13,7 +13,7 @@
 #define FIRN_VIEW_PRESENTER_H
 
 #include "graph/rg_exec.h"
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/view/overlay_draw_list.h"
 #include "src/view/present_pass.h"

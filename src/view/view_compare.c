@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/base/path.h"
 #include "src/frame/pass_list.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_internal.h"
 #include "src/view/worker_thread.h"

@@ -14,8 +14,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
-#include "graph/rg_time.h"
-#include "src/view/ui/ui_frame_pacing.h"
+#include "graph/rg_profile.h"
+#include "src/view/ui/ui_frame_bottleneck.h"
 
 enum {
     VIEW_TIME_COUNT = 1024, /* capacity of a ring of times */

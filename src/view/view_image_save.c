@@ -4,7 +4,7 @@
 #include <string.h>
 #include "shaders/output/present.h"
 #include "src/app/image_output.h"
-#include "src/app/layer_image.h"
+#include "src/app/layer_quantize.h"
 #include "src/app/signals.h"
 #include "src/base/log.h"
 #include "src/base/path.h"

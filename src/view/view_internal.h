@@ -156,7 +156,7 @@ MUST_USE enum status view_compare_show(struct view *view);
 void view_compare_print(const struct view *view, char left[static VIEW_SIDE_SIZE],
                         char right[static VIEW_SIDE_SIZE]);
 
-/* ---- view_input.c: input ---- */
+/* ---- view_mouse_input.c: input ---- */
 
 /* Handles all input since the last call. */
 void view_handle_input(struct view *view);

@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/frame/pass_list.h"
-#include "src/render/frame_requests.h"
+#include "src/render/make_frame_request.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/output/tonemap.h"
 #include "src/view/shader_reload.h"

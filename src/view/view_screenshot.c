@@ -6,7 +6,7 @@
 #include "src/base/clock.h"
 #include "src/base/path.h"
 #include "src/view/clipboard.h"
-#include "src/view/ui/ui_screenshot.h"
+#include "src/view/ui/ui_offscreen_capture.h"
 #include "src/view/view_internal.h"
 
 enum {

@@ -7,7 +7,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/view/window_x11.h"
+#include "src/view/glfw_x11_workarounds.h"
 
 static const double divider_reach = 8.0;        /* pixels; maximum distance from the divider */
 static const double double_click_seconds = 0.4; /* maximum time between both clicks */

@@ -1,7 +1,7 @@
 /*
  * window.h: platform window on GLFW: creation, input events, full screen, Vulkan surface. Only
- * window.c and window_x11.c call GLFW. Errors are logged with GLFW's description and returned as
- * STATUS_NO_DEVICE.
+ * window.c and glfw_x11_workarounds.c call GLFW. Errors are logged with GLFW's description and
+ * returned as STATUS_NO_DEVICE.
  */
 #ifndef FIRN_VIEW_WINDOW_H
 #define FIRN_VIEW_WINDOW_H

@@ -7,7 +7,7 @@
 #include <sys/shm.h>
 #include <xcb/shm.h>
 #include <xcb/xcb.h>
-#include "src/view/window_x11.h"
+#include "src/view/glfw_x11_workarounds.h"
 
 struct segment {
     void *memory; /* NULL if not allocated */

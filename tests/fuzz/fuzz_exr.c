@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/image/exr.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_image.h"
 #include "tests/fuzz/fuzz_scene.h"

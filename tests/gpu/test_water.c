@@ -5,7 +5,7 @@
 #include "tests/support/assertions.h"
 
 #include "shaders/water/water.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 #include "tests/support/brute_force_trace.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -7,7 +7,7 @@
 #include "tests/support/assertions.h"
 
 #include "src/settings/settings.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 #include "tests/gpu/optics_ask.h"
 #include "tests/support/lavapipe.h"
 

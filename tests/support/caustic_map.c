@@ -11,7 +11,7 @@
 
 #include "src/tech/frame_resources.h"
 #include "src/tech/water/caustics.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 #include "tests/support/run_graph.h"
 
 enum {

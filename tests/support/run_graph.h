@@ -4,7 +4,7 @@
 #define TESTS_RUN_GRAPH_H
 
 #include "graph/rg_cmd.h"
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 #include "src/gpu/gpu.h"
 
 enum {

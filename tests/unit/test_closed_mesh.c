@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "src/scene/generate/generate.h"
-#include "src/scene/geometry/closed_mesh.h"
+#include "src/scene/geometry/point_in_mesh.h"
 #include "src/scene/geometry/mesh_depth_complexity.h"
 #include "tests/support/assertions.h"
 

@@ -16,7 +16,7 @@ static const char *const names[] = { "light.R",      "light.G",      "light.B", 
 static const char *const colors[] = { "R", "G", "B" };
 
 /* Of normal (0, 0, 1): the middle of the octahedron, as denoise_normal() of
- * trace_denoise.glsl. */
+ * trace_denoise_inputs.glsl. */
 static const float facing = 1.0f + 2047.0f + 4096.0f * 2047.0f;
 
 static float noise(size_t i)

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/profile/sweep.h"
+#include "src/profile/sweep_power_law.h"
 #include "src/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"

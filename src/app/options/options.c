@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/layer_image.h"
+#include "src/app/layer_quantize.h"
 #include "src/app/options/diff_options.h"
 #include "src/app/options/farm_options.h"
 #include "src/app/options/image_options.h"
@@ -25,7 +25,7 @@
 #include "src/scene/material.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
-#include "src/tech/refract/refract_reference.h"
+#include "src/tech/refract/refract_cpu_reference.h"
 
 /* ---- the table ---- */
 
@@ -390,7 +390,7 @@ static enum status add_positional(struct app_options *o, enum app_command comman
 
 static enum status refuse_traced(const struct app_image *image)
 {
-    if (image->refraction != &refract_reference)
+    if (image->refraction != &refract_cpu_reference)
         return STATUS_OK;
     log_error("--refraction: only firn render supports 'reference'; choose another refraction "
               "model");
@@ -403,8 +403,9 @@ static enum status check_layers(struct app_image *image)
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        const bool is_made = image->refraction == &refract_reference ? reference_has_layer(layer)
-                                                                     : layer->image != NULL;
+        const bool is_made = image->refraction == &refract_cpu_reference
+                                 ? reference_has_layer(layer)
+                                 : layer->image != NULL;
         const bool is_shown = image->show == layer;
         made |= is_made ? 1u << i : 0;
         if (is_made || !(image->layers & 1u << i || is_shown))

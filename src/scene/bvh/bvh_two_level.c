@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/scene/bvh/bvh_cache.h"
-#include "src/scene/geometry/similarity_transform.h"
+#include "src/scene/bvh/bvh_topology_codec.h"
+#include "src/scene/geometry/fit_similarity.h"
 
 enum {
     LEVELS_FREE = 4, /* extra depth of the top-level BVH */

@@ -9,7 +9,7 @@
 #include "src/image/exr.h"
 #include "src/image/half_float.h"
 #include "src/image/hdr.h"
-#include "src/scene/environment/panorama.h"
+#include "src/scene/environment/cube_to_equirect.h"
 
 /* Converts colours to Rec.709. Greyscale images need no conversion. */
 static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/image/srgb.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 
 /* Largest finite half float. Sums and differences of values up to it are finite floats. */
 #define GREY_MAX 65504.0f

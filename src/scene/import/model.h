@@ -34,8 +34,8 @@
 
 #include "src/base/status.h"
 #include "src/scene/camera.h"
-#include "src/scene/object.h"
 #include "src/scene/punctual_light.h"
+#include "src/scene/refractive_object.h"
 
 /* Array of square RGBA8 textures of one size, rows from the top. Limits: 4096 layers, 2048 texels a
  * side, 512 MiB in total. Images of other sizes are resampled. */

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/base/log.h"
-#include "src/reader/image_reader.h"
+#include "src/reader/image_receive.h"
 #include "src/reader/preset_reader.h"
 #include "src/scene/import/model_pipe.h"
 

@@ -11,7 +11,7 @@
 #include "src/tech/ice/ice_interval.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 
 const struct rg_image ice_interval_count = {
     .name = "ice_interval.count",
@@ -55,7 +55,7 @@ static const struct rg_pass count = {
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
 /* Returns the uses of a pass that reads the globals and a range of an image's layers. */
-static const struct rg_use *use_before(struct pass_builder *builder, const struct rg_image *layers,
+static const struct rg_use *use_before(struct pass_arena *builder, const struct rg_image *layers,
                                        struct rg_range range)
 {
     const struct rg_use before[] = {
@@ -66,12 +66,11 @@ static const struct rg_use *use_before(struct pass_builder *builder, const struc
           .range = range },
         { 0 },
     };
-    return pass_builder_join_uses(builder, (const struct rg_use *const[]){ globals_use, before },
-                                  2);
+    return pass_arena_join_uses(builder, (const struct rg_use *const[]){ globals_use, before }, 2);
 }
 
 /* Writes passes for the first layer and, if there are several, for the layers behind it. */
-static struct rg_pass *peel_all(struct rg_pass *pass, struct pass_builder *builder,
+static struct rg_pass *peel_all(struct rg_pass *pass, struct pass_arena *builder,
                                 const struct rg_image *layers, const char *first, const char *next)
 {
     *pass = peel;
@@ -91,7 +90,7 @@ static struct rg_pass *peel_all(struct rg_pass *pass, struct pass_builder *build
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const uint32_t index = ice_interval_index(config->settings);
     const struct rg_image *near = &ice_interval_near[index];
@@ -101,7 +100,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
         { .image = far, .access = RG_SAMPLED, .binding = ICE_INTERVAL_FAR, .same_texel = true },
         { 0 },
     };
-    struct rg_pass *passes = pass_builder_alloc(builder, 5 * sizeof(*passes));
+    struct rg_pass *passes = pass_arena_alloc(builder, 5 * sizeof(*passes));
     if (!passes)
         return (struct rg_technique){ 0 };
     struct rg_pass *far_first =
@@ -114,7 +113,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
     far_first->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
     far_first->frag = &ice_interval_next_frag;
     *last = count;
-    last->uses = pass_builder_join_uses(builder, (const struct rg_use *const[]){ count_uses }, 1);
+    last->uses = pass_arena_join_uses(builder, (const struct rg_use *const[]){ count_uses }, 1);
     return (struct rg_technique){ "ice_interval", passes, (size_t)(last + 1 - passes) };
 }
 

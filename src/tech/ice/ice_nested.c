@@ -13,9 +13,9 @@
 #include "shaders/embedded.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
-#include "src/tech/inclusions/medium_field.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/ice/ice_gbuffer.h"
+#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/pass_arena.h"
 
 static rg_record_fn record_near, record_far;
 
@@ -80,7 +80,7 @@ const struct rg_buffer ice_nested_media = {
 #define FAR \
     .depth = { &depth_test, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } }, \
     .depth_compare = VK_COMPARE_OP_LESS, .record = record_far
-#define OUTERMOST .frag = &ice_nested_frag, .uses = RG_USES(FRAME_USE_GLOBALS)
+#define OUTERMOST .frag = &ice_nested_peel_frag, .uses = RG_USES(FRAME_USE_GLOBALS)
 #define BEHIND(first_layer) \
     .frag = &ice_nested_inner_frag, \
     .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &ice_nested_depths, \
@@ -135,10 +135,10 @@ static void record_far(struct rg_cmd *cmd, const struct rg_frame *frame)
 }
 
 /* Makes a pass render to the maps that extend beyond the image. */
-static void widen(struct pass_builder *builder, struct rg_pass *pass)
+static void widen(struct pass_arena *builder, struct rg_pass *pass)
 {
-    struct rg_target *color = pass_builder_copy_targets(builder, pass->color, pass->color_count);
-    struct rg_use *uses = pass_builder_copy_uses(builder, pass->uses);
+    struct rg_target *color = pass_arena_copy_targets(builder, pass->color, pass->color_count);
+    struct rg_use *uses = pass_arena_copy_uses(builder, pass->uses);
     if (!color || !uses)
         return;
     color[0].image = &ice_nested_wide_normals;
@@ -152,12 +152,12 @@ static void widen(struct pass_builder *builder, struct rg_pass *pass)
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
     if (!config->is_nested)
         return (struct rg_technique){ 0 };
-    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, count);
+    struct rg_pass *copies = pass_arena_copy_passes(builder, passes, count);
     for (size_t i = 0; copies && config->is_wide && i < count; i++)
         widen(builder, &copies[i]);
     return (struct rg_technique){ "ice_nested", copies, copies ? count : 0 };

@@ -28,9 +28,9 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/inclusions/cracks.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
 
@@ -228,7 +228,7 @@ bool bubbles_are_refracted(const struct technique_config *config)
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const struct bubbles_params *params = settings_of(config->settings, &bubbles_settings);
     const bool are_spheres = params->shape == GENERATE_BUBBLES_SPHERE;
@@ -237,7 +237,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
     const struct rg_pass *pass = are_spheres ? &spheres_pass : &shapes_pass;
     if (!bubbles_are_refracted(config))
         return (struct rg_technique){ "bubbles", pass, 1 };
-    struct rg_pass *refracted_pass = pass_builder_copy_passes(builder, pass, 1);
+    struct rg_pass *refracted_pass = pass_arena_copy_passes(builder, pass, 1);
     if (!refracted_pass)
         return (struct rg_technique){ 0 };
     refracted_pass->color = refracted_targets;
@@ -253,7 +253,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
         renders_media ? refract_medium_uses : NULL,
     };
     refracted_pass->uses =
-        pass_builder_join_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
+        pass_arena_join_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
     refracted_pass->frag = refracted_frags[traces_light + renders_media][!are_spheres];
     if (traces_light) {
         refracted_pass->push_size = sizeof(struct refract_bounce_params);

@@ -27,9 +27,9 @@
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/ice/ice_interval.h"
-#include "src/tech/ice/ice_normal.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 
 static rg_record_fn record_cracks;
@@ -107,21 +107,20 @@ static const struct clipping interval = {
     .before_back = true,
 };
 
-static const struct rg_use *use_intervals(struct pass_builder *builder, uint32_t index)
+static const struct rg_use *use_intervals(struct pass_arena *builder, uint32_t index)
 {
     const struct rg_use layers[] = {
         FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .same_texel = true),
         FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .same_texel = true),
         { 0 },
     };
-    return pass_builder_join_uses(builder, (const struct rg_use *const[]){ globals_use, layers },
-                                  2);
+    return pass_arena_join_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
 }
 
 /* Returns the clipping method. Convex objects need no depth peeling, because a pixel's ray is
  * inside them only from the nearest to the farthest face. */
 static struct clipping find_clipping(const struct technique_config *config,
-                                     struct pass_builder *builder)
+                                     struct pass_arena *builder)
 {
     const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
     struct clipping found = none;
@@ -323,24 +322,24 @@ bool cracks_are_traced(const struct settings *settings, const struct technique *
 
 /* Makes the pass that draws the cracks' colour. Without cracks it only clears the image. */
 static struct rg_technique make_color(const struct technique_config *config,
-                                      struct pass_builder *builder)
+                                      struct pass_arena *builder)
 {
     const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
     const struct clipping clipping = params->count ? find_clipping(config, builder) : none;
     const bool are_gaps = params->count && params->refract == CRACKS_REFRACT_GAP;
     const struct rg_use *const uses[] = { clipping.uses, are_gaps ? cube_use : NULL };
-    struct rg_pass *pass = pass_builder_copy_passes(
+    struct rg_pass *pass = pass_arena_copy_passes(
         builder, clipping.before_back ? &color_before_back_pass : &color_pass, 1);
     if (!pass)
         return (struct rg_technique){ 0 };
-    pass->uses = pass_builder_join_uses(builder, uses, 2);
+    pass->uses = pass_arena_join_uses(builder, uses, 2);
     pass->vert = clipping.vert;
     pass->frag = are_gaps ? clipping.gap : clipping.color;
     return (struct rg_technique){ "cracks", pass, 1 };
 }
 
 static struct rg_technique make_normals(const struct technique_config *config,
-                                        struct pass_builder *builder)
+                                        struct pass_arena *builder)
 {
     const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
     const bool are_traced = cracks_are_traced(config->settings, config->refraction);
@@ -348,7 +347,7 @@ static struct rg_technique make_normals(const struct technique_config *config,
         return (struct rg_technique){ 0 };
     const struct clipping clipping = find_clipping(config, builder);
     struct rg_pass *pass =
-        pass_builder_copy_passes(builder, are_traced ? &hit_pass : &normal_pass, 1);
+        pass_arena_copy_passes(builder, are_traced ? &hit_pass : &normal_pass, 1);
     if (!pass)
         return (struct rg_technique){ 0 };
     pass->uses = clipping.normal_uses;
@@ -358,7 +357,7 @@ static struct rg_technique make_normals(const struct technique_config *config,
 }
 
 static struct rg_technique make_composite(const struct technique_config *config,
-                                          struct pass_builder *builder)
+                                          struct pass_arena *builder)
 {
     (void)builder;
     if (!is_on(config->settings) || cracks_are_in_ice(config->settings))

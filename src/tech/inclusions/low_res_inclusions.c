@@ -32,11 +32,11 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
     const struct rg_image *found = find(small, whole);
     if (found)
         return found;
-    struct low_res_image *made = pass_builder_alloc(small->builder, sizeof(*made));
+    struct low_res_image *made = pass_arena_alloc(small->builder, sizeof(*made));
     if (!made)
         return NULL;
     *made = (struct low_res_image){ whole, *whole, small->first };
-    made->image.name = pass_builder_name(small->builder, whole->name, "small");
+    made->image.name = pass_arena_name(small->builder, whole->name, "small");
     made->image.scale = scale;
     small->first = made;
     return &made->image;
@@ -45,7 +45,7 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
 /* Makes a pass sample the low-resolution images. The filter is bilinear unless `is_small`. */
 static void read_small(struct low_res_images *small, struct rg_pass *pass, bool is_small)
 {
-    struct rg_use *uses = pass_builder_copy_uses(small->builder, pass->uses);
+    struct rg_use *uses = pass_arena_copy_uses(small->builder, pass->uses);
     for (struct rg_use *use = uses; use && use->access; use++) {
         const struct rg_image *found = use->image ? find(small, use->image) : NULL;
         if (!found)
@@ -62,7 +62,7 @@ static void read_small(struct low_res_images *small, struct rg_pass *pass, bool 
 static void draw_small(struct low_res_images *small, struct rg_pass *pass, float scale)
 {
     struct rg_target *colors =
-        pass_builder_copy_targets(small->builder, pass->color, pass->color_count);
+        pass_arena_copy_targets(small->builder, pass->color, pass->color_count);
     for (uint32_t c = 0; colors && c < pass->color_count; c++)
         colors[c].image = make(small, colors[c].image, scale);
     pass->color = colors;
@@ -83,10 +83,10 @@ static struct rg_pass upsample(struct low_res_images *small, const struct rg_ima
     };
     const struct rg_target target = { whole, RG_LOAD_DISCARD };
     return (struct rg_pass){
-        .name = pass_builder_name(small->builder, whole->name, "whole"),
-        .color = pass_builder_target(small->builder, target),
+        .name = pass_arena_name(small->builder, whole->name, "whole"),
+        .color = pass_arena_target(small->builder, target),
         .color_count = 1,
-        .uses = pass_builder_join_uses(small->builder, (const struct rg_use *const[]){ read }, 1),
+        .uses = pass_arena_join_uses(small->builder, (const struct rg_use *const[]){ read }, 1),
         .vert = &composite_upsample_vert,
         .frag = &composite_upsample_frag,
         .record = frame_draw_screen,
@@ -98,13 +98,13 @@ static struct rg_technique draw_depths_again(struct low_res_images *small,
                                              const struct rg_technique *group, float scale)
 {
     struct rg_pass *passes =
-        pass_builder_copy_passes(small->builder, group->passes, group->pass_count);
+        pass_arena_copy_passes(small->builder, group->passes, group->pass_count);
     size_t count = 0;
     for (size_t i = 0; passes && i < group->pass_count; i++) {
         if (group->passes[i].color_count)
             continue; /* draws a layer */
         passes[count] = group->passes[i];
-        passes[count].name = pass_builder_name(small->builder, passes[count].name, "small");
+        passes[count].name = pass_arena_name(small->builder, passes[count].name, "small");
         draw_small(small, &passes[count++], scale);
     }
     return (struct rg_technique){ group->name, passes, count };
@@ -114,7 +114,7 @@ static struct rg_technique draw_depths_again(struct low_res_images *small,
 static void change_inclusions(struct low_res_images *small, struct rg_technique *group, float scale)
 {
     struct rg_pass *passes =
-        pass_builder_alloc(small->builder, 2 * group->pass_count * sizeof(*passes));
+        pass_arena_alloc(small->builder, 2 * group->pass_count * sizeof(*passes));
     size_t count = 0;
     for (size_t i = 0; i < group->pass_count && !small->builder->failed; i++) {
         passes[count++] = group->passes[i];
@@ -129,7 +129,7 @@ static void change_inclusions(struct low_res_images *small, struct rg_technique 
 static void change_readers(struct low_res_images *small, struct rg_technique *group)
 {
     struct rg_pass *passes =
-        pass_builder_copy_passes(small->builder, group->passes, group->pass_count);
+        pass_arena_copy_passes(small->builder, group->passes, group->pass_count);
     for (size_t i = 0; passes && i < group->pass_count; i++)
         read_small(small, &passes[i], false);
     group->passes = passes;

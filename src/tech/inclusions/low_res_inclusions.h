@@ -2,12 +2,12 @@
 #ifndef FIRN_TECH_INCLUSIONS_LOW_RES_INCLUSIONS_H
 #define FIRN_TECH_INCLUSIONS_LOW_RES_INCLUSIONS_H
 
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/technique.h"
 
 /* List of the images that a frame draws at reduced resolution. */
 struct low_res_images {
-    struct pass_builder *builder; /* owner of images and passes */
+    struct pass_arena *builder; /* owner of images and passes */
     struct low_res_image *first;
 };
 

@@ -27,7 +27,7 @@
 #include "src/scene/ao_occluder_transmission.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/inclusions/medium_field.h"
+#include "src/tech/inclusions/medium_density_lookup.h"
 
 static const struct rg_buffer bodies = {
     .name = "ao.occluders",
@@ -239,7 +239,7 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     (void)builder;
     if (!is_on(config->settings) || !config->has_materials)

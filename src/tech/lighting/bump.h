@@ -3,8 +3,8 @@
  *
  * A bump map and a mask of areas smoothed by melting (Seipel and Nivfors 2006, section 3.1 c)
  * perturb the normals of front faces for refraction, reflection and highlights
- * (shaders/lighting/bump.glsl). Fresnel reflectance at vertices (eq. 4) and the AOV layer N use the
- * mesh's normals. Back faces are not bump-mapped.
+ * (shaders/lighting/bump_fragment_normal.glsl). Fresnel reflectance at vertices (eq. 4) and the AOV
+ * layer N use the mesh's normals. Back faces are not bump-mapped.
  */
 #ifndef FIRN_TECH_LIGHTING_BUMP_H
 #define FIRN_TECH_LIGHTING_BUMP_H

@@ -30,7 +30,7 @@
 #include "shaders/surroundings/surroundings.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/lighting/bump.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract_bounce.h"
 #include "src/tech/water/caustics.h"
 
@@ -146,7 +146,7 @@ static bool is_due(const struct rg_frame *frame, uint32_t repetition)
 }
 
 static const struct rg_pass passes[] = {
-    /* Faces of the ice from the sun's view, drawn as in ice_normal.c. */
+    /* Faces of the ice from the sun's view, drawn as in ice_gbuffer.c. */
     {
         .name = "ice_caustics.back",
         .color = RG_TARGETS({ &back, RG_LOAD_CLEAR }),
@@ -193,8 +193,8 @@ static const struct rg_pass passes[] = {
             FRAME_USE_GLOBALS, USE_LIGHT,
             FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
             FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL)),
-        .vert = &ice_caustics_shadow_map_vert,
-        .frag = &ice_caustics_shadow_map_frag,
+        .vert = &sun_shadow_map_vert,
+        .frag = &sun_shadow_map_frag,
         .vertices = &frame_mesh_layout,
         .record = record_shade,
         .when = is_due,
@@ -204,7 +204,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &landing_red, RG_LOAD_CLEAR }, { &landing_green, RG_LOAD_CLEAR },
                             { &landing_blue, RG_LOAD_CLEAR }),
         .uses = photon_uses,
-        .vert = &ice_caustics_sun_view_vert,
+        .vert = &ice_caustics_photons_vert,
         .frag = &ice_caustics_photons_frag,
         .push_size = sizeof(struct ice_caustics_push),
         .record = record_photons,
@@ -391,7 +391,7 @@ static bool is_on(const struct settings *settings)
 }
 
 static struct rg_technique make_maps(const struct technique_config *config,
-                                     struct pass_builder *builder)
+                                     struct pass_arena *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
     const struct rg_use *const uses[] = { photon_uses, bump_uses };
@@ -401,7 +401,7 @@ static struct rg_technique make_maps(const struct technique_config *config,
                            config->hits_surroundings;
     if (!is_traced && !bump.is_on(config->settings))
         return (struct rg_technique)RG_TECHNIQUE("ice_caustics", passes);
-    struct rg_pass *made = pass_builder_copy_passes(builder, passes, count);
+    struct rg_pass *made = pass_arena_copy_passes(builder, passes, count);
     if (!made)
         return (struct rg_technique){ 0 };
     if (is_traced) {
@@ -409,20 +409,20 @@ static struct rg_technique make_maps(const struct technique_config *config,
                                                      traced_uses);
         return (struct rg_technique){ "ice_caustics", made, count };
     }
-    made[PHOTONS_PASS].uses = pass_builder_join_uses(builder, uses, 2);
+    made[PHOTONS_PASS].uses = pass_arena_join_uses(builder, uses, 2);
     draw_bumps(&made[PHOTONS_PASS]);
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 
 /* Makes the pass of the AOV layer that shows sunlight on the visible surroundings. */
 static struct rg_technique make_layer(const struct technique_config *config,
-                                      struct pass_builder *builder)
+                                      struct pass_arena *builder)
 {
     const struct rg_use *const uses[] = { globals_use, ice_caustics_uses };
-    struct rg_pass *pass = pass_builder_copy_passes(builder, &layer_pass, 1);
+    struct rg_pass *pass = pass_arena_copy_passes(builder, &layer_pass, 1);
     if (!pass || !is_on(config->settings))
         return (struct rg_technique){ 0 };
-    pass->uses = pass_builder_join_uses(builder, uses, 2);
+    pass->uses = pass_arena_join_uses(builder, uses, 2);
     return (struct rg_technique){ "ice_caustics", pass, 1 };
 }
 

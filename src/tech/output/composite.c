@@ -11,12 +11,12 @@
 #include "shaders/specialization_constants.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/bubbles.h"
 #include "src/tech/inclusions/cracks.h"
 #include "src/tech/lighting/highlight.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 
 static rg_record_fn record_area;
@@ -69,11 +69,11 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const uint32_t bits = layers_of(config->settings, config->refraction, config->renders_media);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
-    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, 1);
+    struct rg_pass *copies = pass_arena_copy_passes(builder, passes, 1);
     if (!(bits & ~COMPOSITE_IS_LOW_RES) || !copies)
         return (struct rg_technique){ 0 };
     memcpy(changed, uses, sizeof(uses));
@@ -86,7 +86,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
             use->same_texel = false;
     }
     const bool shows_refracted = (bits & COMPOSITE_HAS_BUBBLES) && bubbles_are_refracted(config);
-    copies->uses = pass_builder_join_uses(
+    copies->uses = pass_arena_join_uses(
         builder, (const struct rg_use *const[]){ changed, shows_refracted ? bent_uses : NULL }, 2);
     copies->vert = shows_refracted ? &composite_refracted_vert : &composite_vert;
     copies->frag = shows_refracted ? &composite_refracted_frag : &composite_frag;

@@ -4,12 +4,12 @@
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/inclusions/air.h"
-#include "src/tech/inclusions/medium_field.h"
+#include "src/tech/inclusions/medium_density_lookup.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/lighting/highlight.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 
 const struct rg_image refract_exit = {
     .name = "refract.exit",
@@ -168,7 +168,7 @@ static const struct rg_shader *scattering_frag(const struct technique_config *co
 }
 
 static struct rg_technique make_pass(const struct technique_config *config,
-                                     struct pass_builder *builder, const struct rg_pass *base,
+                                     struct pass_arena *builder, const struct rg_pass *base,
                                      bool is_layers)
 {
     const struct technique *technique = config->refraction;
@@ -186,11 +186,11 @@ static struct rg_technique make_pass(const struct technique_config *config,
         config->is_textured ? refract_material_uses : NULL,
         config->renders_media ? refract_medium_uses : NULL,
     };
-    struct rg_pass *pass = pass_builder_copy_passes(builder, base, 1);
+    struct rg_pass *pass = pass_arena_copy_passes(builder, base, 1);
     if (!pass)
         return (struct rg_technique){ 0 };
-    pass->name = pass_builder_name(builder, technique->name, is_layers ? "layers" : "color");
-    pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    pass->name = pass_arena_name(builder, technique->name, is_layers ? "layers" : "color");
+    pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     if (technique->refraction.shades_fullscreen)
         pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
@@ -203,14 +203,14 @@ static struct rg_technique make_pass(const struct technique_config *config,
 }
 
 struct rg_technique refract_image_passes(const struct technique_config *config,
-                                         struct pass_builder *builder)
+                                         struct pass_arena *builder)
 {
     const bool shades_fullscreen = config->refraction->refraction.shades_fullscreen;
     return make_pass(config, builder, shades_fullscreen ? &pixel_color_pass : &color_pass, false);
 }
 
 struct rg_technique refract_layer_passes(const struct technique_config *config,
-                                         struct pass_builder *builder)
+                                         struct pass_arena *builder)
 {
     const bool shades_fullscreen = config->refraction->refraction.shades_fullscreen;
     return make_pass(config, builder, shades_fullscreen ? &pixel_layer_pass : &layer_pass, true);

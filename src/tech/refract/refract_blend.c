@@ -11,7 +11,7 @@
 #include "shaders/refract/refract_blend.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/refract/refract.h"
 
 static rg_record_fn record_object;

@@ -12,7 +12,7 @@
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/refract/refract.h"
 
 static const struct rg_use uses[] = {

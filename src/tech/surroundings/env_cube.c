@@ -49,7 +49,7 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const struct env_cube_params *params = settings_of(config->settings, &env_cube_settings);
     const bool is_image = config->purpose == TECHNIQUE_IMAGE;

@@ -23,8 +23,8 @@
 #include "shaders/surroundings/ssr.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/ice/ice_gbuffer.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
 
@@ -294,7 +294,7 @@ bool ssr_is_drawn(const struct technique_config *config)
 }
 
 static struct rg_technique make_object_passes(const struct technique_config *config,
-                                              struct pass_builder *builder)
+                                              struct pass_arena *builder)
 {
     (void)builder;
     if (!ssr_is_drawn(config))
@@ -317,10 +317,10 @@ static const struct rg_shader *refracted_frag(const struct technique_config *con
 }
 
 static struct rg_technique make_refracted_passes(const struct technique_config *config,
-                                                 struct pass_builder *builder)
+                                                 struct pass_arena *builder)
 {
     const struct rg_shader *frag = ssr_is_drawn(config) ? refracted_frag(config) : NULL;
-    struct rg_pass *own = frag ? pass_builder_copy_passes(builder, refracted_passes, 2) : NULL;
+    struct rg_pass *own = frag ? pass_arena_copy_passes(builder, refracted_passes, 2) : NULL;
     if (!own)
         return (struct rg_technique){ 0 };
     const struct refract_shaders *refraction = config->refraction->refraction.shaders;
@@ -330,14 +330,14 @@ static struct rg_technique make_refracted_passes(const struct technique_config *
         config->is_textured ? refract_material_uses : NULL,
         config->renders_media ? refract_medium_uses : NULL,
     };
-    own[1].uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    own[1].uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     own[1].vert = refraction->vert;
     own[1].frag = frag;
     return (struct rg_technique){ "ssr", own, 2 };
 }
 
 static struct rg_technique make_screen_passes(const struct technique_config *config,
-                                              struct pass_builder *builder)
+                                              struct pass_arena *builder)
 {
     (void)builder;
     if (!ssr_is_drawn(config))

@@ -10,7 +10,7 @@
 #include "src/tech/frame_resources.h"
 #include "src/tech/lighting/ao.h"
 #include "src/tech/lighting/ice_caustics.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/surroundings/ssr.h"
 
 static rg_record_fn record_surroundings, record_sky;
@@ -110,10 +110,10 @@ static const struct rg_shader *const vertices_frags[2] = {
     &surroundings_vertices_caustics_frag,
 };
 
-static void light_vertices(struct rg_pass *pass, struct pass_builder *builder,
+static void light_vertices(struct rg_pass *pass, struct pass_arena *builder,
                            const struct surroundings_pass_params *params)
 {
-    struct rg_use *uses = pass_builder_copy_uses(builder, pass->uses);
+    struct rg_use *uses = pass_arena_copy_uses(builder, pass->uses);
     for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
         u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
     pass->vert = vertices_verts[params->has_extras][params->caustics];
@@ -121,7 +121,7 @@ static void light_vertices(struct rg_pass *pass, struct pass_builder *builder,
     pass->uses = uses;
 }
 
-struct rg_technique surroundings_make(struct pass_builder *builder,
+struct rg_technique surroundings_make(struct pass_arena *builder,
                                       const struct surroundings_pass_params *params)
 {
     /* Colour needs no clear, because the sky covers all pixels without surroundings. */
@@ -135,7 +135,7 @@ struct rg_technique surroundings_make(struct pass_builder *builder,
         params->caustics ? ice_caustics_uses : NULL,   has_extras ? extra_uses : NULL,
         params->has_materials ? ao_uses : NULL,
     };
-    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, 2);
+    struct rg_pass *copies = pass_arena_copy_passes(builder, passes, 2);
     if (!copies)
         return (struct rg_technique){ 0 };
     const struct rg_target targets[] = {
@@ -144,21 +144,20 @@ struct rg_technique surroundings_make(struct pass_builder *builder,
         [SURROUNDINGS_OUT_SPECULAR] = { &ssr_specular, RG_LOAD_DISCARD },
     };
     const uint32_t target_count = params->has_ssr ? SURROUNDINGS_OUT_SPECULAR + 1 : 1;
-    copies[0].name = pass_builder_name(builder, params->name, "mesh");
-    copies[0].color = pass_builder_copy_targets(builder, targets, target_count);
+    copies[0].name = pass_arena_name(builder, params->name, "mesh");
+    copies[0].color = pass_arena_copy_targets(builder, targets, target_count);
     copies[0].depth = (struct rg_target){ params->depth, depth_load };
     if (has_extras)
         copies[0].vert = &surroundings_extra_vert;
     copies[0].frag =
         (params->has_ssr ? ssr_frags
                          : frags)[has_extras ? 2 : params->has_materials][params->caustics];
-    copies[0].uses = pass_builder_join_uses(builder, uses, 5);
+    copies[0].uses = pass_arena_join_uses(builder, uses, 5);
     copies[0].record = params->record_surroundings;
     if (params->per_vertex && params->has_materials)
         light_vertices(&copies[0], builder, params);
-    copies[1].name = pass_builder_name(builder, params->name, "sky");
-    copies[1].color =
-        pass_builder_target(builder, (struct rg_target){ params->color, RG_LOAD_KEEP });
+    copies[1].name = pass_arena_name(builder, params->name, "sky");
+    copies[1].color = pass_arena_target(builder, (struct rg_target){ params->color, RG_LOAD_KEEP });
     copies[1].depth = (struct rg_target){ params->depth, RG_LOAD_KEEP };
     copies[1].record = params->record_sky;
     for (size_t i = 0; i < 2; i++) {
@@ -171,7 +170,7 @@ struct rg_technique surroundings_make(struct pass_builder *builder,
 
 /* Makes the passes of the background: the surroundings and the sky. */
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const struct ground_params *ground = settings_of(config->settings, &ground_settings);
     const struct surroundings_pass_params params = {

@@ -19,7 +19,7 @@ struct surroundings_pass_params {
 };
 
 /* Builds the passes of the surroundings and the sky in memory that `builder` owns. */
-struct rg_technique surroundings_make(struct pass_builder *builder,
+struct rg_technique surroundings_make(struct pass_arena *builder,
                                       const struct surroundings_pass_params *params);
 
 #endif

@@ -19,14 +19,14 @@
 #include "src/scene/environment/image_based_lighting.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/cracks.h"
-#include "src/tech/inclusions/medium_field.h"
+#include "src/tech/inclusions/medium_density_lookup.h"
 #include "src/tech/lighting/highlight.h"
 #include "src/tech/lighting/ice_caustics.h"
 #include "src/tech/output/first_surface.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/trace/trace_settings.h"
 
@@ -316,7 +316,7 @@ static const struct refract_shaders refraction = {
 };
 
 static struct rg_technique make_pass(const struct technique_config *config,
-                                     struct pass_builder *builder, bool is_layers)
+                                     struct pass_arena *builder, bool is_layers)
 {
     static const struct rg_shader *const frags[2][2][2][2] = {
         { { { &refract_trace_frag, &refract_trace_aov_frag },
@@ -345,11 +345,11 @@ static struct rg_technique make_pass(const struct technique_config *config,
         config->queries ? query_uses : NULL,
     };
     struct rg_pass *pass =
-        pass_builder_copy_passes(builder, is_layers ? &layer_pass : &color_pass, 1);
+        pass_arena_copy_passes(builder, is_layers ? &layer_pass : &color_pass, 1);
     if (!pass)
         return (struct rg_technique){ 0 };
-    pass->name = pass_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
-    pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    pass->name = pass_arena_name(builder, refract_trace.name, is_layers ? "layers" : "color");
+    pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     pass->vert =
         config->hits_surroundings ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
     pass->frag =
@@ -364,23 +364,23 @@ static struct rg_technique make_pass(const struct technique_config *config,
 }
 
 static void trace_photons(struct rg_pass *pass, const struct technique_config *config,
-                          struct pass_builder *builder, const struct rg_use *own)
+                          struct pass_arena *builder, const struct rg_use *own)
 {
     const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
-    pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     pass->vert = &refract_fullscreen_vert;
     pass->frag = config->is_dispersive ? &refract_trace_rays_photons_dispersion_frag
                                        : &refract_trace_rays_photons_frag;
 }
 
 static struct rg_technique make_color_passes(const struct technique_config *config,
-                                             struct pass_builder *builder)
+                                             struct pass_arena *builder)
 {
     return make_pass(config, builder, false);
 }
 
 static struct rg_technique make_layer_passes(const struct technique_config *config,
-                                             struct pass_builder *builder)
+                                             struct pass_arena *builder)
 {
     return make_pass(config, builder, true);
 }

@@ -27,7 +27,7 @@
 #include "src/tech/water/caustics.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 
 static rg_record_fn record_map, record_grid, record_photons, record_screen, record_strip,
     record_one;
@@ -94,7 +94,7 @@ static const struct rg_pass naive_passes[] = {
         .uses = RG_USES(
             FRAME_USE_GLOBALS,
             { .image = &caustics_counts, .access = RG_SAMPLED, .binding = CAUSTICS_COUNTS }),
-        .frag = &caustics_count_frag,
+        .frag = &caustics_from_photon_counts_frag,
         PUSH,
     },
 };
@@ -164,7 +164,7 @@ static const struct rg_pass area_passes[] = {
         .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &caustics_landing,
                                              .access = RG_STORAGE_WRITE,
                                              .binding = CAUSTICS_LANDING }),
-        .comp = &caustics_trace_comp,
+        .comp = &caustics_area_project_comp,
         PUSH,
         .record = record_grid,
     },
@@ -172,8 +172,8 @@ static const struct rg_pass area_passes[] = {
         .name = "caustics.splat",
         .color = RG_TARGETS({ &caustics_raw, RG_LOAD_CLEAR, .blend = RG_BLEND_ADD }),
         .uses = splat_uses,
-        .vert = &caustics_splat_vert,
-        .frag = &caustics_splat_frag,
+        .vert = &caustics_area_vert,
+        .frag = &caustics_area_frag,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
         PUSH,
         .record = record_strip,
@@ -279,7 +279,7 @@ const struct setting_group caustics_settings =
     SETTING_GROUP("caustics", rows, struct caustics_params);
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     static const struct rg_technique methods_rows[] = {
         [CAUSTICS_NONE] = { 0 },

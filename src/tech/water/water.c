@@ -16,7 +16,7 @@
  * waves, which transmit the sky or reflect the ground once.
  *
  * Ice that floats in the pool (pool.ice) is drawn above the water. Rays below the water intersect
- * it by ray marching the maps of ice_normal.c in the camera's view, refracted by air and level
+ * it by ray marching the maps of ice_gbuffer.c in the camera's view, refracted by air and level
  * water. The limits are those of refract_bounce.c, and: there is no dispersion; the ice reflects
  * only the sky and the dry walls; the water does not reflect the ice; no ray hits the ice twice;
  * the ice affects neither the sunlight nor the waves.
@@ -26,12 +26,12 @@
 #include "shaders/embedded.h"
 #include "shaders/water/wave_function.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/ice/ice_normal.h"
+#include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/output/gbuffer.h"
-#include "src/tech/pass_builder.h"
+#include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/water/caustics.h"
-#include "src/tech/water/pool.h"
+#include "src/tech/water/pool_parameters.h"
 
 static rg_record_fn record_surface, record_ice, record_below;
 static rg_when_fn is_above, is_below;
@@ -161,14 +161,14 @@ static void add_pass(struct rg_technique *technique, struct rg_pass *passes,
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_builder *builder)
+                                       struct pass_arena *builder)
 {
     const bool lit = caustics_are_lit(config->settings);
     const bool iced = pool_has_ice(config->settings);
     const struct rg_use *const lists[] = { surface_uses, lit ? caustics_uses : NULL,
                                            iced ? ice_uses : NULL };
-    const struct rg_use *uses = pass_builder_join_uses(builder, lists, 3);
-    struct rg_pass *passes = pass_builder_alloc(builder, PASS_COUNT * sizeof(*passes));
+    const struct rg_use *uses = pass_arena_join_uses(builder, lists, 3);
+    struct rg_pass *passes = pass_arena_alloc(builder, PASS_COUNT * sizeof(*passes));
     if (!passes)
         return (struct rg_technique){ 0 };
     struct rg_technique technique = { "water", passes, 1 };

@@ -62,7 +62,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
 void ui_toolbar(const struct ui_view *view, struct ui_request *request);
 void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 void ui_timeline(const struct ui_view *view,
-                 struct ui_request *request); /* ui_timeline.c: timeline */
+                 struct ui_request *request); /* ui_playback.c: timeline */
 void ui_status(const struct ui *ui, const struct ui_view *view);
 
 /* Draws a drop-down list with a label. Returns true if the choice has changed. */

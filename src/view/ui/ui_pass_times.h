@@ -2,7 +2,7 @@
 #ifndef FIRN_VIEW_UI_UI_PASS_TIMES_H
 #define FIRN_VIEW_UI_UI_PASS_TIMES_H
 
-#include "graph/rg_time.h"
+#include "graph/rg_profile.h"
 
 enum {
     UI_PASS_TIMES_ROW_COUNT = 96,    /* maximum rows; further passes are omitted */

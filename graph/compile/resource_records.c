@@ -1,0 +1,222 @@
+/* resource_records.c: checks each image and buffer, and creates the compiler's record of it. */
+#include <math.h>
+#include "graph/compile/compiler.h"
+
+static uint32_t scaled(uint32_t view, float scale)
+{
+    if (scale == 0.0f || scale == 1.0f)
+        return view;
+    double texels = ceil((double)view * (double)scale);
+    return !(texels >= 1.0) ? 1 : texels > (double)UINT32_MAX ? UINT32_MAX : (uint32_t)texels;
+}
+
+uint32_t rg_full_chain(VkExtent2D extent, uint32_t depth)
+{
+    uint32_t side = extent.width > extent.height ? extent.width : extent.height;
+    side = side > depth ? side : depth;
+    uint32_t mips = 1;
+    while (side >>= 1)
+        mips++;
+    return mips;
+}
+
+static VkExtent2D extent_of(const struct rg_compile_params *params, const struct rg_image *image,
+                            VkExtent2D view)
+{
+    for (size_t i = 0; i < params->size_count; i++) {
+        if (params->sizes[i].image == image)
+            return params->sizes[i].extent;
+    }
+    return (VkExtent2D){
+        .width = image->width ? image->width : scaled(view.width, image->scale),
+        .height = image->height ? image->height : scaled(view.height, image->scale),
+    };
+}
+
+static void size_image(struct resource *r, const struct rg_image *image, const struct compiler *c)
+{
+    r->format = rg_format_info(image->format);
+    r->extent = extent_of(c->params, image, c->params->view);
+    r->max_extent =
+        c->params->max_view.width ? extent_of(c->params, image, c->max_view) : r->extent;
+    r->depth = image->depth ? image->depth : 1;
+    r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
+    r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
+    r->all.levelCount = image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent, r->depth)
+                        : image->mips              ? image->mips
+                                                   : 1;
+    r->persistent = image->persistent;
+}
+
+static VkDeviceSize buffer_size(const struct rg_buffer *buffer, VkExtent2D region)
+{
+    uint64_t texels = (uint64_t)region.width * region.height;
+    VkDeviceSize size;
+    if (__builtin_mul_overflow(texels, buffer->size_per_texel, &size) ||
+        __builtin_add_overflow(size, buffer->size, &size) || size > UINT64_MAX >> 16)
+        return RG_SIZE_OVERFLOW;
+    return size;
+}
+
+static void size_buffer(struct resource *r, const struct rg_buffer *buffer,
+                        const struct compiler *c)
+{
+    r->size = buffer_size(buffer, c->plan->max_region);
+    r->max_size =
+        buffer_size(buffer, c->params->max_region.width ? c->plan->max_region : c->max_view);
+    r->persistent = buffer->persistent;
+}
+
+/* Applies the actual size of an import, which may differ from its declaration. */
+static void size_import(struct resource *r, const struct rg_import *import)
+{
+    r->persistent = false;
+    if (import->size)
+        r->size = r->max_size = import->size;
+    if (import->extent.width && import->extent.height)
+        r->extent = r->max_extent = import->extent;
+    if (r->image && r->image->depth && import->depth)
+        r->depth = import->depth;
+    if (r->image && r->image->mips == RG_ALL_MIPS)
+        r->all.levelCount = rg_full_chain(r->extent, r->depth);
+    if (r->image && import->layers)
+        r->all.layerCount = import->layers;
+    if (r->image && import->mips)
+        r->all.levelCount = import->mips;
+}
+
+/* Allocates the states of a resource's subresources and initialises them. subresource_state.c adds
+ * the states of imports, persistent resources and aliased memory. */
+static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
+{
+    uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
+    uint64_t count = aspects * r->all.levelCount * r->all.layerCount;
+    bool upload = r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD;
+    bool filled = upload || r->persistent || (import && import->access != RG_ACCESS_NONE);
+    r->cell_count = (uint32_t)count;
+    r->cells = count == 1 ? r->cell : ARENA_ARRAY(c->arena, struct cell, count);
+    for (uint32_t i = 0; r->cells && i < count; i++)
+        r->cells[i] = (struct cell){
+            /* queue submission makes host writes visible to all accesses */
+            .visible = upload ? RG_VISIBLE_TO_ALL : 0,
+            .flags = r->shared ? CELL_FRESH : 0,
+            .filled = filled ? CELL_FILLED : CELL_EMPTY,
+        };
+}
+
+static void check_name(struct compiler *c, struct resource *r)
+{
+    const char *name = r->image ? r->image->name : r->buffer->name;
+    r->name = name ? name : "?";
+    if (!name) {
+        rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
+        return;
+    }
+    if (rg_string_set_add(c->arena, &c->resource_names, name))
+        rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
+}
+
+/* Adds a resource. Returns NULL if out of memory. */
+static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
+                                     const struct rg_buffer *buffer, const struct rg_import *import)
+{
+    struct resource *r = rg_arena_alloc(c->arena, 1, sizeof(struct resource) + sizeof(struct cell));
+    if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
+                    c->row_count * 2) ||
+        !r)
+        return NULL;
+    /* all fields are listed because compilers clear omitted fields much more slowly */
+    *r = (struct resource){
+        .name = NULL,
+        .image = image,
+        .buffer = image ? NULL : buffer,
+        .cells = NULL,
+        .cell_count = 0,
+        .persistent = false,
+        .shared = false,
+        .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
+        .extent = { 0, 0 },
+        .max_extent = { 0, 0 },
+        .depth = 1,
+        .format = NULL,
+        .size = 0,
+        .max_size = 0,
+        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
+        .output = RG_NONE,
+        .first = RG_NONE,
+        .last = RG_NONE,
+        .usage = 0,
+        .plan_image = RG_NONE,
+        .plan_buffer = RG_NONE,
+        .item = RG_NONE,
+        .acquired_before = 0,
+        .last_barrier = RG_NONE,
+    };
+    if (image)
+        size_image(r, image, c);
+    else
+        size_buffer(r, buffer, c);
+    if (import)
+        size_import(r, import);
+    r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
+    check_name(c, r);
+    rg_check_resource(c, r);
+    add_cells(c, r, import);
+    c->persistent_count += r->persistent;
+    c->resources[c->resource_count++] = r;
+    return c->arena->failed ? NULL : r;
+}
+
+struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
+                                const struct rg_buffer *buffer)
+{
+    const void *address = image ? (const void *)image : (const void *)buffer;
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value && !*value)
+        *value = add_resource(c, image, buffer, NULL);
+    return value ? *value : NULL;
+}
+
+static void add_import(struct compiler *c, const struct rg_import *import)
+{
+    const void *address =
+        import->image ? (const void *)import->image : (const void *)import->buffer;
+    rg_fault_if(c, !import->extent.width != !import->extent.height, RG_ERROR_NO_SIZE,
+                import->image ? import->image->name : import->buffer->name,
+                "extent: expected width and height of the import, or 0x0 as declared");
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value && *value)
+        rg_fault_of(c, RG_ERROR_LISTED_TWICE, ((struct resource *)*value)->name,
+                    "list an import once");
+    else if (value)
+        *value = add_resource(c, import->image, import->buffer, import);
+}
+
+static void add_output(struct compiler *c, uint32_t index)
+{
+    const struct rg_output *output = &c->params->outputs[index];
+    struct resource *r = rg_resource_of(c, output->image, output->buffer);
+    if (!r)
+        return;
+    if (r->output != RG_NONE)
+        rg_fault_of(c, RG_ERROR_LISTED_TWICE, r->name, "list an output once");
+    else
+        r->output = index;
+    rg_check_output_memory(c, r);
+}
+
+void rg_add_boundary(struct compiler *c)
+{
+    const struct rg_compile_params *params = c->params;
+    for (size_t i = 0; i < params->import_count; i++) {
+        const struct rg_import *import = &params->imports[i];
+        if (rg_check_boundary(c, import->image, import->buffer, import->access, true))
+            add_import(c, import);
+    }
+    for (size_t i = 0; i < params->output_count && !c->arena->failed; i++) {
+        const struct rg_output *output = &params->outputs[i];
+        if (rg_check_boundary(c, output->image, output->buffer, output->access, false))
+            add_output(c, (uint32_t)i);
+    }
+    c->boundary_count = c->resource_count;
+}

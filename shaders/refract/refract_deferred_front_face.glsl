@@ -1,0 +1,46 @@
+/* refract_deferred_front_face.glsl: reads the visible front face from the G-buffer
+ * ice_normal.front, for deferred shading by a full-screen triangle. Rasterisers that shade blocks
+ * of pixels then shade a block only once. With the ice's own triangles, they shade a block once per
+ * triangle. */
+#ifndef REFRACT_DEFERRED_FRONT_FACE_GLSL
+#define REFRACT_DEFERRED_FRONT_FACE_GLSL
+#include "lib/primary_ray.glsl"
+#include "lib/specialization_constants.glsl"
+#include "refract/refract.h"
+
+layout(set = 0, binding = REFRACT_SHADING) uniform sampler2D shading;
+layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
+#ifdef REFRACT_LAYERS
+layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
+#endif
+
+layout(location = REFRACT_VIEW_RAY) in vec3 ray;
+
+vec3 eye_to_point;
+vec3 normal; /* unit length, bump mapped */
+float fresnel_paper;
+
+vec3 refract_front_normal()
+{
+    return normal;
+}
+
+/* Reads the pixel's front face. Discards pixels without ice, or with ice behind other objects. */
+void refract_front_read()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depth_front, pixel, 0).r;
+    vec4 texel = texelFetch(shading, pixel, 0);
+    eye_to_point = primary_ray_at(ray, view_depth(refract_frame.clip_from_world, depth));
+    normal = texel.xyz;
+    fresnel_paper = texel.w;
+#ifdef REFRACT_LAYERS
+    if (depth == 0.0 || depth < texelFetch(depth_scene, pixel, 0).r)
+        discard;
+#else
+    if (constant_objects == 1u && depth == 0.0)
+        discard;
+#endif
+}
+
+#endif

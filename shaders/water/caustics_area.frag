@@ -1,0 +1,18 @@
+/* caustics_area.frag: fragment shader of pool caustics: light of a projected grid triangle. */
+#version 460
+#include "water/caustics.glsl"
+
+layout(location = 0) in vec2 p;          /* position on the water surface */
+layout(location = 1) flat in float flux; /* flat: slivers would extrapolate it */
+layout(location = 0) out float raw;      /* accumulated by additive blending */
+
+/* Computes the light of a projected grid triangle: the ratio of a texel's areas on the surface and
+ * on the floor. The ratio is constant over a flat triangle. */
+void main()
+{
+    vec2 x = dFdx(p);
+    vec2 y = dFdy(p);
+    vec2 texel = map_texel_size();
+    float ratio = abs(x.x * y.y - x.y * y.x) / (texel.x * texel.y);
+    raw = flux * min(ratio, CAUSTICS_TRIANGLE_MAX);
+}

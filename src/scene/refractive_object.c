@@ -1,0 +1,191 @@
+/* refractive_object.c: medium priorities (ranks) of overlapping objects, and inside tests. Where
+ * objects overlap, the object with the highest rank fills the common space (Schmidt and Budge 2002,
+ * Simple nested dielectrics in ray traced images). */
+#include "src/scene/refractive_object.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/geometry/point_in_mesh.h"
+
+/* Object during ranking. */
+struct ranked {
+    uint32_t object;
+    int64_t priority;        /* priority from the file; INT64_MIN without one */
+    uint32_t depth;          /* number of enclosing objects */
+    uint32_t container_rank; /* 1 + index of innermost enclosing object; 0 for none */
+    /* 1 + index of innermost object around this one (cavities count as inside); 0 for none */
+    uint32_t enclosing_object;
+};
+
+struct mesh object_mesh(const struct object *object, const struct mesh *mesh)
+{
+    return (struct mesh){
+        .vertices = mesh->vertices,
+        .indices = &mesh->indices[object->first_index],
+        .vertex_count = mesh->vertex_count,
+        .index_count = object->index_count,
+    };
+}
+
+struct box object_box(const struct object *object, const struct mesh *mesh)
+{
+    const struct mesh part = object_mesh(object, mesh);
+    struct box box = { 0 };
+    for (uint32_t i = 0; i < part.index_count; i++) {
+        const vec3s p = part.vertices[part.indices[i]].position;
+        box.min = i ? glms_vec3_minv(box.min, p) : p;
+        box.max = i ? glms_vec3_maxv(box.max, p) : p;
+    }
+    return box;
+}
+
+/* Returns true if all corners of `part` satisfy `contains` for the closed mesh. */
+static bool all_inside(const struct closed_mesh *container, const struct mesh *part,
+                       bool (*contains)(const struct closed_mesh *container, vec3s point))
+{
+    for (uint32_t i = 0; i < part->index_count; i++) {
+        if (!contains(container, part->vertices[part->indices[i]].position))
+            return false;
+    }
+    return true;
+}
+
+/* Sets *innermost to `k` + 1 if object `k` is the smallest enclosing object so far. */
+static void update_innermost(const struct object *objects, uint32_t k, uint32_t *innermost)
+{
+    if (!*innermost || box_contains(&objects[*innermost - 1].box, &objects[k].box))
+        *innermost = k + 1;
+}
+
+/* Records the objects that object `k` encloses. Returns false when out of memory. */
+static bool record_enclosed(struct ranked *ranking, const struct object *objects, uint32_t count,
+                            const struct mesh *mesh, uint32_t k)
+{
+    const struct mesh container = object_mesh(&objects[k], mesh);
+    struct closed_mesh closed_mesh = { 0 };
+    bool is_made = false;
+    for (uint32_t i = 0; i < count; i++) {
+        if (i == k || !box_contains(&objects[k].box, &objects[i].box))
+            continue;
+        if (!is_made && !closed_mesh_init(&closed_mesh, &container))
+            return false;
+        is_made = true;
+        const struct mesh part = object_mesh(&objects[i], mesh);
+        if (!all_inside(&closed_mesh, &part, closed_mesh_surrounds))
+            continue;
+        update_innermost(objects, k, &ranking[i].enclosing_object);
+        if (!all_inside(&closed_mesh, &part, closed_mesh_contains))
+            continue;
+        ranking[i].depth++;
+        update_innermost(objects, k, &ranking[i].container_rank);
+    }
+    closed_mesh_finish(&closed_mesh);
+    return true;
+}
+
+static int by_priority(const void *a, const void *b)
+{
+    const struct ranked *x = a;
+    const struct ranked *y = b;
+    if (x->priority != y->priority)
+        return x->priority < y->priority ? -1 : 1;
+    if (x->depth != y->depth)
+        return x->depth < y->depth ? -1 : 1;
+    return x->object < y->object ? -1 : 1;
+}
+
+enum status object_assign_ranks(struct object *objects, uint32_t count, const struct mesh *mesh,
+                                const struct material *materials)
+{
+    struct ranked *ranking = calloc(count + (size_t)1, sizeof(*ranking));
+    bool done = ranking != NULL;
+    for (uint32_t i = 0; done && i < count; i++) {
+        const struct material *material = &materials[objects[i].material];
+        const bool is_stated = material->flags & MATERIAL_HAS_PRIORITY;
+        ranking[i].object = i;
+        ranking[i].priority = is_stated ? material->priority : INT64_MIN;
+        objects[i].box = object_box(&objects[i], mesh);
+    }
+    for (uint32_t i = 0; done && count > 1 && i < count; i++)
+        done = record_enclosed(ranking, objects, count, mesh, i);
+    if (done) {
+        qsort(ranking, count, sizeof(*ranking), by_priority);
+        for (uint32_t i = 0; i < count; i++)
+            objects[ranking[i].object].rank = i + 1;
+        for (uint32_t i = 0; i < count; i++) {
+            const uint32_t container_rank = ranking[i].container_rank;
+            objects[ranking[i].object].container_rank =
+                container_rank ? objects[container_rank - 1].rank : 0;
+            objects[ranking[i].object].enclosing_object = ranking[i].enclosing_object;
+        }
+    }
+    free(ranking);
+    return done ? STATUS_OK : log_out_of_memory("objects");
+}
+
+uint32_t object_outermost(const struct object *objects, uint32_t index)
+{
+    while (objects[index].enclosing_object)
+        index = objects[index].enclosing_object - 1;
+    return index;
+}
+
+bool object_is_closed(const struct object *object, const struct mesh *mesh)
+{
+    double sum[3] = { 0 };
+    double all = 0;
+    for (uint32_t i = 0; i < object->index_count; i += 3) {
+        const uint32_t *corners = &mesh->indices[object->first_index + i];
+        const vec3s a = mesh->vertices[corners[0]].position;
+        const vec3s b = mesh->vertices[corners[1]].position;
+        const vec3s c = mesh->vertices[corners[2]].position;
+        const vec3s area = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
+        for (int k = 0; k < 3; k++)
+            sum[k] += (double)area.raw[k];
+        all += (double)glms_vec3_norm(area);
+    }
+    const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
+    return left <= 1e-4 * all;
+}
+
+/* Returns the signed solid angle of a triangle seen from the origin, steradians (van Oosterom and
+ * Strackee 1983). It is positive if the triangle's back faces the origin. */
+static double solid_angle(vec3s a, vec3s b, vec3s c)
+{
+    const double x = (double)glms_vec3_norm(a), y = (double)glms_vec3_norm(b),
+                 z = (double)glms_vec3_norm(c);
+    const double volume = (double)glms_vec3_dot(a, glms_vec3_cross(b, c));
+    const double base = x * y * z + (double)glms_vec3_dot(a, b) * z +
+                        (double)glms_vec3_dot(b, c) * x + (double)glms_vec3_dot(c, a) * y;
+    return 2.0 * atan2(volume, base);
+}
+
+bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < object->index_count; i += 3) {
+        vec3s to[3];
+        for (int k = 0; k < 3; k++) {
+            const uint32_t corner = mesh->indices[object->first_index + i + (uint32_t)k];
+            to[k] = glms_vec3_sub(mesh->vertices[corner].position, point);
+        }
+        sum += solid_angle(to[0], to[1], to[2]);
+    }
+    return sum > 6.2831853; /* half the sphere tolerates small holes */
+}
+
+const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index)
+{
+    uint32_t low = 0;
+    uint32_t high = count;
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (objects[middle].first_index <= index)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &objects[low];
+}

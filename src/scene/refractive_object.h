@@ -1,0 +1,49 @@
+/* refractive_object.h: refractive objects of a scene, and ranks that decide which object fills an
+ * overlap. */
+#ifndef FIRN_SCENE_REFRACTIVE_OBJECT_H
+#define FIRN_SCENE_REFRACTIVE_OBJECT_H
+
+#include "src/base/status.h"
+#include "src/scene/geometry/mesh.h"
+#include "src/scene/material.h"
+
+/* Closed mesh that bounds a medium: a model node with a transmissive material. Its triangles are a
+ * range of the mesh of all objects. */
+struct object {
+    char name[MATERIAL_NAME_SIZE]; /* name of the node; "" if it is unnamed */
+    uint32_t first_index, index_count;
+    uint32_t material; /* index into the model's materials */
+    struct box box;    /* bounding box of the triangles; set with the rank */
+    uint32_t rank;     /* unique medium priority, above 0; the highest rank fills an overlap */
+    /* rank of the innermost object whose medium surrounds this object; 0 for none */
+    uint32_t container_rank;
+    uint32_t
+        /* 1 + index of innermost object around this one (cavities count as inside); 0 for none */
+        enclosing_object;
+};
+
+/* Returns a mesh of the object's triangles that borrows the arrays of the mesh of all objects. */
+struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
+
+/* Returns the bounding box of an object's triangles. */
+struct box object_box(const struct object *object, const struct mesh *mesh);
+
+/* Sets the boxes and ranks of all objects. Objects are ranked by their priority in the file (none
+ * is lowest), then by the number of objects that enclose them, then by index. Logs and returns
+ * STATUS_TRY_AGAIN when out of memory. */
+MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
+                                         const struct mesh *mesh, const struct material *materials);
+
+/* Returns the index of the outermost object around object `index`, or `index` itself. */
+uint32_t object_outermost(const struct object *objects, uint32_t index);
+
+/* Returns true if an object's area vectors sum to zero, which is true of closed surfaces. */
+bool object_is_closed(const struct object *object, const struct mesh *mesh);
+
+/* Returns true if a point is inside an object, by solid angles. Tolerates small holes. */
+bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point);
+
+/* Returns the object that owns the triangle whose first index is `index`. */
+const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index);
+
+#endif

@@ -1,0 +1,31 @@
+/* ice_gbuffer.h: G-buffers of the ice's front and back faces. */
+#ifndef FIRN_TECH_ICE_ICE_GBUFFER_H
+#define FIRN_TECH_ICE_ICE_GBUFFER_H
+#include "src/tech/technique.h"
+
+/* World-space normals of the back faces. xyz: outward unit normal; w: 1, or 0 without a face. */
+extern const struct rg_image ice_normal_back;
+
+extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the camera */
+
+/* Shading normals of the front faces. xyz: bump-mapped normal; w: Fresnel reflectance by eq. 4 of
+ * Seipel and Nivfors (2006). Undefined in pixels without a front face. */
+extern const struct rg_image ice_normal_shading;
+
+/* Surface materials. rgb: tinted transmittance, or 1 in pixels without a face; a: roughness. Drawn
+ * only if technique_config.is_textured. */
+extern const struct rg_image ice_normal_front_material, ice_normal_back_material;
+
+/* Radiance of the opaque base at front faces. Drawn only if technique_config.is_textured. */
+extern const struct rg_image ice_normal_front_base;
+
+/* Reversed depth of the faces: near-plane distance / view-space depth, or 0 without a face. */
+extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
+
+/* G-buffers of an area 1.5 times as wide and high as the image, for rays inside an object that
+ * extends beyond the image. Drawn only if technique_config.is_wide. */
+#define ICE_NORMAL_WIDE 1.5f
+extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
+extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;
+
+#endif

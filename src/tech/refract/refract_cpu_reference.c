@@ -1,0 +1,94 @@
+/* refract_cpu_reference.c: settings of the CPU reference, a refraction model without passes. */
+#include "src/tech/refract/refract_cpu_reference.h"
+
+static const char *const normals[] = {
+    [REFERENCE_NORMALS_INTERPOLATED] = "interpolated",
+    [REFERENCE_NORMALS_FLAT] = "flat",
+    NULL,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "reference.cutoff",
+        .label = "Reference: minimum throughput",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct reference_params, cutoff),
+        .initial = 1e-3,
+        .min = 1e-6, /* branches multiply in concave objects */
+        .max = 1,
+        .help = "path throughput below which a path is terminated (see layer remaining)",
+    },
+    {
+        .name = "reference.bounces",
+        .label = "Reference: maximum bounces",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct reference_params, bounces),
+        .initial = 64,
+        .min = 1,
+        .max = REFERENCE_BOUNCES_MAX,
+        .help = "maximum number of object surfaces on a path",
+    },
+    {
+        .name = "reference.russian_roulette",
+        .renamed_from = "reference.roulette",
+        .label = "Reference: Russian roulette",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct reference_params, roulette),
+        .max = 1,
+        .help = "Russian roulette instead of termination at reference.cutoff: unbiased, "
+                "but noisy",
+    },
+    {
+        .name = "reference.photons",
+        .label = "Reference: caustic photons",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct reference_params, photons),
+        .initial = 1000000,
+        .max = 100000000,
+        .help = "number of photons from the sun with ice_caustics.light=sun (0: no caustics, no "
+                "shadow)",
+    },
+    {
+        .name = "reference.normals",
+        .label = "Reference: normals",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct reference_params, normals),
+        .max = REFERENCE_NORMALS_FLAT,
+        .choices = normals,
+        .help = "normals of the object: interpolated from vertices, as in rasterisation, or flat",
+    },
+};
+
+const struct setting_group reference_settings =
+    SETTING_GROUP("reference", rows, struct reference_params);
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "remaining",
+        .planes = { "remaining.R", "remaining.G", "remaining.B" },
+        .mean = true,
+        .help = "throughput of terminated paths",
+    },
+    {
+        .name = "inclusions",
+        .planes = { "inclusions.Z" },
+        .help = "inclusions that the path of layer exit hits, as a sum of 1 (bubbles), 2 (cracks) "
+                "and 4 (air)",
+    },
+    {
+        .name = "error",
+        .planes = { "error.Z" },
+        .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "standard error of the mean of red, green and blue, each clamped to 0..1",
+    },
+    { 0 },
+};
+
+const struct technique refract_cpu_reference = {
+    .name = "refract_reference",
+    .help = "reference for all refraction models, ray traced on the CPU",
+    .settings = { &reference_settings },
+    .refraction = { .name = "reference" },
+    .layers = layers,
+};

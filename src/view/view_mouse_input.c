@@ -1,0 +1,198 @@
+/* view_mouse_input.c: handles mouse input and dropped files, and runs the panels. */
+#include <math.h>
+#include <stdlib.h>
+#include "src/base/clock.h"
+#include "src/tech/output/tonemap.h"
+#include "src/view/orbit_camera.h"
+#include "src/view/shader_reload.h"
+#include "src/view/view_internal.h"
+
+static const float drag_rotation_deg = 180.0f; /* degrees per drag over the whole window height */
+
+static bool has_moved(const struct window_drag *drag)
+{
+    return drag->x != 0.0 || drag->y != 0.0;
+}
+
+/* Counts a mouse drag as one action, even if the mouse moves many times until it is released. */
+static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
+{
+    uint32_t *hold = &v->counted_presses[gesture - VIEW_DRAG];
+    if (!has_moved(drag) || *hold == v->press_count)
+        return;
+    *hold = v->press_count;
+    ui_count_action(v->ui, gesture);
+}
+
+static void count_gestures(struct view *v, const struct window_input *input)
+{
+    v->press_count += input->pressed;
+    count_drag(v, &input->orbit, VIEW_DRAG);
+    count_drag(v, &input->pan, VIEW_PAN);
+    count_drag(v, &input->light, VIEW_ROTATE_LIGHT);
+    count_drag(v, &input->sun, VIEW_MOVE_SUN);
+    if (input->wheel != 0.0)
+        ui_count_action(v->ui, VIEW_WHEEL);
+    if (input->double_clicked)
+        ui_count_action(v->ui, VIEW_CENTRE);
+}
+
+/* Applies mouse input to camera and divider. */
+static void drag(struct view *v, const struct window_input *input)
+{
+    struct camera *camera = &v->viewport->camera;
+    const bool moved = has_moved(&input->orbit) || has_moved(&input->pan) || input->wheel != 0.0;
+    if (has_moved(&input->orbit))
+        orbit_camera_rotate(camera, (float)-input->orbit.x * drag_rotation_deg,
+                            (float)input->orbit.y * drag_rotation_deg);
+    if (has_moved(&input->pan))
+        orbit_camera_pan(camera, (float)-input->pan.x, (float)input->pan.y);
+    if (input->wheel != 0.0)
+        view_zoom(v, (float)input->wheel);
+    if (input->double_clicked) {
+        v->recenters = v->changed = true;
+        v->recenter_x = input->click_x;
+        v->recenter_y = input->click_y;
+    }
+    if (input->moved_divider)
+        view_move_divider(v, input->divider);
+    if (input->pressed || input->wheel != 0.0 || input->action_count)
+        v->progressive.skips_rest = false;
+    if (input->pressed)
+        v->progressive.moved_at =
+            clock_seconds(); /* delays the next sample, as a drag may follow */
+    v->progressive.skips_rest = v->progressive.skips_rest || input->released;
+    view_frame_stats_input(&v->frame_stats, input->moved_at, input->released_at);
+    v->has_orbited = v->has_orbited || has_moved(&input->orbit);
+    v->changed = v->changed || input->redraw || input->moved_divider || moved;
+}
+
+static void drag_light(struct view *v, const struct window_input *input)
+{
+    if (has_moved(&input->light))
+        view_rotate_light(v, input->light.x, input->light.y, false);
+    if (has_moved(&input->sun))
+        view_rotate_light(v, input->sun.x, input->sun.y, true);
+}
+
+static void open_dropped(struct view *v)
+{
+    char *path = window_take_dropped(&v->window);
+    if (path) {
+        ui_count_action(v->ui, VIEW_DROP);
+        view_open(v, path);
+    }
+    free(path);
+}
+
+/* Switches to recompiled shaders. If pipelines cannot be created, keeps the previous shaders. */
+static void take_shaders(struct view *v)
+{
+    const double start = clock_seconds();
+    const bool has_new = v->shader_reload && shader_reload_take(v->shader_reload);
+    if (v->shader_reload)
+        ui_set_error(v->ui, shader_reload_message(v->shader_reload));
+    if (!has_new)
+        return;
+    presenter_disconnect(&v->presenter);
+    if (viewport_rebuild(v->viewport) != STATUS_OK)
+        shader_reload_revert(v->shader_reload);
+    v->changed = true;
+    view_frame_stats_exclude(&v->frame_stats, start);
+}
+
+void view_handle_input(struct view *v)
+{
+    const struct window_input input = window_take_input(&v->window);
+    count_gestures(v, &input);
+    drag(v, &input);
+    drag_light(v, &input);
+    for (uint32_t i = 0; i < input.action_count; i++)
+        view_execute(v, input.actions[i]);
+    open_dropped(v);
+    take_shaders(v);
+    const bool divided =
+        viewport_is_split(v->viewport) && !v->viewport->flipped && !v->compare.wants_error_map;
+    v->window.divider = divided ? v->viewport->divider : -1.0;
+    v->quit = v->quit || window_is_closed(&v->window);
+}
+
+/* Returns the noise scaled by the exposure, as it appears on the display. */
+static double noise_of(const struct view *v)
+{
+    const struct tonemap_params *tone =
+        settings_of(&v->viewport->state.scene.settings, &tonemap_settings);
+    return noise_estimate_now(&v->progressive.noise) * exp2((double)tone->exposure);
+}
+
+static void use_request(struct view *v, const struct ui_request *request)
+{
+    struct view_state requested = view_state_now(v);
+    requested.settings = request->settings;
+    requested.refraction = request->refraction;
+    const bool other = request->side_b != requested.side_b || request->split != requested.split;
+    const bool awaits = other && request->side_b == VIEW_SIDE_B_FILE;
+    if (other && (!awaits || v->compare.file.linear.width))
+        view_compare_choose(v, &requested, request->side_b);
+    if (other && request->side_b == VIEW_SIDE_B_MODEL)
+        requested.split = request->split;
+    if (request->changed || other)
+        view_edit(v, &requested, request->gesture);
+    if (awaits)
+        view_compare_await(v);
+    if (request->action != VIEW_ACTION_NONE)
+        view_execute(v, request->action);
+    if (request->seeks)
+        view_seek(v, request->time);
+    if (request->open)
+        view_open(v, request->open);
+    if (request->screenshot_size.width) {
+        v->wants_screenshot = v->changed = true;
+        v->screenshot_size = request->screenshot_size;
+    }
+}
+
+void view_run_ui(struct view *v, VkExtent2D size)
+{
+    if (ui_can_skip_frame(v->ui, v->now))
+        return;
+    struct ui_request request;
+    char left[VIEW_SIDE_SIZE];
+    char right[VIEW_SIDE_SIZE];
+    view_update_layout(v, size);
+    view_compare_print(v, left, right);
+    const struct ui_view view = {
+        .viewport = v->viewport,
+        .presenter = &v->presenter,
+        .pace = v->frame_stats.last,
+        .now = v->now,
+        .size = size,
+        .paused = v->paused,
+        .time = view_time(v),
+        .sample_count = v->progressive.shown_count,
+        .sample_goal = v->progressive.target_count,
+        .noise = noise_of(v),
+        .seconds_left = view_progressive_seconds_left(v),
+        .shows_hint = !v->has_orbited,
+        .layout = &v->layout,
+        .undo_stack = &v->undo_stack,
+        .rebuild_log = &v->rebuild_log,
+        .inspector = &v->inspector,
+        .inspector_choice = v->inspector_choice,
+        .image_area = &v->image_area,
+        .side_b = v->compare.side_b,
+        .has_stored = v->compare.has_stored,
+        .left = left,
+        .right = right,
+        .shows_error_map = v->compare.wants_error_map,
+    };
+    v->frame_stats.last = (struct ui_frame_pacing){ 0 };
+    v->inspector.is_open = false;
+    if (!ui_is_shown(v->ui))
+        return;
+    ui_frame(v->ui, &view, &request);
+    v->inspector_choice = request.inspector_choice;
+    v->inspector.is_open = request.inspects;
+    use_request(v, &request);
+    free(request.open);
+}
