@@ -171,8 +171,8 @@ struct rg_use {
     const struct rg_image *image;   /* set either this or `buffer` */
     const struct rg_buffer *buffer; /* set either this or `image` */
     enum rg_access access;          /* required; no attachment access */
-    /* binding in descriptor set 0. Consecutive uses with the same binding, descriptor type and
-     * stages form a descriptor array, with `element` from 0; otherwise each binding is unique. */
+    /* binding in descriptor set 0, unique except in descriptor arrays. Consecutive uses with the
+     * same binding, descriptor type and stages form an array, with `element` counting from 0. */
     uint16_t binding;
     uint16_t element;
     bool texels;  /* storage texel buffer, of rg_buffer.format */
@@ -180,7 +180,7 @@ struct rg_use {
     /* true if each fragment samples only its own texel, which makes rg_exec_set_region() faster */
     bool same_texel;
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
-    /* placeholder for a missing single-sample image, which is a fault if `fallback` is NULL */
+    /* placeholder if a single-sample image is missing; without one, a missing image is a fault */
     const struct rg_fallback *fallback;
     /* shader stages of the access; 0 means compute or fragment, plus vertex for RG_UNIFORM */
     VkPipelineStageFlags2 stages;
@@ -211,8 +211,8 @@ struct rg_shader {
     size_t word_count;     /* 32-bit words; 0: unknown, not validated */
 };
 
-/* Descriptor set 1, which the program owns and binds, for resources such as bindless textures. The
- * graph neither synchronises nor validates these. rg_exec_params.sets has the set's layout. */
+/* Descriptor set 1, which the program owns and binds, for resources such as bindless textures,
+ * which the graph neither synchronises nor validates. rg_exec_params.sets has the set's layout. */
 struct rg_set {
     const char *name; /* required; for messages and dumps */
 };
@@ -356,7 +356,7 @@ enum rg_sharing {
     RG_SHARE_NOTHING,        /* no aliasing */
 };
 
-/* Extent that replaces an image's declared width and height, which must not be 0. */
+/* Replacement of an image's declared extent. The image must declare a nonzero width and height. */
 struct rg_size {
     const struct rg_image *image;
     VkExtent2D extent; /* texels */
@@ -380,7 +380,7 @@ struct rg_compile_params {
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
     bool skip_shaders;              /* no shader validation (5 us each) */
-    /* rg_exec_params.constants, to check that a shader has each of them; NULL: no check */
+    /* rg_exec_params.constants; each must occur in a shader. NULL disables this check */
     const VkSpecializationInfo *constants;
     /* Memory for compiling and for the plan; must outlive the plan and be aligned for any type. If
      * NULL or too small, malloc() provides the rest; rg_plan.arena_size bytes suffice. */

@@ -85,16 +85,16 @@ struct rg_exec_params {
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
-    /* VkRenderPass objects, not dynamic rendering, for old synchronization validation layers */
+    /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
     bool render_passes;
-    /* true for an executor that only warms up; needs no `imports`, excludes `render_passes` */
+    /* true to only warm up pipelines; needs no `imports`, and excludes `render_passes` */
     bool warm_up_only;
     bool measured;   /* enables rg_profile.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
     /* values of specialization constants, read only during the call; NULL means the defaults */
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn *replace_shader; /* called by rg_exec_create(); NULL: no replacement */
-    /* enabled features, pNext with those of Vulkan 1.2 and 1.3; NULL means all supported ones */
+    /* enabled features (Vulkan 1.2 and 1.3 ones in pNext); NULL means all supported features */
     const VkPhysicalDeviceFeatures2 *features;
     rg_log_fn *log; /* NULL: failures are not logged */
     void *user;     /* passed to both callbacks */
@@ -153,7 +153,7 @@ RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer
 /* A region of the view, for tiled rendering of images that are too large to draw at once. */
 struct rg_exec_region {
     VkRect2D region; /* nonempty; at most max_region texels */
-    /* area of the view, of any size, from which fragments may sample texels of other fragments */
+    /* area in which images are drawn if passes sample them without rg_use.same_texel; any size */
     VkRect2D reach;
 };
 

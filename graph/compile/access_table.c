@@ -81,7 +81,7 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                            ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
-    /* all stages, so that the frame's semaphore is signalled after the layout transition */
+    /* ALL_COMMANDS makes the frame's semaphore wait until the layout transition has finished */
     [RG_PRESENT] = { "present", STAGE(ALL_COMMANDS), 0, 0, LAYOUT(PRESENT_SRC_KHR), NO_DESCRIPTOR,
                      .reads_content = true },
 };
@@ -101,7 +101,7 @@ VkDescriptorType rg_use_descriptor(const struct rg_use *use)
     return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
 }
 
-/* First bit of each access in cell.visible. Shaders have 3 bits: vertex, fragment, compute. */
+/* Lowest bit of each access in the mask cell.visible. Shader accesses use 3 bits, one per stage. */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
     [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,

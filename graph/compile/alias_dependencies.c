@@ -5,11 +5,11 @@
 #include "graph/compile/compiler.h"
 
 enum {
-    /* maximum number of segments per memory block; if too few, barriers may wait too long */
+    /* maximum number of segments per memory block; with fewer, barriers may wait too long */
     MAX_SEGMENTS = 256
 };
 
-/* Byte range of a memory block, up to the next segment's `begin`, with the last accesses to it. */
+/* Part of a memory block, up to the next segment's `begin`, and the last accesses to this part. */
 struct segment {
     VkDeviceSize begin;
     struct previous_owner pending;
@@ -50,7 +50,7 @@ static bool covers(const struct previous_owner *a, const struct previous_owner *
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Splits segments at both ends of an item's memory. Records the item's last accesses in between. */
+/* Adds a resource's last accesses to the segments of its memory. Splits segments at its ends. */
 static void record_accesses(struct segments *s, const struct pack_item *item,
                             const struct previous_owner *pending)
 {
@@ -68,7 +68,7 @@ static void record_accesses(struct segments *s, const struct pack_item *item,
     }
 }
 
-/* Merges the last accesses to each segment of an item's memory into `all`. */
+/* Adds the last accesses of all segments that a resource's memory covers to `all`. */
 static void merge_owners(const struct segments *s, const struct pack_item *item,
                          struct previous_owner *all)
 {
@@ -82,7 +82,7 @@ static struct previous_owner *owner_of(const struct compiler *c, const struct pa
     return &c->owners[item->resource->item];
 }
 
-/* Finds, for each item, the last pass before it that used any of the item's bytes. */
+/* Finds, for each resource, the last earlier pass that used any byte of the resource's memory. */
 static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
                       uint32_t count)
 {
@@ -107,7 +107,7 @@ static void find_pending(const struct resource *r, struct previous_owner *pendin
     }
 }
 
-/* Collects, for each item, the accesses to its memory that may still run at the end of a frame. */
+/* Collects the accesses to each resource's memory that may still run at the end of a frame. */
 static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
                         uint32_t count)
 {
@@ -120,7 +120,7 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
         common.stages &= owner->stages;
         common.writes &= owner->writes;
     }
-    /* without aliasing, the previous owner of an item's memory is the item itself */
+    /* without aliasing, a resource is itself the previous owner of its memory */
     if (c->params->sharing == RG_SHARE_NOTHING)
         return;
     s->items[0].pending = common;

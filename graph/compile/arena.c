@@ -27,7 +27,7 @@ void rg_arena_init(struct arena *arena, void *memory, size_t size)
     }
 }
 
-/* Adds a chunk for at least `size` bytes. Chunks grow geometrically, so that there are few. */
+/* Adds a chunk for at least `size` bytes. Chunks grow geometrically, so few are needed. */
 static bool add_chunk(struct arena *arena, size_t size)
 {
     size_t room = arena->used < CHUNK_SIZE ? CHUNK_SIZE : arena->used;

@@ -1,4 +1,4 @@
-/* arena.h: arena allocator in the caller's memory or malloc()'s. Private to graph/compile/. */
+/* arena.h: allocates from the caller's memory, then by malloc(). Private to graph/compile/. */
 #ifndef RG_COMPILE_ARENA_H
 #define RG_COMPILE_ARENA_H
 
@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Arena allocator. Once an allocation has failed, `failed` stays true and all others fail. */
+/* Arena allocator. Once an allocation has failed, `failed` is true and all later ones fail too. */
 struct arena {
     char *next, *end;           /* free space in the newest chunk */
     struct arena_chunk *chunks; /* allocated by malloc */
@@ -25,7 +25,7 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* Returns a copy of an array with twice the room, at least `min_room`, or `array` on failure. */
+/* Copies an array to one of twice the size, at least `min_room`. Returns the old one on failure. */
 void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t min_room,
                     size_t element_size);
 

@@ -13,7 +13,7 @@
 #include <assert.h>
 #include "graph/compile/subresource_state.h"
 
-/* Stores the newest batch's range of barriers in the pass after the batch, or else in the plan. */
+/* Stores the newest batch's barriers in the pass after it, or in the plan at the frame's end. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -98,7 +98,7 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
-/* Appends barrier c->barrier_count to the newest batch, or to a new batch if that is too early. */
+/* Adds barrier c->barrier_count to the newest batch, or to a new one if it must come later. */
 static void append_barrier(struct compiler *c, const struct cell_walk *w, struct resource *r,
                            uint32_t release, uint32_t deadline)
 {

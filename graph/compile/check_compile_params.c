@@ -130,7 +130,7 @@ static const char *buffer_problem(const struct resource *r, enum rg_error *error
     return NULL;
 }
 
-/* Checks a resource. Reduces an invalid one to one layer and one mip level for later stages. */
+/* Checks a resource. If it is invalid, later stages handle it as having one layer and mip level. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     enum rg_error error;

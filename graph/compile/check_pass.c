@@ -57,7 +57,7 @@ static bool is_next_element(const struct rg_use *use, const struct rg_use *befor
            use->stages == before->stages && rg_use_descriptor(use) == rg_use_descriptor(before);
 }
 
-/* Finds duplicates among bindings that are not in ascending order, and reports them as faults. */
+/* Reports duplicate bindings as faults. Needed only if the bindings are not in ascending order. */
 static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32_t use_count)
 {
     if (!c->bindings)
@@ -76,7 +76,7 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    /* missing targets are already a fault, so that a raster pass always counts as writing */
+    /* a raster pass without targets counts as writing here, because another check reports it */
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool ascending = true;

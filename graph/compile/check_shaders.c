@@ -120,7 +120,7 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
     return false;
 }
 
-/* Returns the index-th resource of the pass that no shader accesses; NULL if there are fewer. */
+/* Returns use number `index` among the uses that no shader accesses; NULL if there are fewer. */
 static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
 {
     for (const struct rg_use *use = s->row->uses; use && rg_is_use(use); use++) {
@@ -376,7 +376,7 @@ static void check_bindings(const struct shaders *s)
 
 /* ---- vertex inputs, colour outputs ---- */
 
-/* Range of VkFormats of equal component count. kinds[i] is the component type of `first` + i. */
+/* Consecutive VkFormats of equal component count; kinds[i] is the component type of first + i. */
 struct format_group {
     VkFormat first;
     uint32_t components;

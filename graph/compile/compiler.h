@@ -134,7 +134,7 @@ struct compiler {
     struct string_set resource_names, pass_names;
     struct map provided; /* images written or imported; for fallbacks */
 
-    /* Technique and index of the current pass declaration, or NULL and RG_NONE. */
+    /* Current technique and index of its current pass declaration; NULL and RG_NONE if none. */
     const struct rg_technique *technique;
     uint32_t row;
     uint32_t row_first_fault;
@@ -209,7 +209,7 @@ static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
 
 extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
 
-/* All shader stages. Imports and outputs that shaders access are assumed to use all of them. */
+/* All shader stages. Shader accesses to imports and outputs are assumed to occur in all of them. */
 #define RG_ANY_SHADER \
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
@@ -282,7 +282,7 @@ static inline struct cell_walk rg_cells(const struct access *a)
     };
 }
 
-/* Advances by layer, then mip level, then aspect. */
+/* Advances to the next cell. The layer varies fastest, then the mip level, then the aspect. */
 static inline void rg_next_cell(struct cell_walk *w)
 {
     const VkImageSubresourceRange *range = &w->access->range;
@@ -341,8 +341,8 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
-/* bind_placeholder_images.c: binds a use to its fallback if its image is missing. Returns true if
- * bound. */
+/* bind_placeholder_images.c: returns true and binds a fallback if no pass or import provides the
+ * image. */
 bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
 /* Returns true for a use, and false for the zero entry that ends an array of uses. */
@@ -382,7 +382,7 @@ void rg_add_boundary(struct compiler *c);
 /* Returns the number of mip levels of a full chain; `depth` is at least 1. */
 uint32_t rg_full_chain(VkExtent2D extent, uint32_t depth);
 
-/* Returns the size of one side of a mip level; any `mip` is allowed. */
+/* Returns the size in texels of one side of a mip level; 1 if the image has no such level. */
 static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
 {
     return mip < 32 && side >> mip ? side >> mip : 1;
@@ -411,8 +411,8 @@ void rg_pack_blocks(struct compiler *c);
 /* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: finds the last pass that used each resource's memory before the resource.
- * Later, when cell states are final, completes the barriers that wait for that use. */
+/* alias_dependencies.c: finds the last pass in which each resource's memory had another owner.
+ * Once all accesses are known, completes the barriers that wait for earlier owners' accesses. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 

@@ -261,8 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns a pass's number of repetitions: the mip levels or layers of its first written image, from
- * the pass's own one on. Returns 1 if the image lacks that one, and 0 if no image is written. */
+/* Returns how often a pass runs: for each mip level or layer of the first image that it writes,
+ * from the declared one on. Returns 1 if there is no such level or layer, 0 without an image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

@@ -20,7 +20,7 @@ struct map {
 /* Returns the slot of an address, or the empty slot where it would be inserted. */
 static inline struct map_slot *rg_map_find(const struct map *map, const void *address)
 {
-    /* adjacent addresses get adjacent slots, and addresses at power-of-two strides are spread */
+    /* this hash puts adjacent addresses into adjacent slots, but spreads power-of-two strides */
     uintptr_t i = ((uintptr_t)address + ((uintptr_t)address >> 9)) >> 4;
     while (map->slots[i & map->mask].key && map->slots[i & map->mask].key != address)
         i++;
@@ -39,7 +39,7 @@ static inline void **rg_map_value(struct arena *arena, struct map *map, const vo
     return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
 }
 
-/* Slot of a string set. The slot has no string, so that searching reads few cache lines. */
+/* Slot of a string set. It has no pointer, since small slots let a search read few cache lines. */
 struct string_slot {
     uint32_t hash;
     uint32_t number; /* `texts` index plus 1; 0: empty */

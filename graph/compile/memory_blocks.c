@@ -9,7 +9,7 @@ static bool fits_block(const struct pack_item *item, const struct rg_block *bloc
     return !item->resource->image == block->buffers && item->type_bits == block->type_bits;
 }
 
-/* Moves the items that may be in `block` to the front, in unchanged order. Returns their number. */
+/* Moves the resources that may be in `block` to the front, in order. Returns their number. */
 static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t count,
                        const struct rg_block *block)
 {

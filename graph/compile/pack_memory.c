@@ -11,7 +11,7 @@ enum {
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     FEW_ITEMS = 256,         /* Shell sort up to this count */
-    /* mean number of live sets per item above which large plans only use apply_time_order() */
+    /* above this mean number of live sets per item, large plans only use apply_time_order() */
     LONG_LIFE = 32,
 };
 
@@ -44,7 +44,7 @@ struct live_set {
     uint32_t alive;    /* number of items */
 };
 
-/* Changes in the live items since the previous pass. Unsigned decreases wrap around. */
+/* Changes of the live items since the previous pass. Negative changes wrap around (unsigned). */
 struct change {
     VkDeviceSize taken;      /* live bytes */
     VkDeviceSize used;       /* live bytes counted from first use */
@@ -97,7 +97,7 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     }
 }
 
-/* Fills the live sets and the size bounds. Returns at least the sum of all sets' item counts. */
+/* Finds the live sets and size bounds. Returns an upper limit of the item count of all sets. */
 static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
@@ -263,7 +263,7 @@ static void sort(struct packing *p, const struct rule *rule)
         sort_by_byte(p, shift);
 }
 
-/* Halves the index in p->order of the item whose end in memory is highest. */
+/* Moves the item that ends highest in memory to half its index in p->order. */
 static void promote_highest(struct packing *p)
 {
     uint64_t *order = p->order;
@@ -282,7 +282,7 @@ static void place_item(const struct packing *p, struct pack_item *item)
 {
     struct live_set *first = p->changes[item->first].newest;
     struct live_set *last = p->changes[item->last].newest;
-    /* last live set to check: the one before the set that last raised `begin`, in cyclic order */
+    /* the search ends here unless a set raises `begin`; then all sets have to be checked again */
     const struct live_set *end = last;
     VkDeviceSize begin = 0;
     for (struct live_set *set = first;; set = set == last ? first : set + 1) {
@@ -336,12 +336,12 @@ static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceS
     return size;
 }
 
-/* Places items in order of first use, each at the lowest offset that is free then, in time
- * independent of lifetimes. Returns the block size. */
+/* Places items in order of first use, each at the lowest offset that is free then. The running time
+ * does not depend on the lengths of lifetimes. Returns the block size. */
 static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
 {
     struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };
-    /* lists of the items that end at each pass: index + 1 of the first item, or 0 */
+    /* heads of linked lists of the items that end at each pass: item index + 1, or 0 if empty */
     uint32_t *ending = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1);
     uint32_t *next = ARENA_ARRAY(arena, uint32_t, p->count);
     uint32_t now = 0;

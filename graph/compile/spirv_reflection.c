@@ -367,7 +367,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
     }
 }
 
-/* Returns the word index of an instruction's result id; 0 if no result is needed. */
+/* Returns the word index of an instruction's result id, or 0 if the parser ignores the result. */
 static uint32_t result_word(uint32_t op)
 {
     if (op == OP_VARIABLE || op == OP_CONSTANT ||

@@ -40,7 +40,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
 }
 
-/* Updates a subresource's state after an access, which follows a barrier if `made_visible`. */
+/* Updates a subresource's state for an access. `made_visible` is true if a barrier precedes it. */
 static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
                                    bool made_visible)
 {

@@ -47,7 +47,7 @@ static const char *style_of(const struct rg_plan *plan, uint32_t index)
                                                                  : "copy";
 }
 
-/* Returns the next index of a resource in a group and memory block (RG_NONE: any block). */
+/* Returns the next resource index of a group in a memory block, or in any block for RG_NONE. */
 static uint32_t next_in_group(const struct rg_plan *plan, enum group group, uint32_t block,
                               uint32_t index)
 {

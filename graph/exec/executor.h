@@ -168,7 +168,7 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 
 #define RG_NO_KEY 0
 
-/* Hashes data, which must not contain padding, into a cache key. An initial key is RG_NO_KEY. */
+/* Hashes data, which must not contain padding, into a cache key that starts as RG_NO_KEY. */
 uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 
 /* Hashes a number, enum or handle into a cache key. */

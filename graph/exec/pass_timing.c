@@ -1,6 +1,6 @@
 /* pass_timing.c: measures each pass by GPU timestamps, pipeline statistics or the host's clock. The
- * timestamp of a pass is written before the next barriers. After the barriers, a tile-based
- * software rasteriser may write the timestamp only when the next pass has finished. */
+ * timestamp of a pass precedes the next barriers, because a tile-based software rasteriser may
+ * write a timestamp after barriers only when the next pass has finished. */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/executor.h"

@@ -17,7 +17,7 @@ struct ladder_report {
     uint32_t samples;    /* per pixel */
 };
 
-/* Writes a text table of at most 100 columns. */
+/* Writes a text table with lines of at most 100 characters. */
 void ladder_table(const struct ladder_report *report, FILE *out);
 
 MUST_USE enum status ladder_json(const struct ladder_report *report, char **text, size_t *size);

@@ -65,7 +65,7 @@ static uint32_t find_layers(bool of_reference)
     return bits;
 }
 
-/* Rounds half planes to the precision of EXR files, so that errors equal those of `firn diff`. */
+/* Rounds planes that EXR files store as half, to get the same errors as `firn diff`. */
 static void round_to_half(const struct image *image)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {

@@ -94,7 +94,7 @@ static void print_columns(const struct ladder *l, const struct columns *columns,
     }
 }
 
-/* Prints MAE by pixel class in separate tables, to keep lines below 100 columns. */
+/* Prints MAE by pixel class in separate tables, to keep lines below 100 characters. */
 static void print_classes(const struct ladder *l, FILE *out)
 {
     const struct columns paths = { "MAE by path", ladder_path_class_names, l->path_class_counts,

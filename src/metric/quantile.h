@@ -10,7 +10,7 @@ void quantile_sort(float *values, size_t count);
 /* Returns the median of sorted values; `count` must be at least 1. */
 double quantile_median(const float *sorted, size_t count);
 
-/* Returns the smallest value that at least a `fraction` (0 to 1) of all values do not exceed. */
+/* Returns the smallest value v such that at least a `fraction` (0 to 1) of all values are <= v. */
 double quantile_at(const float *sorted, size_t count, double fraction);
 
 #endif

@@ -107,7 +107,7 @@ struct ranks {
     double ties; /* tie term: sum of t^3 - t over groups of t equal samples */
 };
 
-/* Returns how many of the sorted samples from index `first` on equal `value`. */
+/* Counts samples that equal `value`, beginning at index `first`. The samples are sorted. */
 static uint32_t count_equal(const double *samples, uint32_t first, uint32_t count, double value)
 {
     uint32_t end = first;

@@ -1,8 +1,7 @@
 /*
  * sweep_power_law.h: parameter sweeps, which measure a profile for each combination of parameter
- * values, and fit power laws to the costs. A sweep owns its data and profiles, but not contrasts
- * and figures. profile_sweep_finish() accepts incomplete sweeps, and empty ones initialised with
- * {0}.
+ * values, and fit power laws to the costs. A sweep owns its parameters and profiles, but borrows
+ * its contrasts and figures. profile_sweep_finish() accepts incomplete and zeroed sweeps.
  */
 #ifndef FIRN_PROFILE_SWEEP_POWER_LAW_H
 #define FIRN_PROFILE_SWEEP_POWER_LAW_H
@@ -36,7 +35,7 @@ enum {
     PROFILE_FIGURE_COLUMNS = 3
 };
 
-/* Chart of frame rates. Columns lie along the x axis. Each series is a curve or a set of bars. */
+/* Chart of frame rates with columns along the x axis. Each series is a curve or a set of bars. */
 struct profile_figure {
     const char *title, *axis; /* label of the column axis */
     bool is_bars;

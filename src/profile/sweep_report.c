@@ -23,8 +23,8 @@ struct columns {
     uint32_t passes; /* columns left for the passes */
 };
 
-/* Distributes table columns among the parameters. Widths are counted in bytes, so columns of
- * non-ASCII text may be too wide but are never too narrow. */
+/* Chooses the widths of parameter columns. Widths are counted in bytes, so columns with non-ASCII
+ * text may be too wide but are never too narrow. */
 static struct columns make_columns(const struct profile_sweep *sweep)
 {
     struct columns columns = { 0 };

@@ -1,4 +1,4 @@
-/* table.h: prints a profile as a text table of PROFILE_COLUMNS columns. */
+/* table.h: prints a profile as a text table with lines of PROFILE_COLUMNS characters. */
 #ifndef FIRN_PROFILE_TABLE_H
 #define FIRN_PROFILE_TABLE_H
 

@@ -39,7 +39,7 @@ enum {
 void profile_table_row_name(const struct profile_table_row *line,
                             char name[static PROFILE_TABLE_ROW_NAME_SIZE]);
 
-/* Returns median `frame` / median `plain` - 1, the overhead of measuring, or 0 without `plain`. */
+/* Returns by what fraction measuring increases the median frame time, or 0 without `plain`. */
 double profile_overhead(const struct profile *profile);
 
 #endif

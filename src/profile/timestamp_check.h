@@ -31,8 +31,8 @@ struct timestamp_check_times {
     double alone[TIMESTAMP_CHECK_PASS_COUNT];   /* submitted alone, by the CPU's clock */
 };
 
-/* Returns the maximum relative error of `stamped` compared with `alone` minus the submit cost. The
- * divisor is at least a tenth of the total time, so that short passes do not dominate. */
+/* Returns the maximum relative error of `stamped` against `alone` minus the cost of submitting.
+ * Errors of short passes are relative to a tenth of the total time instead of the pass time. */
 double timestamp_check_error(const struct timestamp_check_times *times);
 
 /* Maximum relative error at which timestamps are used. */
