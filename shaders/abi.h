@@ -3,7 +3,7 @@
  *
  * Shared structs use cglm's value types (vec3s, mat4s), which are macros for GLSL's types here.
  * GLSL uses scalar block layout; tests/unit/test_shaders.c compares every member's offset with the
- * SPIR-V. C aligns vec4s and mat4s to 16 bytes, so they must be the first members.
+ * SPIR-V. C aligns vec4s and mat4s to 16 bytes, so members of these types come first.
  */
 #ifndef SHADERS_ABI_H
 #define SHADERS_ABI_H

@@ -17,8 +17,8 @@
 #define LIT_DIFFUSE_LAYER 7
 #define LIT_LAYERS        8
 
-/* Side of the split-sum BRDF table, texels. Each texel has a factor of f0 and a factor of f90. The
- * x coordinate is the square root of n_dot_v, y is the roughness, both from 0 to 1. */
+/* Side of the split-sum BRDF table, texels. A texel holds the weights of f0 and f90. The x
+ * coordinate is the square root of n_dot_v, y is the roughness, both from 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
 #define LIT_LIGHT_SPREAD 0.001f /* minimum lobe width for punctual lights */
@@ -38,7 +38,7 @@ struct lit_surface {
     float roughness; /* perceptual; its square is GGX's alpha */
 };
 
-/* Returns the surface of KHR_materials_specular, from dielectric (`metallic` 0) to metal (1). */
+/* Converts metallic-roughness parameters with KHR_materials_specular to reflectances. */
 ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic, float roughness,
                                                     vec3s dielectric_f0, float specular)
 {
@@ -132,7 +132,7 @@ ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s bas
     return glms_vec3_add(glms_vec3_scale(diffuse, fmaxf(glms_vec3_dot(base, l), 0.0f)), specular);
 }
 
-/* Calls lit_by_light_on() for a surface without a water layer, where both normals are `n`. */
+/* Calls lit_by_light_on() with `n` as both normals, for a surface without a water layer. */
 ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
 {
     return lit_by_light_on(s, n, n, v, l, spread);

@@ -8,8 +8,8 @@
 #define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
 /* x: normal scale; y: occlusion strength; z: 1 for textured ice; w: 1 for a water layer */
 #define MATERIAL_ROW_SCALES 3
-/* First of two texels per texture: transform of u, and array layer + 1. The second texel holds the
- * transform of v, and 9 * uv_set + 3 * wrap_v + wrap_u. */
+/* Index of the first of two texels per texture. The first texel holds the transform of u, and array
+ * layer + 1. The second holds the transform of v, and 9 * uv_set + 3 * wrap_v + wrap_u. */
 #define MATERIAL_ROW_TEXTURES 4
 #define MATERIAL_ROW_WIDTH    22
 

@@ -6,7 +6,7 @@ layout(location = MESH_POSITION) in vec3 position;
 
 void main()
 {
-    /* `precise`, so that all passes that draw a face compute exactly the same depth */
+    /* `precise` makes all passes compute exactly equal depths for a face */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.fitted_clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

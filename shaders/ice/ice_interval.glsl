@@ -22,7 +22,7 @@ int ice_interval_step(float layer)
     return (floatBitsToUint(layer) & 1u) == 0u ? 1 : -1;
 }
 
-/* Returns this pixel's peeled layer `i`. `near` stores the first layers, `far` all later layers. */
+/* Returns this pixel's depth in layer `i`. `near` holds the first peeled layers, `far` the rest. */
 float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,4 +1,4 @@
-/* ice_nested.vert: vertex shader of nested objects; ICE_WIDE draws to maps wider than the image. */
+/* ice_nested.vert: vertex shader of nested objects. ICE_WIDE widens the view beyond the image. */
 #version 460
 #include "lib/object_pose.glsl"
 

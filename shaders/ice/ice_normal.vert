@@ -1,4 +1,4 @@
-/* ice_normal.vert: vertex shader of ice normals; ICE_WIDE draws to maps wider than the image. */
+/* ice_normal.vert: vertex shader of ice normals. ICE_WIDE widens the view beyond the image. */
 #version 460
 #include "lib/object_pose.glsl"
 

@@ -14,7 +14,7 @@ layout(location = 0) out vec4 color;
 
 const uint count = 128u;
 const float golden = 2.39996323; /* golden angle, radians */
-const float brightest = 16.0;    /* maximum radiance, so that samples of the sun leave no spots */
+const float brightest = 16.0;    /* maximum radiance of a sample; prevents spots from the sun */
 
 /* Computes the mean radiance scattered into a direction. Crystal slopes are GGX-distributed. At
  * refractive index n, a slope of angle d deflects refracted light by (n - 1) d. */

@@ -19,7 +19,7 @@
 
 layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray densities;
 
-const int medium_sun_steps = 3;       /* number of shadow ray steps, whose length doubles */
+const int medium_sun_steps = 3;       /* shadow ray steps; each is twice as long as the last */
 const float medium_blur = 4.55 - 1.0; /* prefiltered layer for the forward lobe */
 
 /* Returns the relative density, 0 to 1, of a field at an object-space point. */
@@ -75,8 +75,8 @@ float medium_sun_scattering(float cosine, float depth)
     return 0.25 * medium_phase(cosine, widened) * exp(-(1.0 - g) * depth);
 }
 
-/* Returns the environment light scattered into a ray. `ahead` weights light from about the ray's
- * direction; `anywhere` weights the mean light of all directions. */
+/* Returns the environment light scattered into a ray. `ahead` is the weight of light from near the
+ * ray's direction, `anywhere` the weight of the mean light of all directions. */
 vec3 medium_environment_scattering(vec3 dir, float ahead, float anywhere)
 {
     vec3 forward = lit_diffuse(dir);
@@ -107,7 +107,7 @@ vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
 }
 
 /* Ray-marches a segment of length `t` from an object-space point. Returns the optical depth and the
- * in-scattered sunlight. `remaining` must be equal to `steps`, or 0 to skip the segment. */
+ * in-scattered sunlight. `remaining` is equal to `steps`, or 0 to skip the segment. */
 medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)
 {

@@ -17,8 +17,8 @@ vec2 bubble_double(vec2 deflection)
                 2.0 * deflection.x * deflection.y);
 }
 
-/* Returns the deflection of transmitted light, 2 (theta_t - theta_i). The product of `eta` and `b`
- * must be at most 1. Above 1, reflection is total. */
+/* Returns the deflection of transmitted light, 2 (theta_t - theta_i). The impact parameter `b` must
+ * be at most 1 / `eta`. Beyond this limit, reflection is total. */
 vec2 bubble_transmitted(float b, float eta)
 {
     vec2 incident = vec2(sqrt(1.0 - b * b), b);

@@ -73,7 +73,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
-/* Returns a base colour from the material's texture, or else from array layer `layer` - 1. */
+/* Samples the material's base colour texture. If there is none, samples layer `layer` - 1. */
 vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
     bool has_texture = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;

@@ -16,7 +16,7 @@ struct sun_shadow {
     float visibility; /* fraction of sunlight that surroundings do not block */
 };
 
-/* Returns the sun's visibility at a biased point; shadows fade at the shadow map's edge. */
+/* Returns the sun's visibility at a light-space position. Shadows fade out at the map's edge. */
 float sun_shadow_open(vec4 clip)
 {
     vec2 uv = ice_light_uv(ice_light_shadow_map_clip(clip));

@@ -7,7 +7,7 @@
 #define AO_BINDING    13 /* struct ao_occluders */
 #define AO_MAP        14 /* occlusion map: change in irradiance on the plane below the objects */
 #define AO_HEIGHTS    15 /* heights of the surroundings above the objects' base, 0 to 1 */
-#define AO_UNDERSIDES 16 /* heights of the lowest undersides of surroundings; 1 where none are */
+#define AO_UNDERSIDES 16 /* height of surroundings' lowest underside; 1 if there is none */
 
 #define AO_OCCLUDERS_MAX 4     /* maximum number of occluders */
 #define AO_MAP_SIZE      128   /* side of the occlusion map, texels */

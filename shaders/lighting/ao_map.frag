@@ -94,7 +94,7 @@ float height_at(vec2 uv)
     return is_solid ? AO_HEIGHTS_RANGE * ao.height * top : 0.0;
 }
 
-/* Returns the fraction of a uniform sky that is below the horizon (horizon mapping, Max 1988). */
+/* Returns the fraction of a uniform sky that surroundings hide (horizon mapping, Max 1988). */
 float occluded_by_surroundings(vec2 uv)
 {
     float height = height_at(uv);
@@ -113,8 +113,8 @@ float occluded_by_surroundings(vec2 uv)
     return sum / float(directions);
 }
 
-/* Computes how the objects change the irradiance at a texel. Hardly deflected light shows the
- * environment behind an object, except small bright sources, which are refracted aside. */
+/* Computes how objects change the irradiance at a texel. Hardly deflected light has the radiance
+ * behind the object. Small objects do not show bright sources, whose light they refract aside. */
 void main()
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);

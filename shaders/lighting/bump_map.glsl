@@ -20,7 +20,7 @@ vec4 bump_read(vec2 at)
 }
 
 struct bump_planes {
-    vec4 texels[3]; /* samples of the projections along x, y and z: yz, zx, xy */
+    vec4 texels[3]; /* samples of the bump map, projected along x, y and z */
     vec3 weights;   /* blend weights, whose sum is 1 */
 };
 

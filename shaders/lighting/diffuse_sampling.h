@@ -5,7 +5,7 @@
 
 #define DIFFUSE_SAMPLING_RAYS 2 /* diffuse rays per sample; odd rays sample the guide cone */
 
-/* Seeds that decorrelate the random sequences of ray types. Diffuse rays add their index. */
+/* Seeds that give each type of ray its own random sequence. Diffuse rays add their ray index. */
 #define DIFFUSE_SAMPLING_SEED          20u
 #define DIFFUSE_SAMPLING_GLOSSY_SEED   40u
 #define DIFFUSE_SAMPLING_SUN_SEED      41u

@@ -14,7 +14,7 @@
 
 layout(location = COMPOSITE_REFRACTED) COMPOSITE_REFRACTED_IO vec3 view_ray;
 
-/* Members of `frame`, passed as flat varyings for the reason given in refract_uniforms.glsl. */
+/* Members of `frame`, passed as flat varyings because lavapipe fetches uniforms slowly. */
 layout(location = COMPOSITE_REFRACTED + 1) COMPOSITE_REFRACTED_IO CompositeView
 {
     flat mat4 clip_from_world;

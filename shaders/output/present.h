@@ -9,7 +9,7 @@
  * image. With a push constant, lavapipe would decode all pixels even if the value is 0. */
 #define PRESENT_ENCODES 0
 
-/* Two images side by side are separated by a bright and a dark column, visible on any content. */
+/* Tests for the bright and dark columns between two images, which are visible on any content. */
 #define PRESENT_IS_BRIGHT(column, line) ((column) == (line))
 #define PRESENT_IS_DARK(column, line)   ((column) == (line) + 1u)
 #define PRESENT_NO_LINE                 0xfffffff0u

@@ -28,8 +28,8 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    /* Divisions are rearranged so that none depends on another. In the published form, new_peak is
-     * above / below, and the colour's fraction is 1 / (desaturation * (peak - new_peak) + 1). */
+    /* Neither division depends on the other. The published form computes new_peak = above / below
+     * first, then 1 / (desaturation * (peak - new_peak) + 1). */
     float below = peak + (range - start);
     float above = below - range * range;
     float scale = above / (peak * (desaturation * (peak * below - above) + below));

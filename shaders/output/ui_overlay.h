@@ -1,4 +1,4 @@
-/* ui_overlay.h: bindings, vertex locations and push constants of overlay.{vert,frag}. */
+/* ui_overlay.h: bindings, vertex locations and push constants of ui_overlay.{vert,frag}. */
 #ifndef SHADERS_OUTPUT_UI_OVERLAY_H
 #define SHADERS_OUTPUT_UI_OVERLAY_H
 #include "abi.h"

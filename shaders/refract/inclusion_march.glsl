@@ -31,14 +31,14 @@ ivec2 inclusion_texel(inclusion_ray ray, float t)
     return ivec2(at.xy / at.w + 0.5);
 }
 
-/* Returns the depth of an inclusion minus the ray's depth at `t`; below -2 without inclusion. */
+/* Returns an inclusion's depth minus the ray's depth at `t`, or less than -2 if there is none. */
 float inclusion_depth_difference(sampler2D image, inclusion_ray ray, float t)
 {
     float depth = texelFetch(image, inclusion_texel(ray, t), 0).r;
     return (depth > 0.0 ? depth : -9.0) - (ray.depth + t * ray.depth_slope);
 }
 
-/* Returns a ray's distance to the first inclusion up to `max_t`; inclusion_none without hit. */
+/* Returns a ray's distance to the first inclusion up to `max_t`, or inclusion_none. */
 float inclusion_find(sampler2D image, inclusion_ray ray, float max_t)
 {
     float step_length = max_t / float(inclusion_steps);

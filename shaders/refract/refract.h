@@ -11,7 +11,7 @@
 #define REFRACT_DEPTH_FRONT  5
 #define REFRACT_SHADING      7 /* shading normal of front faces */
 #define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_deferred_front_face.glsl) */
-/* Front faces' depth map for ray marching with REFRACT_FULLSCREEN, perhaps with a margin. */
+/* Front faces' depth map for ray marching with REFRACT_FULLSCREEN, maybe wider than the image. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
 /* Images of material parameters, as written by ice_gbuffer.c and sampled with REFRACT_MATERIAL. */

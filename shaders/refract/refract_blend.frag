@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Push
     refract_blend_params params;
 };
 
-/* Refracts at the blended normal. If it is missing or faces away, refracts at the front normal. */
+/* Refracts at the blended normal. If there is none, or it faces away, uses the front normal. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);

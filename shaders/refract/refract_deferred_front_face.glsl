@@ -1,9 +1,9 @@
 /* refract_deferred_front_face.glsl: reads the visible front face from the G-buffer
- * ice_normal.front, for deferred shading by a full-screen triangle. Rasterisers that shade blocks
- * of pixels then shade a block only once. With the ice's own triangles, they shade a block once per
- * triangle. */
-#ifndef REFRACT_DEFERRED_FRONT_FACE_GLSL
-#define REFRACT_DEFERRED_FRONT_FACE_GLSL
+ * ice_normal.front, for deferred shading by a full-screen triangle. Rasterisers that shade pixels
+ * in blocks shade each block once for this triangle, but once per triangle of the ice if the ice
+ * itself is drawn. */
+#ifndef REFRACT_FULLSCREEN_GLSL
+#define REFRACT_FULLSCREEN_GLSL
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"
 #include "refract/refract.h"

@@ -43,7 +43,7 @@ float refract_depth_at_uv(sampler2D depths, vec2 uv)
     return refract_depth_at(depths, uv * size - 0.5, 1.0 / size);
 }
 
-/* Returns the mean normal of those of the nearest texels that have a face; 0 without any. */
+/* Returns the mean normal of the nearest texels that have a face, or 0 if none has one. */
 vec3 refract_normal_at(sampler2D normals, vec2 uv)
 {
     vec3 n = texture(normals, uv).xyz;

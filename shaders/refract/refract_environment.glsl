@@ -86,8 +86,8 @@ vec3 cube_first_point(vec3 from_center, vec3 dir)
 
 /*
  * Returns the direction from the cube's centre to a ray's hit. If the ray passes behind a surface's
- * edge, returns the direction beside the edge. Steps are even in homogeneous coordinates, from the
- * ray's origin to infinity, so that the sampled directions are evenly spaced.
+ * edge, returns the direction beside the edge. Steps are equal in homogeneous coordinates, from the
+ * ray's origin to infinity, which spaces the sampled directions evenly.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {

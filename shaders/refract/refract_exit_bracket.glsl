@@ -12,8 +12,8 @@ struct march_bracket {
     bool near_front; /* front face is nearer at `within` */
 };
 
-/* Returns an estimate of the exit's distance: interpolated between known signed distances, minus
- * `exact` / 4 to stay inside, or otherwise the middle of the bracket. */
+/* Returns an estimate of the exit's distance. Interpolates between signed distances and subtracts
+ * `exact` / 4 to stay inside. If a signed distance is unknown, returns the bracket's middle. */
 float march_root(march_bracket ends, float exact)
 {
     bool known = ends.distance_within > 0.0 && ends.distance_beyond < 0.0 &&

@@ -37,14 +37,14 @@ layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' r
 
 #include "refract/refract_cracks.glsl"
 
-/* Maximum number of times that a ray continues behind an apparent exit that is not a face. */
+/* Maximum number of false exits of a ray, where depth maps show an exit but there is no face. */
 const uint exits_false_max = 2u;
 
 /* Maximum number of reflections by cracks between two exits. */
 const uint exits_crack_reflections = 3u;
 
-/* Cosine between the normals of two successive crack hits. Above it, both hits count as one crack,
- * because a crack that a ray has just left also appears in the image beside the ray's origin. */
+/* Cosine between the normals of two successive crack hits, above which both count as one crack. A
+ * ray that leaves a crack would otherwise hit the same crack's image again. */
 const float exits_same_crack = 0.9;
 
 /* Throughput below which a ray is reflected at most once more. This limits long chains of total
@@ -81,7 +81,7 @@ float exits_mean(vec3 weight)
 }
 
 /* Splits a path at a crack in front of the next face. The path continues along the stronger branch.
- * The weaker branch is stored in `pixel`, or looks up the environment at once. */
+ * The weaker branch is stored in `pixel`, or adds an environment lookup to `pixel.light`. */
 void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
 {
     cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);

@@ -34,7 +34,7 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Returns the side in metres of the cube inscribed in the bounding sphere, as the ice's width. */
+/* Estimates the ice's width in metres as the side of the bounding sphere's inscribed cube. */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);

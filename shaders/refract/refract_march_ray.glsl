@@ -1,6 +1,6 @@
 /* refract_march_ray.glsl: marches a ray inside the ice through screen-space depth maps to the exit
- * point. Without REFRACT_BOUNCE, only back faces are exits: points in front of the ice count as
- * inside. */
+ * point. Without REFRACT_BOUNCE, only back faces are exits, and points in front of the ice count as
+ * inside the ice. */
 #ifndef REFRACT_MARCH_RAY_GLSL
 #define REFRACT_MARCH_RAY_GLSL
 #include "refract/refract_depth_maps.glsl"

@@ -226,10 +226,10 @@ struct nested_face {
 };
 
 /*
- * Moves a ray to its next face. Without a face in the maps, the ray continues straight.
+ * Moves a ray to its next face. If the maps show no face, the ray continues straight.
  *
- * A cavity between two parts of an object is a level only where both parts are visible. Where the
- * cavity is open to the outside, a ray leaves cavity and surrounding level at once, without a face.
+ * A cavity between two parts of an object is a nesting level only where the maps show both parts.
+ * If a cavity ends where its surrounding level ends, a ray leaves both levels without a face.
  */
 nested_face nested_next_face(nested_space space, int channel, inout nested_ray ray)
 {
@@ -271,8 +271,8 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
 }
 
 /* Continues a ray from a face by refraction or reflection. A ray that ends gets throughput 0.
- * Returns the throughput of directions that are not followed, to be multiplied by the surroundings'
- * mean radiance. */
+ * Returns the throughput of all directions that are not followed. Callers multiply this throughput
+ * by the surroundings' mean radiance. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;
@@ -307,7 +307,7 @@ vec3 nested_scatter(nested_face face, inout nested_ray ray)
     return rest;
 }
 
-/* Adds a face to the recorded path, which is refracted wherever possible. */
+/* Adds a face to the recorded path, which follows the refracted direction wherever possible. */
 void nested_record(nested_face face, nested_ray ray, bool is_first, inout refract_path path)
 {
     bool is_total = face.reflectance >= 1.0;

@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Push
     refract_paper_params params;
 };
 
-/* Refracts at a blend of front and back normal; at the front normal if there is no back face. */
+/* Refracts at a blend of front and back normal. Without a back face, uses the front normal. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);

@@ -13,7 +13,7 @@ struct refract_path {
     float tir;     /* 1 if first face reflects totally */
 };
 
-/* Returns the path for a colour channel, an index of refract_frame.etas; defined by each model. */
+/* Returns the path of colour channel `channel`, 0 to 2. Each model defines this function. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel);
 
 vec3 refract_front_point()

@@ -2,7 +2,7 @@
 #version 460
 #include "refract/refract_main.glsl"
 
-/* Refracts as a sphere does: without total reflection, by equal angles on entry and exit. */
+/* Refracts light into and out of a sphere. Both angles are equal, so reflection is never total. */
 refract_path refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];

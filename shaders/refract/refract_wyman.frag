@@ -3,8 +3,8 @@
 #include "refract/refract_main.glsl"
 #include "refract/refract_thickness.glsl"
 
-/* Returns the ice's thickness along the front normal. Starts with refract_width(), and halves it
- * while the depth map shows no back face at the end point. */
+/* Returns the ice's thickness along the front normal. Looks for the back face at a guessed
+ * thickness, initially refract_width(). Halves the guess while no back face is found. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();

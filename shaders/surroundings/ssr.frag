@@ -34,7 +34,7 @@ vec4 hit_color(segment p, float t, float roughness)
     return fade * image;
 }
 
-/* Returns a fade factor: 1 inside the scissored area, 0 at its edges except at image edges. */
+/* Returns a factor that fades out reflections at the scissored area's edges inside the image. */
 float inside_area()
 {
     vec2 to_min = gl_FragCoord.xy - push.area_min, to_max = push.area_max - gl_FragCoord.xy;

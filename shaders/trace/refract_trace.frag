@@ -63,7 +63,7 @@ struct trace_path {
     int from;           /* triangle on which the segment starts; below 0 if there is none */
     float side, reach;  /* as in trace_ray; also trace_side_escaped */
     uint seed;
-    float kind; /* 1 for reflection, 2 for diffuse light, otherwise 0 */
+    float kind; /* kind of light: 1 reflected, 2 diffuse, otherwise 0 */
     int left;   /* number of segments left */
     bool is_in_bubble;
     bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
@@ -106,7 +106,7 @@ struct trace_ray_end {
 
 trace_ray_end ends[trace_ends_max];
 int end_count, ends_left;
-/* end of the path that sets result.last; throughput is 0 if that path never leaves the objects */
+/* end of the path that sets result.last; throughput is 0 if the path never leaves the objects */
 trace_path escaped_end;
 #endif
 
@@ -117,8 +117,8 @@ object_material trace_untextured(uint rank)
                            trace_medium(rank, TRACE_ABSORB).w);
 }
 
-/* Returns true if a path is inside an object. For a single closed object, path.side is tested, so
- * that the medium stack is not needed. */
+/* Returns true if a path is inside an object. For a single closed object, tests path.side instead
+ * of the medium stack. */
 bool trace_is_in(trace_path path)
 {
     bool has_side =
@@ -230,7 +230,7 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
 }
 
 /* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced,
- * as at grazing angles, where rasterised points are not exactly on triangles. */
+ * for example at grazing angles, where rasterised points are not exactly on triangles. */
 bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -377,8 +377,8 @@ trace_fresnel_split trace_fresnel_at(trace_crossing c)
     return p;
 }
 
-/* Returns the throughput that a surface transmits, before reduction by Fresnel reflection. If the
- * surface is not fully transmissive, adds the radiance of the opaque base. */
+/* Returns the throughput that a surface transmits, not yet reduced by Fresnel reflection. If the
+ * surface is not fully transmissive, adds the opaque base's radiance to the pixel. */
 vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 {
     vec3 through = path.throughput * p.refracted_weight;
@@ -474,7 +474,7 @@ bool trace_end_path(trace_hit hit)
             lighting_begin(hit);
             trace_add(light, 0.0);
         } else if (is_first && !trace_camera_is_inside()) {
-            /* a blended pane hides no objects, because the background is composited later */
+            /* blended surfaces do not attenuate primary rays: surroundings are composited later */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
             float open = 1.0;

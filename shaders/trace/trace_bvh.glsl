@@ -1,6 +1,6 @@
 /* trace_bvh.glsl: BVH traversal and intersection of triangles, cracks and bubbles (bvh_layout.h).
- * Rays descend front to back to a leaf with a stack, then test its triangles ("while-while", Aila
- * and Laine 2009). Finished lanes must leave the loops, otherwise Mesa 22.3 loses hits. */
+ * Rays descend front to back to a leaf, then test the leaf's triangles ("while-while", Aila and
+ * Laine 2009). Finished lanes must leave the loops, otherwise Mesa 22.3 loses hits. */
 #ifndef TRACE_BVH_GLSL
 #define TRACE_BVH_GLSL
 #include "lib/bubble_intersect.glsl"
@@ -62,7 +62,7 @@ uvec4 trace_corner(int word)
 struct trace_ray {
     vec3 origin, dir;
     float side;  /* 1 inside, -1 outside, else 0 */
-    float reach; /* distance within which back faces are ignored */
+    float reach; /* distance from the origin within which back faces are ignored */
     bool is_in_bubble;
     int from; /* triangle at the origin, not hit */
 };
@@ -88,7 +88,7 @@ const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS;
 /* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
     vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
-    vec3 cull;                  /* 2 * side * dir to test normal cones, else 0 */
+    vec3 cull;                  /* 2 * side * dir for normal cone tests, 0 without these tests */
     int mask, shift;            /* lower plane's mask; upper plane's shift */
 };
 

@@ -58,8 +58,8 @@ float light_gather_sun(trace_hit from, vec3 point, uint seed)
     return passing;
 }
 
-/* Returns the brightness of the unoccluded lighting `all` over that of the sky sample `some`.
- * Multiplies `throughput` by the remaining ratio of the two colours, clamped to 0.5 to 2. */
+/* Returns the brightness ratio of unoccluded lighting `all` to sky sample `some`. Multiplies
+ * `throughput` by the remaining ratio of the two colours, clamped to 0.5 to 2. */
 float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 {
     some = max(some, lighting_radiance_min);
@@ -149,8 +149,8 @@ void lighting_trace_ray(trace_hit hit, lighting_rays rays, uint i, float chance)
     trace_add(-rays.skies[i] / chance, path.kind);
 }
 
-/* Replaces unoccluded by traced lighting at the surface that was shaded last. `throughput` is the
- * path's throughput at that surface. */
+/* Replaces the unoccluded lighting of the surface shaded last by traced lighting. `throughput` is
+ * the path's throughput at that surface. */
 void light_gather_at(trace_hit hit, vec3 throughput)
 {
     if (path.is_lighting_ray || !lobes.is_lit)

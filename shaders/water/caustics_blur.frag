@@ -16,8 +16,8 @@ vec2 image_of(vec2 at, float depth)
     return shift * depth / map_texel_size();
 }
 
-/* Blurs the light from the sun's centre over the sun disc's image below level water, an ellipse. In
- * large ellipses, samples are `pace` texels apart. */
+/* Blurs light from the sun's centre over the ellipse of light that the sun's disc casts through
+ * level water. In large ellipses, samples are `pace` texels apart. */
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);

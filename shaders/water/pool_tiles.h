@@ -5,7 +5,7 @@
 
 #define TILES_JOINT 0.06f /* width of the joints, in tiles */
 
-/* Returns the integral from 0 to x of stripes that cover the fraction `fraction` of each unit. */
+/* Integrates, from 0 to x, a function that is 1 in the first `fraction` of each unit, else 0. */
 ABI_FUNCTION float tiles_stripes(float x, float fraction)
 {
     return floorf(x) * fraction + fminf(x - floorf(x), fraction);

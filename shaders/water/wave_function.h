@@ -14,7 +14,7 @@
 #include "abi_math.h"
 #include "water/water.h"
 
-/* Returns the slopes dz/dx and dz/dy in xy and the height, in units of w.scale, in z. */
+/* Returns slopes dz/dx and dz/dy in xy and the height in z. Lengths are in units of w.scale. */
 ABI_FUNCTION vec3s wave_series(ABI_STRUCT(water_params) w, vec2s p, float time)
 {
     float r = fmaxf(sqrtf(p.x * p.x + p.y * p.y), 1e-6f);
