@@ -97,7 +97,7 @@ static void scatter_outside(struct ray *ray, vec3s n, vec3s tint)
     ray->weight = glms_vec3_mul(ray->weight, tint);
 }
 
-/* Traces a ray through the body by an analog random walk, until it leaves. */
+/* Traces a ray through the body by a random walk until the ray leaves. */
 static void trace_ray(const struct ao_shape *shape, const struct ao_medium *medium, struct ray *ray)
 {
     float t[2];
@@ -145,7 +145,7 @@ static struct ray start_ray(const struct ao_shape *shape, vec3s base, vec3s up, 
     return ray;
 }
 
-/* Returns the lowest point of a body's bounding box straight below the box's centre. */
+/* Returns the point below a bounding box's centre, at the height of the box's lowest corner. */
 static vec3s base_of(const struct ao_shape *shape, vec3s up)
 {
     const vec3s center = box_center(shape->box);

@@ -21,7 +21,7 @@ enum {
 struct ao_member {
     uint32_t object;
     float
-        /* fraction of the occluder's volume that `object` fills, without the objects inside it */
+        /* fraction of the occluder's volume inside `object`, but not inside an enclosed object */
         volume_fraction;
 };
 

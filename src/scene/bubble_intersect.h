@@ -23,15 +23,15 @@ struct box bubble_box(const struct bubble *bubble);
 
 bool bubble_contains(const struct bubble *bubble, vec3s point);
 
-/* Intersects the line of a ray with a bubble. The two distances are in lengths of `dir`, and may be
- * negative. Returns false for a miss. */
+/* Intersects a ray, extended to a line, with a bubble. The two distances are in lengths of `dir`,
+ * and negative behind the origin. Returns false for a miss. */
 bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
 
 struct bubble_face {
     vec3s position, normal; /* `normal` is unit, outward */
 };
 
-/* Returns the surface point nearest to the hit at distance `at`, to correct rounding errors. */
+/* Projects the hit at distance `at` onto the bubble's surface, to remove rounding errors. */
 struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec3s dir, double at);
 
 #endif

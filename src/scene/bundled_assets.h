@@ -13,7 +13,7 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
-    ASSET_SHEET, /* image rendered by `firn sheet`, for the window */
+    ASSET_SHEET, /* sheet of preview images, made by `firn sheet` */
 };
 
 enum {

@@ -87,7 +87,7 @@ mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32
     float scale_x = scale_y * (float)height / (float)width;
     vec3s right = glms_vec3_scale(basis.right, scale_x);
     vec3s down = glms_vec3_scale(basis.up, -scale_y);
-    /* An offset proportional to w shifts the image after the perspective division. */
+    /* Adding a multiple of the w row shifts the image after the perspective division. */
     right = glms_vec3_muladds(basis.forward, -2 * jitter.x / (float)width, right);
     down = glms_vec3_muladds(basis.forward, -2 * jitter.y / (float)height, down);
     return projection(right, down, basis.forward, camera->eye, near);

@@ -39,7 +39,7 @@ static vec2s corner(const struct lattice *lattice, uint32_t x, uint32_t y)
 struct span {
     uint32_t x, y;         /* cell coordinates */
     uint32_t first, count; /* first texel's x, and number of texels */
-    float rest_y;          /* offset from the cell's top, in cells */
+    float rest_y;          /* row's offset from the cell's top, in cells */
 };
 
 static struct span find_span(const struct lattice *lattice, uint32_t x, uint32_t y)

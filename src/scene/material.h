@@ -22,13 +22,13 @@ enum {
     MATERIAL_IS_UNLIT = 16,     /* the base colour is emitted radiance */
     MATERIAL_IS_BLENDED = 32,   /* alpha is the fraction of light that the surface reflects */
     MATERIAL_IS_TWO_SIDED = 64,
-    /* the file sets refractive index 0 (legacy), which makes the specular colour the reflectance */
+    /* legacy refractive index 0; specular_color is the reflectance at normal incidence */
     MATERIAL_IS_LEGACY = 128,
-    MATERIAL_IS_WATER_LAYER = 256, /* water layer on an opaque base with colour and normal map */
+    MATERIAL_IS_WATER_LAYER = 256, /* opaque base with colour and normal map, under a water layer */
     MATERIAL_FLAGS = 511,
 };
 
-/* Uses of textures. Comments name the channels and the material parameters that they multiply. */
+/* Uses of textures. Comments name texture channels, and the material parameters they affect. */
 enum material_texture_use {
     MATERIAL_BASE_COLOR,         /* rgb: base_color; a: alpha */
     MATERIAL_METALLIC_ROUGHNESS, /* b: metallic; g: roughness */
@@ -58,7 +58,7 @@ enum material_wrap {
 
 /* Texture and its transform. Colour textures are sRGB, others linear. */
 struct material_texture {
-    uint32_t layer; /* 1 + layer in model.textures (colours) or model.numbers; 0 for none */
+    uint32_t layer; /* layer index + 1, in model.textures (colours) or model.numbers; 0 for none */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
     uint32_t uv_set;         /* texture coordinate set: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
     vec3s u_row, v_row;      /* rows of the uv transform, multiplied by (u, v, 1) */

@@ -26,7 +26,7 @@ static bool has_node(const struct model *model, const char *name)
     return false;
 }
 
-/* Assigns material `first` + i to the objects that names[i] matches. */
+/* Assigns material `first` + i to the objects that all[i].name matches. */
 static void assign(struct model *model, const struct material_override *all, uint32_t count,
                    uint32_t first)
 {

@@ -6,7 +6,7 @@
 
 struct material_override {
     const char *words;             /* text of the option, "NODE=glass,ior=1.52"; borrowed */
-    char name[MATERIAL_NAME_SIZE]; /* name of mesh nodes, or of a material if no node has it */
+    char name[MATERIAL_NAME_SIZE]; /* name of mesh nodes or, failing that, of a material */
     struct material material;
 };
 

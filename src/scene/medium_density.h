@@ -29,7 +29,7 @@ struct scattering_media {
 };
 
 /* Finds the objects whose material scatters light. Makes no texels. If `is_asked`, also includes
- * the first object, with the settings' optical depth if its material has none. */
+ * the first object, with the settings' optical depth if the object's material has none. */
 struct scattering_media scattering_media_find(const struct model *model, bool is_asked);
 
 /* Generates the texels. Returns false when out of memory. */

@@ -4,7 +4,7 @@
 #include <math.h>
 #include "src/base/log.h"
 
-static const float coordinate_max = 1e6f; /* limit of coordinates in metres, as in model files */
+static const float coordinate_max = 1e6f; /* maximum absolute coordinate, metres */
 
 static mat4s rotation_of(const struct model_transform *model_transform)
 {

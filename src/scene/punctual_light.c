@@ -46,8 +46,7 @@ vec4s *punctual_light_table_make(const struct light *lights, uint32_t count)
         const struct light *m = &lights[i];
         vec4s *row = &rows[(size_t)i * LIT_LIGHT_WIDTH];
         const bool is_spot = m->kind == LIGHT_SPOT;
-        /* Without a spot cone, uses cosines below -1, so that every direction is inside the cone.
-         */
+        /* Lights other than spots get cone cosines below -1, which light all directions. */
         const vec2s cone = { { is_spot ? cosf(m->inner_cone) : -2.0f,
                                is_spot ? cosf(m->outer_cone) : -3.0f } };
         row[LIT_LIGHT_POSITION] =

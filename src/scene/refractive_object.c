@@ -12,10 +12,10 @@
 /* Object during ranking. */
 struct ranked {
     uint32_t object;
-    int64_t priority;        /* priority from the file; INT64_MIN without one */
+    int64_t priority;        /* priority from the file; INT64_MIN if the file has none */
     uint32_t depth;          /* number of enclosing objects */
     uint32_t container_rank; /* 1 + index of innermost enclosing object; 0 for none */
-    /* 1 + index of innermost object around this one (cavities count as inside); 0 for none */
+    /* 1 + index of the innermost object around this one (cavities count as inside); 0 for none */
     uint32_t enclosing_object;
 };
 

@@ -28,8 +28,8 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 /* Returns the bounding box of an object's triangles. */
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
-/* Sets the boxes and ranks of all objects. Objects are ranked by their priority in the file (none
- * is lowest), then by the number of objects that enclose them, then by index. Logs and returns
+/* Sets the boxes and ranks of all objects. Objects are ranked by priority in the file (lowest if
+ * absent), then by the number of objects that enclose them, then by index. Logs and returns
  * STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);

@@ -113,14 +113,14 @@ static enum status make_pool(struct scene *scene, const struct scene_params *par
     return pool->ice > 0.0f ? add_floating_ice(scene, params) : STATUS_OK;
 }
 
-/* If the file does not exist, logs an error that suggests a similar name. */
+/* Checks that a file exists. If not, logs an error that suggests a similar name. */
 static enum status check_file(const char *path, enum asset_kind kind)
 {
     const bool is_scene = kind == ASSET_SCENE;
     char hint[SUGGEST_HINT_SIZE];
     struct suggest suggest = { .word = path };
     if (access(path, F_OK) == 0 || errno != ENOENT)
-        return STATUS_OK; /* opening the file will log the error */
+        return STATUS_OK; /* opening the file logs the error */
     for (const struct scene_builtin *b = scene_builtins; is_scene && b->name; b++)
         suggest_offer(&suggest, b->name);
     for (const struct asset *a = assets; a->name; a++) {
@@ -353,7 +353,7 @@ static void move_rest_pose(struct scene *scene, struct scene *before)
     bvh_rest_pose_move_from(scene->rest, &before->model, &before->sorted);
 }
 
-/* Clears a scene's pointers to the environment and its lighting, which another scene then owns. */
+/* Clears a scene's environment and prefiltered lighting, which another scene now owns. */
 static void release_environment(struct scene *scene, const struct scene *before)
 {
     if (scene == before || scene->prefiltered_environment == before->prefiltered_environment)
@@ -362,8 +362,8 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings that the parameters or the built-in scene name. If neither does, loads the
- * landscape, provided that there is a sky and the model has no surroundings. */
+/* Loads the surroundings that the parameters or the built-in scene name. Otherwise, loads the
+ * landscape if the background is the sky and the model has no surroundings. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -385,7 +385,7 @@ static enum status sort_surroundings(struct scene *scene)
                : log_out_of_memory("surroundings");
 }
 
-/* Measures whether the objects are convex, and their depth complexity. */
+/* Tests whether the objects are convex, and measures their depth complexity. */
 static void measure_shape(struct scene *scene)
 {
     const struct model *model = &scene->model;

@@ -32,7 +32,7 @@ struct scene {
     struct model model; /* loaded model, with ranked objects (medium priorities) */
     enum scene_background background;
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
-    bool is_hidden; /* write alpha 0 where the background is seen; it still lights surfaces */
+    bool is_hidden;         /* true to write alpha 0 in the background; lighting is unaffected */
     struct environment environment;
     vec4s *material_table; /* GPU table of materials; NULL if no material needs one */
     /* GPU table of punctual lights; NULL if no surface is lit by one */
@@ -41,17 +41,17 @@ struct scene {
     /* GGX split-sum table (image_based_lighting.h); NULL if material_table is NULL */
     uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube; /* captured cube that replaces the rendered cube; may be empty */
-    struct bump_maps bump;   /* bump map of the object's surface; may be empty */
-    struct box box;          /* bounding box of the object or pool */
-    struct box framing_box;  /* bounding box at time 0, for the default camera */
-    float time;              /* animation time, seconds */
+    struct environment cube;           /* environment cube from a file; may be empty */
+    struct bump_maps bump;             /* bump map of the object's surface; may be empty */
+    struct box box;                    /* bounding box of the object or pool */
+    struct box framing_box;            /* bounding box at time 0, for the default camera */
+    float time;                        /* animation time, seconds */
     vec4s *
         /* vertex positions of the previous frame, objects first; NULL if no vertex has moved */
         previous_positions;
     uint32_t previous_position_rows;
     struct box floating_ice;      /* bounding box of floating ice in the pool; may be empty */
-    struct box lookup_box;        /* box of refract.lookup=box if the settings give none */
+    struct box lookup_box;        /* default box of refract.lookup=box */
     struct mesh cracks;           /* cracks, in object space; may be empty */
     struct mesh air;              /* planes of air bubbles, in object space; may be empty */
     struct air_layers air_layers; /* textures of the air planes */
@@ -77,7 +77,7 @@ struct scene_cracks {
     uint32_t count; /* number of cracks; 0 for none */
     uint32_t seed;
     float size;       /* size relative to the default size */
-    bool cut;         /* clip cracks to the object, which must be a closed mesh */
+    bool cut;         /* true to clip cracks to the object, which must be a closed mesh */
     const char *file; /* model file of a crack, read by scene_load(); NULL for generated cracks */
 };
 
@@ -100,26 +100,26 @@ struct scene_params {
      * `files` and `rest`, instead of loading them */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
-    struct model_pose pose; /* pose, in which scene_load() sets `objects` (from the overrides) */
+    struct model_pose pose; /* animation pose; scene_load() sets its `objects` */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
-    const vec3s *background; /* background colour; NULL for the sky */
-    bool is_hidden;          /* see scene.is_hidden */
-    bool is_one_object;      /* make a model without transmissive materials one refractive object */
+    const vec3s *background;      /* background colour; NULL for the sky */
+    bool is_hidden;               /* see scene.is_hidden */
+    bool is_one_object;           /* true to treat an opaque model as one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
     uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */
-    bool flat;                    /* use a level floor instead of the landscape */
+    bool flat;                    /* true for a level floor instead of the landscape */
     uint32_t orbiting_ball_count; /* number of balls that orbit the object */
     struct melting melting;
-    struct generate_air air;             /* air planes; count 0 for none */
-    bool has_scattering_medium;          /* the settings make the first object scatter light */
-    struct generate_bubbles bubbles;     /* bubbles; count 0 for none */
+    struct generate_air air;         /* air planes; count 0 for none */
+    bool has_scattering_medium;      /* true if the settings make the first object scatter light */
+    struct generate_bubbles bubbles; /* bubbles; count 0 for none */
     const struct bump_maps_params *bump; /* parameters of the surface's bump map; NULL for none */
     struct scene_cracks cracks;
     struct scene_image_files image_files;
     const struct reader_params *decode; /* sandboxed file reader; NULL to read in this process */
     struct generate_pool pool;          /* pool of the scene `pool` */
-    /* set only the sizes of bump maps and air textures, and leave their texels to scene_fill() */
+    /* true to set only the sizes of bump maps and air textures; scene_fill() makes their texels */
     bool defers_texels;
     /* Callback after the object is loaded; may be NULL. It may adapt the inclusion parameters and
      * `bump` to the object's materials. */
@@ -155,9 +155,9 @@ const char *scene_name(uint32_t index);
  * does not fit in the pool) or STATUS_TRY_AGAIN. *scene is zeroed on failure. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *given);
 
-/* Generates the texels that params.defers_texels has deferred. Meanwhile, other threads may read
- * the rest of the scene. When out of memory, returns the name of the missing data, such as "air",
- * else NULL. Logs nothing, because the caller may prefer to report another thread's error. */
+/* Generates the texels that params.defers_texels made scene_load() skip. Meanwhile, other threads
+ * may read the rest of the scene. When out of memory, returns the name of the missing data, such as
+ * "air", else NULL. Logs nothing, since the caller may prefer to log another thread's error. */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */

@@ -100,7 +100,7 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
         return "bump maps";
     if (air.count && !generate_air_layers(&scene->air_layers, &air))
         return "air";
-    struct model unmelted = scene->model; /* densities are those of the object before melting */
+    struct model unmelted = scene->model; /* density depends on the shape before melting */
     if (scene->melted.lost_fraction > 0.0f)
         unmelted.object = scene->melted.unmelted;
     if (!scattering_media_fill(&scene->scattering_media, &unmelted))

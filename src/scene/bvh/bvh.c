@@ -110,7 +110,7 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
-/* Returns a triangle's material bits (mesh_layout.h), with the material index of its object. */
+/* Returns a triangle's material bits (mesh_layout.h). The material index is the object's. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t bits = bvh_corner(part, triangle, 0)->material;
@@ -181,8 +181,8 @@ static void count_words(struct bvh *bvh, const struct bvh_part *part,
         bvh->corners.count += surfaces * BVH_EXTRA_WORDS;
 }
 
-/* Writes the triangles and nodes of a scene part. Vertex colours and texture coordinates follow
- * after the corners of all parts. */
+/* Writes the triangles and nodes of a scene part. In the corner array, vertex colours and texture
+ * coordinates are stored after the corners of all parts. */
 static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *part,
                        const struct bvh_two_level *hierarchy)
 {

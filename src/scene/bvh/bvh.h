@@ -37,9 +37,9 @@ struct bvh {
     double costs[BVH_COUNT];
     uint32_t depth; /* maximum node depth from a root, at most BVH_DEPTH_MAX */
     bool is_closed; /* true if the objects' mesh is closed (each edge has an opposite) */
-    /* true if no triangle of the surroundings is in the objects' box */
+    /* true if no triangle of the surroundings overlaps the objects' bounding box */
     bool surroundings_are_apart;
-    bool is_disjoint_rotating; /* surroundings_are_apart for any object rotation about +Y */
+    bool is_disjoint_rotating; /* surroundings_are_apart holds for all object rotations about +Y */
     bool is_stored; /* BVH is too large for the device's texel buffers; set by the caller */
     double ms;      /* duration of bvh_init(), milliseconds */
     /* numbers of object BVHs that were built, copied from similar objects, or refitted */
@@ -54,7 +54,7 @@ struct bvh_two_level;
  * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose
  * (1.1 times for a BVH of a whole part). Rigid motion and uniform scaling never cause a rebuild. */
 struct bvh_rest_pose {
-    bool by_objects;    /* true if each object has a BVH of its own, without horizons */
+    bool by_objects;    /* true if each object has its own BVH; then, there are no horizons */
     struct model model; /* model of which only meshes, objects and surroundings_starts are set */
     struct mesh_order sorted;          /* triangle order of the surroundings */
     bool is_known;                     /* true after bvh_rest_pose_move_from() */
@@ -75,8 +75,8 @@ struct bvh_params {
     const struct mesh *cracks;     /* crack sheets inside the ice */
     const struct bubbles *bubbles; /* bubbles inside the ice */
     struct bvh_rest_pose *rest;    /* rest pose; NULL without animation */
-    uint32_t threads;              /* maximum threads; 0 for one per core */
-    bool is_cached; /* cache large BVHs in files; if animated, only those of the rest pose */
+    uint32_t threads;              /* maximum number of threads; 0 for one per core */
+    bool is_cached; /* true to cache large BVHs in files; only rest-pose BVHs if animated */
 };
 
 /* Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA

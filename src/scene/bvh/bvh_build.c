@@ -47,7 +47,7 @@ struct bin {
 
 /* Triangles binned by centroid along each axis. */
 struct bins {
-    float low[3], scale[3]; /* per axis: lowest centroid, and bins per metre */
+    float low[3], scale[3]; /* lowest centroid, and number of bins per metre, for each axis */
     struct bin all[3][BVH_BIN_COUNT];
 };
 
@@ -208,7 +208,7 @@ static void *build_subtree(void *user)
 void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t depth_left,
                uint32_t threads)
 {
-    /* number of levels at which threads start, high enough to balance unequal subtrees */
+    /* number of tree levels at which new threads may start, large enough to balance the load */
     const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5;
     struct subtree all = { builder, range->root, range->first, range->count, depth_left, forks };
     (void)build_subtree(&all);

@@ -3,7 +3,7 @@
 
 enum {
     CROSSINGS_MAX = 4096, /* maximum hits of the inside-test ray */
-    HALF = 16,            /* bits per rank: two ranks per 32-bit word */
+    HALF = 16,            /* bits per rank (medium priority) */
 };
 
 uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank)

@@ -171,7 +171,7 @@ struct encoder {
 
 static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth, struct cone *cone);
 
-/* Encodes a child node, and extends the normal cone of its parent by that of the child. */
+/* Encodes a child node, and extends the parent's normal cone `cone` to contain the child's cone. */
 static void write_child(struct encoder *encoder, uint32_t word, uint32_t at, uint32_t depth,
                         struct cone *cone)
 {

@@ -192,7 +192,7 @@ static uint64_t edge_hash(const float *a, const float *b)
     return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
 }
 
-/* An edge and its opposite edge cancel in the sum of hashes, so that a closed mesh has sum 0. */
+/* Sums hashes in which an edge and its opposite edge cancel. The sum is 0 for a closed mesh. */
 bool bvh_part_is_closed(const struct bvh_part *part)
 {
     uint64_t sum = 0;

@@ -11,7 +11,7 @@ struct bvh_part {
     const struct bubbles *bubbles; /* numbered after the triangles; or NULL */
     uint32_t *triangles;           /* mesh triangle indices in file order */
     uint32_t count;
-    uint32_t *firsts; /* start of each group in `triangles`, and at last `count` */
+    uint32_t *firsts; /* start of each group in `triangles`, followed by `count` */
     uint32_t group_count;
     bool is_object, is_inclusion;
 };
@@ -22,7 +22,7 @@ MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT],
                              const struct bvh_params *params, bool by_objects);
 void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT]);
 
-/* Returns the bubble with a triangle number, or NULL if the number is that of a mesh triangle. */
+/* Returns the bubble with a triangle number, or NULL if a mesh triangle has this number. */
 const struct bubble *bvh_bubble(const struct bvh_part *part, uint32_t triangle);
 
 const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t triangle, uint32_t k);
@@ -30,7 +30,7 @@ const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t trian
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
 /* Returns true if the objects' box overlaps no bounding box of a triangle of the surroundings. If
- * `rotates`, uses a box for all rotations about +Y, and returns false if any surroundings move. */
+ * `rotates`, the box contains all rotations about +Y, and moving surroundings count as overlap. */
 bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */

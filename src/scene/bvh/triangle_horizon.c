@@ -20,11 +20,11 @@
 enum {
     THREADS_MAX = 16,
     THREAD_MIN = 1 << 12, /* minimum triangles per thread */
-    BLOCK = 64,           /* number of consecutive triangles that share a first occluder */
+    BLOCK = 64,           /* triangles per block, see find_horizons() */
     VISITS_MAX = 1024,    /* maximum node visits per triangle */
 };
 
-/* Limits of a horizon's tangent. Steeper horizons cull few rays. Flatter ones take long to find. */
+/* Limits of a horizon's tangent. Steeper horizons cull few rays. Flatter ones are slow to find. */
 static const float steepest = 2.6f, flattest = 0.143f;
 
 /* Triangle whose horizon is computed. */
@@ -149,7 +149,7 @@ static float elevation_along(const struct receiver *from, float corners[static 3
     return most;
 }
 
-/* Returns the lowest elevation tangent over several directions, or the first one <= `enough`. */
+/* Returns the lowest elevation tangent of several directions, but stops at one <= `enough`. */
 static float triangle_elevation(const struct receiver *from, const struct search *search,
                                 uint32_t at, float enough)
 {
@@ -177,7 +177,7 @@ struct candidate {
 };
 
 /* Returns the tangent of a triangle's horizon angle, or a value above `steepest` if unknown. Tests
- * occluder *highest first, and then sets *highest to the occluder that defines the horizon. */
+ * triangle *highest first. Sets *highest to the triangle that defines the horizon. */
 static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
     const struct bvh_node *nodes = search->hierarchy->builder.nodes;
@@ -279,7 +279,7 @@ bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *obj
     return objects->horizons && bvh->object_count == 1;
 }
 
-/* Returns a triangle's quantised horizon, raised by the largest angle of face to vertex normal. */
+/* Returns a quantised horizon, raised by the largest angle between face and vertex normals. */
 static uint8_t widened_horizon(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                uint32_t at)
 {

@@ -22,7 +22,7 @@ enum {
 uint8_t *bvh_horizons_compute(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                               uint32_t threads);
 
-/* Returns true if the BVH gets a horizon grid: there is a single object, with known horizons. */
+/* Returns true if the BVH gets a horizon grid, which requires a single object with horizons. */
 bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *objects);
 
 /* Writes the horizon grid (shaders/trace/bvh_layout.h) to the reserved end of the corner array. */

@@ -35,7 +35,7 @@ struct medium {
     vec3s scattering, extinction;
 };
 
-/* Point on a ray. By symmetry, two parameters are enough. */
+/* Point in the atmosphere. By symmetry, height and sun angle determine the light at the point. */
 struct sample_point {
     float radius; /* distance from the planet's centre */
     float sun;    /* cosine of the sun's zenith angle */

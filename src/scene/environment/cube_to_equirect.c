@@ -114,7 +114,7 @@ struct cube {
     const struct image *image;
     struct face faces[FACES];
     float side;         /* face size, texels */
-    bool has_edge_rows; /* outermost texel centres lie on the face's edges, as in OpenEXR */
+    bool has_edge_rows; /* true if outermost texel centres lie on face edges, as in OpenEXR */
 };
 
 static float texel(const struct cube *cube, const struct face *face, uint32_t plane, float x,

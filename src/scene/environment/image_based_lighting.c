@@ -284,7 +284,7 @@ uint16_t *image_based_lighting_brdf_table(void)
 #define DOMINANT_COSINE   0.75f /* minimum cosine of the angle to the brightest texel */
 #define DOMINANT_MARGIN   0.02f /* margin of the cone's cosine */
 
-/* Returns the brightness and the direction of a texel of the least rough layer. */
+/* Returns the brightness and the direction of a texel in the layer of lowest roughness. */
 static float light_texel(const uint16_t *table, size_t i, vec3s *dir)
 {
     const size_t x = i % LIT_WIDTH, y = i / LIT_WIDTH;

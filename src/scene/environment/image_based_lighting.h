@@ -1,8 +1,8 @@
 /*
- * image_based_lighting.h: image-based lighting tables of an equirectangular environment
- * (shaders/brdf.h): radiance prefiltered by direction and roughness (split-sum approximation of
- * Karis 2013, viewed along the normal), and diffuse irradiance. Lookups, not the tables, apply
- * environment.turn.
+ * image_based_lighting.h: tables for image-based lighting (shaders/brdf.h), made from an
+ * equirectangular environment. They hold diffuse irradiance, and radiance prefiltered by direction
+ * and roughness (split-sum approximation of Karis 2013, viewed along the normal). Shaders apply
+ * environment.turn at lookup.
  */
 #ifndef FIRN_SCENE_ENVIRONMENT_IMAGE_BASED_LIGHTING_H
 #define FIRN_SCENE_ENVIRONMENT_IMAGE_BASED_LIGHTING_H

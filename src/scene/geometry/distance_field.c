@@ -121,8 +121,8 @@ static void test_near(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Tests a texel against the nearest triangles of the 13 neighbours before it in scan order (side
- * -1) or after it (side 1). Skips neighbours that last changed before sweep `since`. */
+/* Updates a texel's nearest triangle from the 13 neighbours before the texel in scan order (`side`
+ * -1) or after it (`side` 1). Skips neighbours last changed before sweep `since`. */
 static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),

@@ -11,7 +11,7 @@
 struct similarity_transform_corners {
     const void *context;
     const float *(*position)(const void *context,
-                             uint32_t corner); /* returns x, y, z of a corner */
+                             uint32_t corner); /* returns a corner's x, y and z */
     uint32_t count;
 };
 
@@ -23,7 +23,7 @@ struct similarity_transform_anchor {
 /* Affine 3 x 4 matrix that maps points of the first set to points of the second. */
 struct similarity_transform {
     double rows[3][4];
-    double length; /* length of the anchor's first side in the second set */
+    double length; /* distance between the anchor's first two corners in the second set */
 };
 
 struct similarity_transform_anchor

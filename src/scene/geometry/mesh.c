@@ -52,7 +52,7 @@ static void *grow_array(void *array, uint32_t count_before, uint32_t count, size
     return realloc(array, (count_before + count) * size);
 }
 
-/* Appends the extras of `other` to those of `mesh`. If only one mesh has any, the others are 0. */
+/* Appends the extras of `other` to those of `mesh`. Missing extras count as zeros. */
 static bool grow_extras(struct mesh *mesh, const struct mesh *other)
 {
     if (!mesh->extras && !other->extras)

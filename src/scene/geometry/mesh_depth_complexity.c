@@ -68,7 +68,7 @@ static void rasterise(struct grid *grid, const vec2s *corners)
     }
 }
 
-/* Adds the number of lines that hit any triangle, and of lines that hit more than two. */
+/* Adds the number of lines with any hit to counts[0], and with more than two hits to counts[1]. */
 static void count_lines(struct grid *grid, const struct mesh *mesh, uint32_t counts[2])
 {
     fit_grid(grid, mesh);

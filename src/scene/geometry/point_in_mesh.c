@@ -39,8 +39,8 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts the triangles that overlap each grid column, or stores the triangles if s->triangles is
- * allocated. Fills each column from its end. */
+/* Counts the triangles that overlap each grid column. If s->triangles is allocated, stores the
+ * triangles instead, and fills each column from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {

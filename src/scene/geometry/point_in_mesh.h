@@ -29,7 +29,7 @@ bool closed_mesh_contains(const struct closed_mesh *s, vec3s point);
 /* Returns true if the surface is both above and below a point, for example in a cavity. */
 bool closed_mesh_surrounds(const struct closed_mesh *s, vec3s point);
 
-/* Returns true if the bounding box of a triangle overlaps a box. */
+/* Returns true if the bounding box of any triangle of the mesh overlaps a box. */
 bool closed_mesh_may_overlap(const struct closed_mesh *s, struct box box);
 
 /* Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are

@@ -11,9 +11,9 @@
 #define VERTEX_WELD_NONE UINT32_MAX
 
 struct vertex_weld {
-    uint32_t *points;  /* welded point of each mesh vertex, or VERTEX_WELD_NONE; owned */
+    uint32_t *points;  /* index of each vertex's welded point, or VERTEX_WELD_NONE; owned */
     uint32_t count;    /* number of welded points */
-    uint32_t *corners; /* welded points of the triangle corners; owned */
+    uint32_t *corners; /* index of each triangle corner's welded point; owned */
     uint32_t corner_count;
 };
 

@@ -161,7 +161,7 @@ static float displacement_of(const struct ice *ice)
            glm_lerp(after.min.y, after.max.y, submerged);
 }
 
-/* Writes the welded points back to the mesh, and displaces the unmelted mesh with the ice. */
+/* Writes the welded points back to `mesh`. Adds the ice's vertical displacement in both meshes. */
 static void write_back(const struct ice *ice, const vec3s *normals, struct mesh *mesh,
                        struct mesh *unmelted)
 {
@@ -176,7 +176,7 @@ static void write_back(const struct ice *ice, const vec3s *normals, struct mesh 
         vertex->normal = normals[at];
         unmelted->vertices[i].position.y += ice->rise;
         if (mesh->extras)
-            /* tangents of the old surface are invalid */
+            /* tangents of the unmelted surface no longer apply */
             mesh->extras[i].tangent = glms_vec3_zero();
     }
 }
@@ -295,7 +295,7 @@ static bool melt_all(struct model *model, const struct melting *melting, float t
 {
     struct object whole = { .index_count = model->object.index_count };
     bool done = mesh_append(&melted->unmelted, &model->object);
-    if (!model->object_count) /* without an object list, the whole mesh is a pool's ice */
+    if (!model->object_count) /* a model without an object list is the ice in a pool */
         done = done && melt_object(model, &whole, true, melting, time, melted);
     for (uint32_t i = 0; i < model->object_count && done; i++) {
         if (is_ice(model, i, melting))
@@ -341,7 +341,7 @@ static void shorten_capsule(const struct distance_field *depth, struct bubble *b
     const bool is_second =
         melt_air_and_water_depth(depth, ends[1]) > melt_air_and_water_depth(depth, ends[0]);
     const vec3s deep = ends[is_second], shallow = ends[!is_second];
-    /* The capsule is inside the ice up to `whole` of its length, but not up to `cut`. */
+    /* The capsule fits in the ice with the fraction `whole` of its length, but not with `cut`. */
     float whole = 0.0f, cut = 1.0f;
     if (melt_air_and_water_depth(depth, shallow) >= bubble->radius)
         return;

@@ -29,20 +29,20 @@ struct melting {
 
 struct melted {
     float lost_fraction; /* lost volume fraction of the first ice object; 0 if nothing has melted */
-    struct mesh unmelted; /* unmelted objects, displaced with the ice; zeroed if nothing melted */
+    struct mesh unmelted; /* objects before melting, with the ice at its new height; may be empty */
     struct box box;       /* bounding box of `unmelted` */
 };
 
 /* Melts the ice of a model for `time` seconds. Logs a warning at time 0 if there is no ice. Logs
- * and returns STATUS_TRY_AGAIN when out of memory; *melted is zeroed if nothing melts. */
+ * and returns STATUS_TRY_AGAIN when out of memory. *melted is zeroed unless ice has melted. */
 MUST_USE enum status melt_model(struct model *model, const struct melting *melting, float time,
                                 struct melted *melted);
 
 /* Shrinks or removes bubbles near a melted surface. Returns false when out of memory. */
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
 
-/* Opens cracks near the surface of ice that has lost a volume fraction. Returns false when out of
- * memory. */
+/* Opens cracks near the surface of ice that has lost the fraction `lost_fraction` of its volume.
+ * Returns false when out of memory. */
 bool melt_cracks(struct mesh *cracks, const struct mesh *object, float lost_fraction);
 
 void melted_finish(struct melted *melted); /* {0} is fine */

@@ -191,8 +191,8 @@ static double multiply(const struct work *work, double t, point *x, point *to)
 }
 
 /* Applies the Jacobi preconditioner to the residual. Returns the dot product of result and
- * residual. Optionally sets the search direction to the result plus `beta` times the last
- * direction. */
+ * residual. If `updates_direction`, sets the search direction to the result plus `beta` times the
+ * last direction. */
 static double precondition(struct work *work, double t, double beta, bool updates_direction)
 {
     double product = 0;
@@ -328,12 +328,13 @@ static double find_fraction(struct work *work, double target)
     return 0.5 * (low + high);
 }
 
-/* Runs the flow until the requested volume is lost. Returns the remaining volume. */
+/* Melts `fraction` of the volume, then moves faces in by `further`. Returns the final volume. */
 static double run(struct work *work, double fraction, double further)
 {
     const double first = volume_of(work->flow, work->flow->points);
     const double half = melt_curvature_flow_half_width(work->flow);
-    double volume = first, left = -1; /* steps left; -1 until `fraction` of the volume is lost */
+    /* number of time steps left for the retreat by `further`; -1 before the retreat starts */
+    double volume = first, left = -1;
     for (int stage = 0; stage < STAGES_MAX && volume > 0 && !(left >= 0 && left <= 0); stage++) {
         const double after = compute_next(work, half, volume);
         double part = 1;

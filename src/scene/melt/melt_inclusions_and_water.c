@@ -1,21 +1,21 @@
-/* melt_inclusions_and_water.c: moves connected components of air and water with the melting ice. */
+/* melt_inclusions_and_water.c: moves air pockets and water with the melting ice. */
 #include "src/scene/melt/melt_inclusions_and_water.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/geometry/vertex_weld.h"
 
-/* maximum depth of the centre of an air component that shrinks, in half widths of the ice; the
- * depth must also be at most half the component's radius */
+/* maximum depth of a shrinking air pocket's centre, in half widths of the ice; the depth is also at
+ * most half the pocket's radius */
 #define SHRINKS_AT 0.06f
 
-#define SCALE_MIN 1e-3f /* minimum scale of a component, to keep its normals valid */
+#define SCALE_MIN 1e-3f /* minimum scale of an air pocket, which keeps normals valid */
 
 #define WET_FRACTION 0.25f /* fraction of the ice's height that climbing water wets */
 
 #define COVERED_MAX 0.9f /* maximum fraction of the water's radius that ice covers */
 
-#define HOLLOW 3.0f /* maximum factor by which water gets deeper over a hollow of the ground */
+#define HOLLOW 3.0f /* maximum factor by which a water layer thickens over hollows of the ground */
 
 enum {
     BEARINGS = 64,
@@ -51,7 +51,7 @@ static void components_finish(struct components *components)
     free(components->all);
 }
 
-/* Returns the component of a vertex, or NULL if the vertex is not part of the object. */
+/* Returns the connected component of a vertex, or NULL if the object lacks the vertex. */
 static struct component *component_of(const struct components *components, uint32_t vertex)
 {
     const uint32_t point = components->vertex_weld.points[vertex];
@@ -153,7 +153,7 @@ bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
     return done;
 }
 
-/* Returns true if the ice stands on or in a component. */
+/* Returns true if the ice stands on or in a connected component of water. */
 static bool is_below(const struct component *component, const struct box *ice)
 {
     const vec3s base = box_center(*ice);
@@ -163,7 +163,7 @@ static bool is_below(const struct component *component, const struct box *ice)
            component->box.max.y < base.y && component->box.max.y > ice->min.y - epsilon;
 }
 
-/* Horizontal radii of a shape around a vertical axis, by bearing. */
+/* Radii of a shape around a vertical axis, one per horizontal direction. */
 struct outline {
     vec3s base;
     float out[BEARINGS];
@@ -181,7 +181,7 @@ static void outline_add(struct outline *outline, vec3s p)
     *out = fmaxf(*out, hypotf(p.x - outline->base.x, p.z - outline->base.z));
 }
 
-/* Fills bearings without a vertex with the nearest known radius. */
+/* Sets the radius in directions without vertices to the radius in the nearest other direction. */
 static void outline_fill(struct outline *outline)
 {
     const struct outline known = *outline;
@@ -201,7 +201,7 @@ static float outline_at(const struct outline *outline, vec3s p)
                     at - (float)before);
 }
 
-/* Returns the outline of an object's lowest part. */
+/* Returns the outline of the lower WET_FRACTION of an object. */
 static struct outline outline_of(const struct object *object, const struct mesh *mesh, vec3s base)
 {
     const struct box box = object_box(object, mesh);
@@ -216,8 +216,8 @@ static struct outline outline_of(const struct object *object, const struct mesh 
     return outline;
 }
 
-/* Returns the new horizontal radius of a water vertex. Vertices that touch the ice move with the
- * ice's outline. Farther out, the displacement blends quadratically to that of the water's edge. */
+/* Returns the new horizontal radius of a water vertex. Water at the ice moves with the ice's
+ * outline. Farther out, the displacement blends quadratically into that of the water's edge. */
 static float spread_radius(float out, float before, float after, float edge, float scale)
 {
     if (!(before > 0.0f && edge > 0.0f))
@@ -230,7 +230,7 @@ static float spread_radius(float out, float before, float after, float edge, flo
     return glm_lerp(pushed, fmaxf(scale * edge, pushed), t * t);
 }
 
-/* Spreads a component of water around ice whose outline changes from `before` to `after`. */
+/* Spreads water horizontally around melting ice, whose outline changes from `before` to `after`. */
 static void spread_component(const struct components *components, const struct component *component,
                              struct mesh *mesh, const struct outline *before,
                              const struct outline *after, float spread)
@@ -258,7 +258,7 @@ static void spread_component(const struct components *components, const struct c
     }
 }
 
-/* Spreads each connected component of a water object that is below the ice. */
+/* Spreads those connected components of a water object on or in which the ice stands. */
 static bool spread(struct mesh *mesh, const struct object *object, const struct model *model,
                    const struct melt_air_and_water_ice *ice)
 {
@@ -288,7 +288,7 @@ static bool is_water_layer(const struct model *model, const struct mesh_vertex *
     return index && model->materials[index - 1].flags & MATERIAL_IS_WATER_LAYER;
 }
 
-/* Selects surroundings triangles inside or outside water layers. *selected borrows the vertices. */
+/* Selects the water layers of the surroundings, or all else. *selected borrows the vertices. */
 static bool select_triangles(struct mesh *selected, const struct model *model,
                              bool are_water_layers)
 {
@@ -380,8 +380,8 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
 }
 
 /* Moves texture coordinates with the vertices of water layers, and lowers vertices over hollows of
- * the ground. Under protruding stone, `level` replaces the ground height, so that the layer keeps
- * its thickness. `level` is the ground height below the ice. */
+ * the ground. `level` is the ground height below the ice. Where the ground is higher, a layer's
+ * thickness is measured from `level`. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

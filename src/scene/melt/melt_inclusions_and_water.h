@@ -1,5 +1,4 @@
-/* melt_inclusions_and_water.h: air inside melting ice, and water below it. Their meshes move as
- * connected components of welded vertices. */
+/* melt_inclusions_and_water.h: moves air pockets inside melting ice, and water below the ice. */
 #ifndef FIRN_SCENE_MELT_MELT_INCLUSIONS_AND_WATER_H
 #define FIRN_SCENE_MELT_MELT_INCLUSIONS_AND_WATER_H
 
@@ -9,20 +8,20 @@
 /* Melted ice, and its state before melting. */
 struct melt_air_and_water_ice {
     const struct object *object; /* melted ice, but with the bounding box from before melting */
-    const struct mesh *unmelted; /* all objects before melting, displaced with the ice */
+    const struct mesh *unmelted; /* objects before melting, but with the ice moved by `rise` */
     float half;                  /* half the ice's initial width, metres */
     float rise;                  /* vertical displacement of the ice, metres */
     float spread;                /* radius of the area that the meltwater covers, metres */
-    /* distance fields after and before melting, zeroed until they are computed on demand */
+    /* distance fields of the ice after and before melting, zeroed until they are needed */
     struct distance_field depth, depth_before;
 };
 
-/* Moves air along with the ice around it. Shrinks components of air near the ice's surface, and
- * collapses components outside the ice. Returns false when out of memory. */
+/* Moves air pockets along with the ice. Shrinks pockets near the melted surface, and collapses
+ * pockets that melting has exposed. Returns false when out of memory. */
 bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);
 
-/* Spreads an object's connected components below the ice. Returns false when out of memory. */
+/* Spreads the parts of a water object that are below the ice. Returns false when out of memory. */
 bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
                                           const struct melt_air_and_water_ice *ice);
 
