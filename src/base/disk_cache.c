@@ -74,13 +74,13 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns true if only the user can write to a cache file or folder. Drivers trust cached data. */
+/* Returns true if only the user can write to a file or folder. Forged data could crash drivers. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
 }
 
-/* Reads an open file. Returns NULL if it is not regular, too large or rejected by is_sound(). */
+/* Reads an open file. Returns NULL if it is not regular, is too large or fails is_sound(). */
 static char *read_valid(int file, const struct stat *info, const struct disk_cache_file *request)
 {
     if (!S_ISREG(info->st_mode) || info->st_size <= 0 ||

@@ -18,7 +18,7 @@ struct disk_cache_file {
     const char *name; /* without folder; at most 100 characters */
     size_t size_max;  /* maximum bytes including the hash */
     bool is_quiet;    /* do not warn about damaged files */
-    /* Callback that returns true if the data is usable. Must call disk_cache_is_intact(). */
+    /* Callback that returns true if the data is usable. It must call disk_cache_is_intact(). */
     bool (*is_sound)(const void *user, const void *data, size_t size);
     const void *user; /* argument of is_sound() */
 };
@@ -28,7 +28,7 @@ bool disk_cache_is_intact(const void *data, size_t size);
 
 /* Reads a file, including the hash at its end, and marks it as just used. The caller frees the
  * result. Returns NULL if the file is missing. Returns NULL with a warning if other users can write
- * to the file, or if is_sound() rejects its data (without a warning if is_quiet). */
+ * to the file or its folder, or if is_sound() rejects its data (without a warning if is_quiet). */
 void *disk_cache_read(const struct disk_cache_file *request, size_t *size);
 
 /* Appends the hash to `data` and writes both to a file atomically, readable only by the user.

@@ -21,7 +21,7 @@ void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
- * Inline, so that static analysers know that the result is not STATUS_OK. */
+ * The definition is inline to show static analysers that the result is not STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)
 {
     if (what)

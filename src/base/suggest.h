@@ -22,7 +22,7 @@ struct suggest {
 /*
  * Offers a known name. The name is a candidate if its edit distance to the word is at most 2 and
  * below the word's length, or if name and word share a prefix of at least 3 characters. `best`
- * becomes the candidate with the smallest distance, or the first of several.
+ * becomes the candidate with the smallest distance; among equal distances, the first candidate.
  */
 void suggest_offer(struct suggest *suggest, const char *name);
 

@@ -6,7 +6,7 @@
 #include "src/settings/quality.h"
 #include "src/settings/scene_settings.h"
 
-/* Upper limits of settings in drafts. `level` is the lowest draft level that has the limit. */
+/* Upper limits of settings in drafts. A limit applies from draft level `level` upwards. */
 static const struct {
     const char *setting;
     double value;
@@ -28,7 +28,7 @@ static const struct {
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
 static const double budget_seconds = 0.016; /* at half size, for 30 fps */
 
-/* Returns true if some quality level gives the setting of `row` its current value. */
+/* Returns true if a setting's value equals its value at one of the quality levels. */
 static bool is_of_level(const struct settings *settings, const struct quality_row *row)
 {
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {

@@ -41,8 +41,8 @@ struct draft_renderer {
     bool failed;    /* there was not enough memory */
 };
 
-/* Returns simplified settings for drafts. Settings with the value of some quality level get the
- * value of quality level `draft`. Then the upper limits of draft level `level` are applied. */
+/* Returns settings for drafts. First, each setting that matches a quality level is set to its value
+ * at quality level `draft`. Then the upper limits of draft level `level` are applied. */
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level);
 

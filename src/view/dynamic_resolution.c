@@ -3,7 +3,7 @@
 #include <math.h>
 
 static const double target = 0.028;   /* target frame time, seconds */
-static const double early = 0.024;    /* frames predicted below `early` seconds let the size grow */
+static const double early = 0.024;    /* predicted time (s) below which the render size grows */
 static const double late = 0.033;     /* 2 successive frames over `late` seconds shrink the size */
 static const double very_late = 0.05; /* one frame over `very_late` seconds shrinks the size */
 static const double first_rest = 0.006;

@@ -29,7 +29,7 @@ void dynamic_resolution_begin(struct dynamic_resolution *m, double passes);
 /* Adapts the size to the duration of a frame and the GPU time of its passes, both in seconds. */
 void dynamic_resolution_add(struct dynamic_resolution *m, double frame, double passes);
 
-/* Returns length * k / 16 rounded down to even; `length` if k is 16 or the result would be 0. */
+/* Rounds length * k / 16 down to even. Returns `length` if k is 16 or the result would be 0. */
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k);
 
 #endif

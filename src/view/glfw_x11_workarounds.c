@@ -55,7 +55,7 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
         dlclose(x11);
 }
 
-/* Handles X errors. An X error handler must not call Xlib. */
+/* Logs X errors other than BadWindow. An X error handler must not call Xlib functions. */
 static int handle_error(Display *display, XErrorEvent *event)
 {
     (void)display;

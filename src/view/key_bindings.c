@@ -371,7 +371,7 @@ static enum view_action find(const struct key_press *press, bool shifted)
     return VIEW_ACTION_NONE;
 }
 
-/* '+' needs Shift on many keyboards, so Shift is ignored if no shortcut requires it. */
+/* Ignores Shift if no shortcut requires it, because '+' needs Shift on many keyboards. */
 enum view_action key_bindings_find(const struct key_press *press)
 {
     const enum view_action action =

@@ -18,8 +18,8 @@ struct noise_estimate {
 
 void noise_estimate_finish(struct noise_estimate *noise); /* {0} is fine */
 
-/* Adds sample `sample` to the estimate; sample 0 restarts the estimate. `sums` contains the planes
- * R, G and B accumulated so far. If out of memory, noise_estimate_now() is negative. */
+/* Adds sample number `sample` to the estimate. Number 0 restarts the estimate. `sums` contains the
+ * accumulated planes R, G and B. If memory runs out, noise_estimate_now() then returns -1. */
 void noise_estimate_add(struct noise_estimate *noise, const struct image *sums, uint32_t sample);
 
 /* Returns the standard error in the image's units. Returns -1 with fewer than two samples. */

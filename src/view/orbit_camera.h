@@ -1,6 +1,5 @@
-/* orbit_camera.h: rotates, pans and zooms a camera around a target, without inertia. Equal
- * movements give equal cameras. A camera that is not moved stays equal in all bits. Rotation is
- * about +Y and also removes roll. */
+/* orbit_camera.h: rotates, pans and zooms a camera around a target, without inertia. Each result
+ * depends only on the camera and the movement. Rotation keeps +Y upwards and thus removes roll. */
 #ifndef FIRN_VIEW_ORBIT_CAMERA_H
 #define FIRN_VIEW_ORBIT_CAMERA_H
 

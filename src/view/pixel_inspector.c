@@ -260,7 +260,7 @@ static uint32_t take(const struct image *image, const struct frame_layer *layer,
     return count;
 }
 
-/* Finds an object's name in `names`, which has lines "NUMBER NAME". Sets `name` to "" if none. */
+/* Finds an object's name in `names`, whose lines are "NUMBER NAME". If missing, `name` is "". */
 static void find_name(const char *names, uint32_t number, char *name, size_t size)
 {
     const char *line = names;

@@ -1,6 +1,6 @@
-/* pixel_inspector.h: shows layers of a converging image and reads values of single pixels. A layer
- * is rendered on demand, with one sample at each pixel's centre, and stays in host memory until the
- * image changes. Errors are logged before they are returned. */
+/* pixel_inspector.h: shows layers (such as normals) of a converging image and reads pixels. A layer
+ * is rendered on demand, with one sample at each pixel's centre, and then stays in host memory
+ * until the image changes. Errors are logged before they are returned. */
 #ifndef FIRN_VIEW_PIXEL_INSPECTOR_H
 #define FIRN_VIEW_PIXEL_INSPECTOR_H
 
@@ -63,7 +63,7 @@ struct pixel_inspector_values {
     char name[64];                          /* object or material name, or "" */
 };
 
-/* Reads the values of a pixel. Returns false outside the image or before the first rendering. */
+/* Reads a pixel. If the pixel is outside the image or nothing was rendered, returns false. */
 bool pixel_inspector_values(const struct pixel_inspector *inspector, const struct viewport *p,
                             uint32_t x, uint32_t y, struct pixel_inspector_values *values);
 

@@ -127,7 +127,7 @@ static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, area, columns(area, 0, area->line));
 }
 
-/* Fills the margins around an image that does not fill its area of the window. */
+/* Draws the margins around an image that does not fill its area of the window. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_area *p = &frame->window->present;

@@ -35,7 +35,7 @@ enum {
     PRESENT_PASS_COUNT = 4,
 };
 
-/* Tables for one window format. The struct contains pointers to itself and must not be moved. */
+/* Pass tables for one window format. The struct points to itself and must not be moved. */
 struct present_tables {
     struct rg_image window;
     struct rg_target targets[PRESENT_PASS_COUNT];
@@ -43,8 +43,8 @@ struct present_tables {
     struct rg_technique technique;
 };
 
-/* Fits an image of size `image` into the non-empty rectangle `view`, keeping its aspect ratio.
- * `divider` is a fraction of the image width, negative if there is no split view. */
+/* Fits an image of size `image` into the non-empty rectangle `view`. The image keeps its aspect
+ * ratio. `divider` is a fraction of the image width, negative if there is no split view. */
 struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);

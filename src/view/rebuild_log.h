@@ -16,7 +16,7 @@ struct rebuild_log {
 
 void rebuild_log_add(struct rebuild_log *log, const char *message);
 
-/* Returns the newest message if `ago` is 0, older ones if it is larger; NULL if there is none. */
+/* Returns the message that is `ago` messages older than the newest; NULL if there is none. */
 const char *rebuild_log_at(const struct rebuild_log *log, uint32_t ago);
 
 #endif

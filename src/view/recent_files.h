@@ -9,7 +9,7 @@ enum {
     RECENT_FILES_COUNT = 20, /* older entries are dropped */
 };
 
-/* Puts a file at the top of the list. Ignores names that are not files. Does nothing if HOME is not
+/* Puts a file at the top of the list. Ignores paths that do not exist. Does nothing if HOME is not
  * set. Logs if the list cannot be written. */
 void recent_files_add(const char *path);
 

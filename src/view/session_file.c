@@ -208,7 +208,7 @@ static enum status parse_line(struct session_file *s, struct preset_line *line, 
     return settings_assign(&s->state.settings, line->assignment, &source, &row);
 }
 
-/* Checks that the session names a scene and the refraction models that it needs. */
+/* Checks that the session names a scene and all refraction models that are required. */
 static enum status check(const struct session_file *s, const char *path)
 {
     const enum view_side_b other = s->state.side_b;

@@ -89,7 +89,7 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
 }
 
 /* Polls all files. Returns true if files have changed since the last compilation but not since the
- * previous poll. An editor may still be writing a file that has just changed. */
+ * previous poll, because an editor may still be writing a file that has just changed. */
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;

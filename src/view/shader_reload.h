@@ -23,7 +23,7 @@ void shader_reload_destroy(struct shader_reload *w); /* may be NULL */
 /* Makes shader_reload_replace() use the newly compiled shaders. Returns false if there are none. */
 bool shader_reload_take(struct shader_reload *w);
 
-/* Reactivates the previous shaders, for use if the new ones do not give valid pipelines. */
+/* Reactivates the previous shaders. Call this if the new shaders do not give valid pipelines. */
 void shader_reload_revert(struct shader_reload *w);
 
 /* Returns a one-line compilation error, or "". The text is valid until shader_reload_take(). */

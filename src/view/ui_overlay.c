@@ -1,6 +1,6 @@
 /* ui_overlay.c: passes that draw the user interface over the swapchain image as textured triangles.
- * Alpha blending is intended for sRGB-encoded values. If the swapchain format encodes on write,
- * blending is linear instead, and half-transparent panels look slightly lighter. */
+ * Alpha blending is intended for sRGB-encoded values. If the swapchain format encodes sRGB on
+ * write, blending is linear instead, and half-transparent panels look slightly lighter. */
 #include "src/view/ui_overlay.h"
 #include <string.h>
 #include "shaders/embedded.h"

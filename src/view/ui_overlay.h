@@ -1,7 +1,7 @@
-/* ui_overlay.h: technique that draws the user interface over the image, after `present`. Triangles
- * and font atlas come from rg_frame.overlay and the buffers below, filled before each frame. Docked
- * panels are cached as an image, which is copied into each frame. They are redrawn only when
- * window_frame.panels_are_outdated is set. */
+/* ui_overlay.h: technique that draws the user interface over the image, after `present`. The caller
+ * sets the draw list rg_frame.overlay and fills the vertex and index buffers before each frame.
+ * Docked panels are cached as an image, which is copied into each frame. The cached image is
+ * redrawn only when window_frame.panels_are_outdated is set. */
 #ifndef FIRN_VIEW_UI_OVERLAY_H
 #define FIRN_VIEW_UI_OVERLAY_H
 #include "src/tech/technique.h"
@@ -13,7 +13,7 @@ enum {
     OVERLAY_PASS_COUNT,
 };
 
-/* Tables for one window format. The struct contains pointers to itself and must not be moved. */
+/* Pass tables for one window format. The struct points to itself and must not be moved. */
 struct overlay_tables {
     struct rg_image panels;
     struct rg_use copy_uses[3];

@@ -1,6 +1,6 @@
 /* undo_stack.h: undo stack of the viewer's settings, refraction model and comparison. Each entry is
- * a whole state. States do not include panels. A camera is restored only if undo returns to another
- * scene (undo_scenes.h). */
+ * a whole state. States do not include panels. The camera is restored only if undo returns to
+ * another scene (undo_scenes.h). */
 #ifndef FIRN_VIEW_UNDO_STACK_H
 #define FIRN_VIEW_UNDO_STACK_H
 
@@ -26,7 +26,7 @@ enum view_side_b {
 
 /* Everything that undo restores. */
 struct view_state {
-    uint32_t scene; /* scene number, increased with each scene or environment opened */
+    uint32_t scene; /* scene number; each opened scene or environment gets a new one */
     struct settings settings;
     struct settings user_settings;     /* without the scene's own settings */
     bool is_set[SETTINGS_FIELD_COUNT]; /* set by user or options */
@@ -50,7 +50,7 @@ bool undo_stack_same_state(const struct view_state *a, const struct view_state *
  * replaces the newest state, so that undo reverts a whole slider drag in one step. */
 void undo_stack_push(struct undo_stack *h, const struct view_state *state, uint32_t gesture);
 
-/* Makes the previous state current and returns it; NULL if there is none. */
+/* Makes the previous state current and returns this state. Returns NULL if there is none. */
 const struct view_state *undo_stack_undo(struct undo_stack *h);
 const struct view_state *undo_stack_redo(struct undo_stack *h); /* next state instead */
 

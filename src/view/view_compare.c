@@ -275,7 +275,7 @@ static bool is_compared(const struct view *v)
            !(gain < c->flip_map_gain || gain > c->flip_map_gain);
 }
 
-/* Returns true if the error map is outdated and 2^n or all samples are displayed. */
+/* Returns true if the error map is outdated and the sample count is a power of 2 or the maximum. */
 static bool is_due(const struct view *v)
 {
     const uint32_t shown = v->progressive.shown_count;

@@ -155,7 +155,7 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     return status == STATUS_OK;
 }
 
-/* Writes to `words` what a change has rebuilt, and the time. Writes "" if nothing was rebuilt. */
+/* Writes to `words` what a change rebuilt and in what time. Writes "" if nothing was rebuilt. */
 static void print_cost(const struct view_state *before, const struct view_state *after,
                        double seconds, char *words, size_t size)
 {
@@ -272,7 +272,7 @@ void view_load_preset(struct view *v, const char *path)
     ui_show_message(v->ui, words);
 }
 
-/* Prints settings that have their default value, if the scene would set another value. */
+/* Prints the settings that have the default value although the scene has a different value. */
 static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
 {
     const struct settings scene_settings = view_scene_settings(v);

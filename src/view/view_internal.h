@@ -21,7 +21,7 @@ enum {
     VIEW_BOOKMARK_COUNT = 4,
 };
 
-#define VIEW_HOLD 0x80000000u /* bit of gesture numbers that do not come from imgui_gesture() */
+#define VIEW_HOLD 0x80000000u /* gesture-number bit that marks a drag of the light */
 
 struct view {
     const struct app_options *options;
@@ -126,7 +126,7 @@ void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
 
-/* Sets side B of `state`. VIEW_SIDE_B_STATE becomes a refraction model if no state is stored. */
+/* Sets side B of `state`. Without a stored state, VIEW_SIDE_B_STATE selects a refraction model. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
 /* Shows side B of a state. On failure, logs an error and changes nothing. */
@@ -146,7 +146,7 @@ void view_compare_await(struct view *view);
 bool view_compare_accepts(const struct view *view, const char *path);
 void view_compare_open(struct view *view, const char *path); /* opens side B */
 
-/* Starts, collects and stops the comparison's worker jobs. Reports their failures. */
+/* Starts and stops the comparison's worker jobs, takes their results and reports failures. */
 void view_compare_follow(struct view *view);
 
 /* Shows new results of the comparison's jobs in the viewport. */

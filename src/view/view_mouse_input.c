@@ -58,9 +58,9 @@ static void drag(struct view *v, const struct window_input *input)
         view_move_divider(v, input->divider);
     if (input->pressed || input->wheel != 0.0 || input->action_count)
         v->progressive.skips_rest = false;
+    /* a press postpones the next sample like a camera movement does, because a drag may follow */
     if (input->pressed)
-        v->progressive.moved_at =
-            clock_seconds(); /* delays the next sample, as a drag may follow */
+        v->progressive.moved_at = clock_seconds();
     v->progressive.skips_rest = v->progressive.skips_rest || input->released;
     view_frame_stats_input(&v->frame_stats, input->moved_at, input->released_at);
     v->has_orbited = v->has_orbited || has_moved(&input->orbit);

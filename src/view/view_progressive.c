@@ -144,7 +144,7 @@ enum status view_progressive_begin(struct view *v)
     return status == STATUS_OK && !is_fluid(p) ? begin_draft(v) : status;
 }
 
-/* Draws a draft in full size, shown until the first sample is finished. */
+/* Draws a full-size draft, which is shown until the first sample is finished. */
 static enum status draw_full_draft(struct view *v)
 {
     const struct renderer_shot shot = current_shot(v);

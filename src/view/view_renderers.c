@@ -423,7 +423,7 @@ uint32_t viewport_divider_column(const struct viewport *p)
 
 /* ---- poses ---- */
 
-/* Clamps the time to the end of a model's animation, where the pose stays. */
+/* Limits the time to the end of a model's animation, after which the pose no longer changes. */
 static float pose_time(const struct viewport *p, float time)
 {
     const struct model *model = &p->scene.model;

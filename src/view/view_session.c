@@ -49,7 +49,7 @@ void view_apply_session(const struct session_file *session, struct app_image *st
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
 }
 
-/* Clears is_set of settings with the scene's value, so that another scene can change them. */
+/* Clears is_set of settings that have the scene's own value. Another scene can then change them. */
 static void unmark_scene_settings(struct view *v)
 {
     const struct app_scene *given = &v->options->image.scene;
@@ -135,8 +135,8 @@ void view_load_session(struct view *v, const char *path)
     view_frame_stats_exclude(&v->frame_stats, start);
 }
 
-/* Returns the absolute path of a file, which is valid in any current folder. Returns a built-in
- * name unchanged, as a copy. Returns NULL if out of memory. */
+/* Returns the absolute path of a file, which does not depend on the current folder. Returns a
+ * built-in name unchanged, as a copy. Returns NULL if out of memory. */
 static char *absolute_name(const char *name)
 {
     const bool is_file = !scene_find_builtin(name) && !asset_find(name, ASSET_SCENE) &&

@@ -55,7 +55,7 @@ struct window_event {
     bool control, shift, alt; /* modifiers held with a key */
 };
 
-/* Receives every event before the viewer. Returns true to hide the event from the viewer. */
+/* Callback for every event. Returns true to hide the event from the viewer. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
 struct window {
@@ -77,8 +77,8 @@ struct window {
     int left, top, width, height; /* rectangle to restore after full screen */
 };
 
-/* Returns the window size in pixels. `scale` is the scale of the user interface. `room` is the
- * available work area, 0x0 if unknown. */
+/* Callback that returns the window size in pixels. `scale` is the scale of the user interface.
+ * `room` is the available work area, 0x0 if unknown. */
 typedef VkExtent2D window_fit_fn(void *user, float scale, VkExtent2D room);
 
 struct window_params {

@@ -48,7 +48,7 @@ static void *map(void *user, uint32_t index, size_t size)
     return s->memory;
 }
 
-/* Discards queued errors and events. X sends some events to every client. */
+/* Discards queued errors and events, because X sends some events to every client. */
 static void forget_events(struct window_x11_shm *c)
 {
     xcb_generic_event_t *event;

@@ -17,11 +17,11 @@ char *user_files_state(bool make);
 /* Returns the first unused file name "STEM-0001.ENDING" in a folder; NULL on failure. */
 char *user_files_new(const char *folder, const char *stem, const char *ending);
 
-/* Returns the path of file i, sorted by name, among files with `endings`; NULL after the last. */
+/* Sorts the files with `endings` by name. Returns the path of file i, or NULL after the last. */
 char *user_files_at(const char *folder, const char *const *endings, unsigned i);
 
 /* Returns the next (`step` 1) or previous (-1) model file in the folder of `path`, in cyclic order
- * of names. Built-in scenes follow each other instead. Returns NULL if there is no other model. */
+ * of names. Built-in scenes form a cycle of their own. Returns NULL if there is no other model. */
 char *user_files_next_model(const char *path, int step);
 
 #endif

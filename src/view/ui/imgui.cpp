@@ -89,8 +89,8 @@ static void set_theme(float scale, const theme &theme)
     style.WindowMinSize = ImVec2(1.0f, 1.0f); /* Dear ImGui rejects less */
 }
 
-/* Keeps Dear ImGui from giving the first panel the initial focus. An empty frame gives that focus
- * to the fallback window. Then the focus is cleared. */
+/* Gives the initial focus to Dear ImGui's fallback window in an empty frame, then clears the focus.
+ * Otherwise Dear ImGui would focus the first panel. */
 static void lose_first_focus()
 {
     ImGui::GetIO().DisplaySize = ImVec2(1.0f, 1.0f);

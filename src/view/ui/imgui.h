@@ -171,7 +171,7 @@ bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, 
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 
-/* Draws a checkbox. Like the widgets below, returns true if the user has changed the value. */
+/* Draws a checkbox. Like imgui_combo(), returns true if the user has changed the value. */
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
@@ -201,10 +201,10 @@ struct imgui_item {
     struct imgui_rect rect;
 };
 
-/* Returns the visible items of the last frame. */
+/* Returns the visible interactive widgets of the last frame. */
 const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
 
-/* Returns the gesture number. All changes during one drag of a widget have the same number. */
+/* Returns the current gesture number. Changes during one drag of a widget have the same number. */
 uint32_t imgui_gesture(const struct imgui *ui);
 
 /* ---- drawing ---- */

@@ -70,7 +70,8 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Records the last item. A label prefix of at most 2 characters and "##" is left out. */
+/* Records the last widget for imgui_items(), with its label up to "##". If at most 2 characters
+ * precede "##", records the label after "##" instead. */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -94,7 +95,7 @@ void imgui_focus_panel(const char *title)
     ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
     if (!window)
         return;
-    ImGui::NavInitWindow(window, true); /* select an item, so that arrow keys can navigate */
+    ImGui::NavInitWindow(window, true); /* select a widget from which the arrow keys can move */
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
@@ -146,7 +147,7 @@ void imgui_next_width(float width)
 }
 
 /* Gives the next text field the focus. In Dear ImGui 1.90, SetKeyboardFocusHere() fails if another
- * panel has the focus, so focus() sets the focus after the field is drawn. */
+ * panel has the focus. Therefore focus() sets the focus after the field is drawn. */
 void imgui_next_focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900
@@ -156,7 +157,7 @@ void imgui_next_focus(void)
 #endif
 }
 
-/* Gives the last item the keyboard focus if imgui_next_focus() requested it. */
+/* Gives the last drawn widget the keyboard focus if imgui_next_focus() was called. */
 static void focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900
@@ -247,7 +248,7 @@ static bool is_within_character(const char *at)
     return (*at & 0xc0) == 0x80;
 }
 
-/* Shortens a text in the middle. Names mostly differ near the start or the end. */
+/* Draws a text. If it is too wide, omits the middle, as names mostly differ near start and end. */
 void imgui_text_elided(const char *text, float width)
 {
     const char *end = text + strlen(text);

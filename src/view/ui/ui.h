@@ -43,8 +43,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets the path of a text file that lists the visible items for scripts. A line contains left, top,
- * width and height in pixels, and the label. "0 0 0 0" begins the execution count of an action. */
+/* Sets the path of a text file for scripts. Each visible widget has a line with left, top, width
+ * and height in pixels, and label. Lines that begin "0 0 0 0" count executions of an action. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -98,7 +98,7 @@ struct ui_request {
 /* Shows or hides the panel that belongs to an action. Returns true if the panel is now shown. */
 bool ui_toggle(struct ui *ui, enum view_action action);
 
-/* Requests a frame although there was no input. */
+/* Requests a frame even if there is no input. */
 void ui_wake(struct ui *ui);
 
 void ui_close_inspector(struct ui *ui);

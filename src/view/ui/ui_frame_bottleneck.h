@@ -10,7 +10,7 @@ struct ui_frame_pacing {
     double limit;  /* the host waited because of --fps-limit */
 };
 
-/* Updates the running means, starting at the first sample. Ignores samples with frame time 0. */
+/* Adds a sample to the running means. Ignores samples with frame time 0. */
 void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pacing *sample);
 
 /* Returns what limits the frame rate, as a phrase for the status bar. */

@@ -7,7 +7,7 @@
 enum {
     WITHIN = 2,              /* match distance inside another word */
     GAPS_MAX = 2,            /* maximum skipped letters per typed one */
-    GAPS_PART = 2,           /* with a wrong letter, length / GAPS_PART letters may be skipped */
+    GAPS_PART = 2,           /* minimum typed letters per skipped one in misspelt words */
     ABBREVIATION = 3,        /* minimum length of a fuzzy word */
     MISSPELT_LENGTH_MIN = 4, /* minimum length for a wrong letter */
     MISSPELT = 8,            /* distance added for a wrong letter */
@@ -62,7 +62,7 @@ static uint32_t whole(const char *text, const char *word, size_t length)
     return distance;
 }
 
-/* Counts the skipped letters between matches of `word` in `text`. word[wrong] need not match. */
+/* Counts the letters skipped in `text` to find those of `word` in order, ignoring word[wrong]. */
 static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t count = 0;
@@ -82,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Returns the match distance of a text that contains the letters of `word` in order, from the start
- * of a word. Returns UI_FUZZY_MATCH_NONE for other texts and if too many letters are skipped. */
+/* Returns the match distance if `text` contains the letters of `word` in order, beginning at a word
+ * start of `text`. Returns UI_FUZZY_MATCH_NONE if not, or if too many letters are skipped. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;

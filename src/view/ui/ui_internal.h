@@ -57,7 +57,7 @@ struct ui {
     uint32_t action_counts[VIEW_INPUT_COUNT]; /* number of executions of each action */
 };
 
-/* Draws the panels. Call this and the next functions between imgui_begin() and imgui_end(). */
+/* Draws the panels. Drawing functions must be called between imgui_begin() and imgui_end(). */
 void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 void ui_toolbar(const struct ui_view *view, struct ui_request *request);
 void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);

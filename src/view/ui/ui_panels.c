@@ -113,7 +113,7 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-/* Returns `thumbnail`, or UI_THUMBNAIL_NONE if the panel is too low for thumbnails. */
+/* Returns `thumbnail`, or UI_THUMBNAIL_NONE if the panel is not high enough for thumbnails. */
 static uint32_t thumbnail_if_high(const struct ui *ui, const struct ui_view *view,
                                   uint32_t thumbnail)
 {
@@ -236,7 +236,7 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     imgui_scroll_end();
 }
 
-/* Shows the memory used by the image's plan, and a log of slow changes and their causes. */
+/* Shows the memory use of the render-graph plan, and a log of slow changes with their causes. */
 static void show_costs(const struct ui_view *view)
 {
     const struct renderer *renderer = viewport_renderer(view->viewport, false);
@@ -308,8 +308,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
     ui->focus_search = false;
 }
 
-/* Draws the shortcut list in the middle of the window, in two columns if these fit. In low windows,
- * rows are closer together, and the list scrolls if necessary. */
+/* Draws the shortcut list in the middle of the window, in two columns if these fit. In windows of
+ * small height, rows are closer together, and the list scrolls if necessary. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
     const char *name;

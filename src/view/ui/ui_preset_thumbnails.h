@@ -8,8 +8,8 @@
 
 #define UI_THUMBNAIL_NONE UINT32_MAX
 
-/* Thumbnails of all material presets, followed by those of all refraction models, in table order.
- * If there are no thumbnails, all members are 0 and buttons show only labels. */
+/* Thumbnails of all material presets, followed by those of all refraction models. If there are no
+ * thumbnails, all members are 0 and buttons show only labels. */
 struct ui_thumbnails {
     struct imgui_thumbnails list;
     uint8_t *rgba; /* texels of `list` */

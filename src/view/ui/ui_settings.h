@@ -30,7 +30,7 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
 bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_group group,
                          bool *open);
 
-/* Draws the settings of a group. A button toggles *more, which shows less useful settings. */
+/* Draws a group's settings, including less useful ones if *more is true. A button toggles *more. */
 bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
 /* Returns true if each word of `query` occurs in the setting's name, texts, group or synonyms. */
