@@ -37,7 +37,7 @@ enum app_format {
     APP_FORMAT_COUNT,
 };
 
-/* Initial visibility of the panels in a window. */
+/* Initial visibility of the control panels in a viewer window. */
 enum app_overlay {
     APP_OVERLAY_AUTO, /* visible without --frames and --screenshot */
     APP_OVERLAY_ON,   /* also in --screenshot's PNG files */
@@ -117,13 +117,13 @@ struct app_run {
     char *const *args;   /* from the command on; NULL-terminated */
 };
 
-/* Options of firn render. firn farm accepts only `frames` of these. */
+/* Options of firn render. Of these, firn farm accepts only --frames. */
 struct app_render {
     const char *frames;          /* unparsed; NULL: a single image */
     uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
     bool resume;
     bool keep_sums;        /* see sample_sums_file.h */
-    double noise, seconds; /* limits of the reference's noise and time; 0 means no limit */
+    double noise, seconds; /* noise and time limits of the path tracer; 0 means no limit */
     const char *json;      /* report file, or NULL */
 };
 
@@ -229,8 +229,8 @@ enum app_command {
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/* Prints the command's arguments that firn render accepts too, each after a space and quoted for a
- * shell. Leaves out all others and the first `skip` positional arguments. */
+/* Prints only the arguments of a command that firn render also accepts, without the first `skip`
+ * positional arguments. Each argument is preceded by a space and quoted for a shell. */
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
 
@@ -251,8 +251,8 @@ enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);
 
-/* Sets an image option ("size") or a setting ("cracks.count") by its name. `value` is written as on
- * the command line. On failure logs and returns STATUS_USAGE. */
+/* Sets an image option ("size") or a setting ("cracks.count") by its name. `value` has the syntax
+ * of the command line. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status app_set_option(struct app_image *image, const char *name, const char *value);
 
 /* Adds the command's default output file if the options name no output. */
@@ -263,7 +263,7 @@ MUST_USE enum status app_require_scene(const struct app_scene *options);
 
 struct bump_maps_params;
 
-/* Returns scene parameters. They point to `maps` and into `options`, which must outlive them. */
+/* Returns scene parameters with pointers to `maps` and `options`, which must outlive them. */
 struct scene_params app_scene_params(const struct app_scene *options,
                                      struct bump_maps_params *maps);
 
@@ -275,16 +275,16 @@ struct asset;
 /* Returns the default environment for a scene name, or NULL for the built-in sky. */
 const struct asset *app_default_environment(const char *name);
 
-/* Applies a loaded scene's settings. Settings that the options give take precedence. */
+/* Writes a loaded scene's default settings to `options`. Settings given by the user are kept. */
 void app_apply_scene_settings(struct app_scene *options, const struct scene *scene);
 
 /* Returns a loaded scene's settings without changes by --set, --preset, --plain or the user. */
 struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene);
 
-/* Begins to load a scene. Finds all errors except a lack of memory in app_fill_scene(). */
+/* Begins to load a scene. After success, only a lack of memory can make app_fill_scene() fail. */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *options);
-/* Does the slow part of loading while other threads may read the scene. Returns the name of what
- * did not fit in memory, or NULL. */
+/* Does the slow part of loading. Other threads may read the scene meanwhile. Returns the name of
+ * the data that did not fit in memory, or NULL on success. */
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *options);
 /* Logs that memory ran out for `lacking`, named by app_fill_scene(). Returns STATUS_TRY_AGAIN. */
 enum status app_log_fill_failure(const char *lacking);

@@ -20,7 +20,7 @@
 #include "src/tech/refract/refract_bounce.h"
 #include "src/tech/trace/refract_trace.h"
 
-/* Scale factor that shrinks a box, so that surroundings that only touch the box are outside. */
+/* Scale factor that shrinks an object's box, to exclude surroundings that only touch the object. */
 #define INNER_FRACTION 0.9f
 
 static bool is_rough(const struct material *material)
@@ -47,7 +47,7 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Counts the nested objects that `bounce` wrongly draws as if they were not enclosed. These are
+/* Counts the nested objects that refraction model `bounce` wrongly draws as not enclosed. They are
  * nested too deeply, or share an enclosing object with others. */
 static uint32_t count_hidden(const struct model *model)
 {
@@ -65,7 +65,7 @@ static uint32_t count_hidden(const struct model *model)
     return count;
 }
 
-/* Counts the objects that rasterisation leaves out because they are in another object's box. */
+/* Counts the objects that rasterisation leaves out because another object's box contains them. */
 static uint32_t count_inside(const struct model *model)
 {
     uint32_t count = 0;
@@ -86,7 +86,7 @@ static void add_count(char *text, size_t size, uint32_t count, const char *name)
         snprintf(&text[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Writes the number of objects that need `trace` or the reference, such as "1 rough". */
+/* Writes how many objects need the refraction model `trace`, and why, such as "1 rough". */
 static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
 {
     static const struct {
@@ -158,7 +158,7 @@ static bool is_camera_inside(const struct scene *scene, const struct settings *s
     return false;
 }
 
-/* Writes the reason why `bounce` cannot draw the scene exactly, or "" if it can. */
+/* Writes why refraction model `bounce` cannot draw the scene exactly, or "" if it can. */
 static void name_reason(const struct scene *scene, bool is_inside, char *text, size_t size)
 {
     const struct model *model = &scene->model;
@@ -188,8 +188,8 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
 }
 
-/* Returns true if a refraction model draws bumps. The reference, which has no shaders, draws them.
- * Models that trace rays on the device do not. */
+/* Returns true if a refraction model draws bumps. The path tracer, which has no shaders, draws
+ * them. Models that trace rays on the device do not. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
     return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||
@@ -276,7 +276,7 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
         log_note("ground.denoise: no effect with tiles, since the filter needs the whole image");
 }
 
-/* Warns if the refraction model draws media without scattering, or air bubbles only as planes. */
+/* Warns if the refraction model omits scattering in media, or draws air bubbles only as planes. */
 static void warn_of_media(const struct app_image *image, const struct scene *scene)
 {
     const struct settings *settings = &image->scene.settings;

@@ -28,7 +28,7 @@ static bool is_image_option(const char *word)
     return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
 }
 
-/* Finds SCENE among the arguments. firn farm status also accepts an output file in its place. */
+/* Finds SCENE among the arguments. For firn farm status, SCENE may also be an output file. */
 static enum status parse_arguments(struct app_options *o, bool is_status)
 {
     struct app_outputs *outputs = &o->run.outputs;

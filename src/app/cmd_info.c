@@ -240,7 +240,7 @@ static void print_tree(const struct bvh *bvh)
     printf("\ndevices with ray queries use their own acceleration structures: firn list devices\n");
 }
 
-/* Returns true if there are so many triangles that a BVH is built only if rendering needs it. */
+/* Returns true if a model has too many triangles to build a BVH only for its statistics. */
 static bool has_many_triangles(const struct model *model)
 {
     return ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3 >
@@ -523,7 +523,7 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* a scene that is too large for a BVH can still be printed */
+    status = STATUS_OK; /* printing a scene does not require a BVH */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

@@ -322,7 +322,7 @@ static void print_summary(const struct summary *summary)
     }
 }
 
-/* Checks that no option is given that works with a single scene only. */
+/* Checks that all given options work with several scenes. */
 static enum status check_several(const struct app_options *o)
 {
     const char *option = o->run.outputs.count        ? "--output"
@@ -364,7 +364,7 @@ static enum status run_scene(const struct app_options *options, const char *name
     return status;
 }
 
-/* Measures all scenes and stops at the first error. Failed furnace tests only set the exit code. */
+/* Measures all scenes until the first error. A failed furnace test only sets the exit code. */
 static enum status run_scenes(const struct app_options *o)
 {
     const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;

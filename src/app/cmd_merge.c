@@ -47,7 +47,7 @@ static bool find_size(const struct input *input, struct tiling *tiling, uint32_t
 {
     const struct image *image = &input->head.image;
     const struct image_window window = input->head.window;
-    if (interleaved) { /* cannot overflow, because image.h limits the size of files */
+    if (interleaved) { /* cannot overflow, because image.h limits image sizes */
         tiling->width = image->width * tiling->columns;
         tiling->height = image->height * tiling->rows;
         return true;
@@ -181,7 +181,7 @@ static uint32_t find_row(const struct job *job, uint32_t y)
     return row;
 }
 
-/* Copies the part of an image row that a tile covers, in one plane. */
+/* Copies one plane of the part of an image row that a tile covers. */
 static enum status copy_from_tile(const struct job *job, uint32_t index, uint32_t plane, uint32_t y,
                                   float *row)
 {

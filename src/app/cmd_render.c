@@ -37,7 +37,7 @@ struct job {
     bool is_opened;       /* open_renderer() has logged its warnings */
     bool is_filled;       /* textures and meshes are filled */
     const char *missing;  /* result of app_fill_scene() */
-    struct camera camera; /* camera at time 0, before any animation */
+    struct camera camera; /* camera at time 0 */
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
     struct reference *reference;    /* NULL until a frame needs it */
@@ -48,7 +48,7 @@ struct job {
     struct progress progress;
 };
 
-/* A frame: its description, files and rendered image. */
+/* Description, output files and rendered image of a frame. */
 struct frame {
     struct output output;
     char *paths[APP_OUTPUT_COUNT];
@@ -136,7 +136,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
-/* Allocates the whole image, with planes like those of a tile. */
+/* Allocates the whole image, with the same planes as a tile. */
 static bool assemble_image(const struct job *job, const struct render_result *tile,
                            struct render_result *image)
 {
@@ -204,7 +204,7 @@ static const char *sums_image(const struct job *job, const struct frame *frame)
     return NULL;
 }
 
-/* Renders with the reference, or continues from stored sample sums. Records the sample count. */
+/* Renders with the path tracer, from stored sample sums if any. Records the sample count. */
 static enum status trace_image(struct job *job, struct frame *frame)
 {
     const char *image = sums_image(job, frame);
@@ -255,7 +255,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* Makes PNG pixels of a layer, or with 16 bits, alpha or dithering. The renderer makes others. */
+/* Converts the float image to PNG pixels, for --show, 16 bits, alpha or dithering. */
 static bool make_png(const struct app_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -395,7 +395,7 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
-    /* signals are not delayed while writing to a pipe, which may block forever */
+    /* a termination signal is not delayed while a pipe is written, because writing may block */
     const bool is_direct = file_io_is_direct(path);
     void *data = NULL;
     size_t size = 0;
@@ -434,7 +434,7 @@ static void record_result(struct job *job, uint32_t index, struct render_report_
     signals_release(&job->stop);
 }
 
-/* Poses an animated model for a frame. A changed pose needs a new renderer. */
+/* Poses an animated model for a frame. If the pose changes, destroys the renderer. */
 static enum status pose(struct job *job, struct frame *frame)
 {
     struct renderer_shot *shot = &frame->output.shot;
@@ -516,7 +516,7 @@ static enum status write_report(const struct job *job, int code)
     return status;
 }
 
-/* Writes the report when a signal ends the program. Skips a pipe, because it could block. */
+/* Writes the report when a signal ends the program. Skips pipes, because writing could block. */
 static void write_last_report(void *user, int code)
 {
     const struct job *job = user;
@@ -535,7 +535,7 @@ static enum status begin_report(struct job *job)
     return status;
 }
 
-/* Writes the report at the end of the program. Writes none if the arguments were invalid. */
+/* Writes the report at the end of the program. If the arguments were invalid, writes no report. */
 static enum status end_report(struct job *job, enum status status)
 {
     if (!job->o.render.json || !job->report.frames)

@@ -1,4 +1,4 @@
-/* cmd_sheet.c: command firn sheet: contact sheet with one image for each value of a setting. */
+/* cmd_sheet.c: command firn sheet: draws a contact sheet with one image per value of a setting. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

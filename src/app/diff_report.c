@@ -63,7 +63,7 @@ static void print_flip(const struct diff_report *report, FILE *out)
     fprintf(out, ", %.4g pixels per degree\n", report->ppd);
 }
 
-/* Prints a number in a fixed width; "-" for NaN. */
+/* Prints a number in a fixed width, or "-" for NaN. */
 static void print_number(double number, FILE *out)
 {
     if (isnan(number))
@@ -140,13 +140,13 @@ void diff_report_text(const struct diff_report *report, FILE *out)
 
 /* ---- JSON ---- */
 
-/* Adds a value to an object, or to an array if `key` is NULL. On failure frees the value. */
+/* Adds a value to a JSON object, or to an array if `key` is NULL. On failure frees the value. */
 static bool append(json_t *json, const char *key, json_t *value)
 {
     return (key ? json_object_set_new(json, key, value) : json_array_append_new(json, value)) == 0;
 }
 
-/* Returns a JSON string. If a file name is not UTF-8, its non-ASCII bytes become '?'. */
+/* Returns a JSON string. If `text` is not UTF-8, its non-ASCII bytes become '?'. */
 static json_t *make_text(const char *text)
 {
     json_t *json = json_string(text);

@@ -1,4 +1,4 @@
-/* diff_sheet.c: PNG of two images side by side with the image of their errors. */
+/* diff_sheet.c: draws two images and the image of their errors side by side into a PNG. */
 #include "src/app/diff_sheet.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* diff_sheet.h: PNG of the two images that firn diff compares, beside the image of their errors. */
+/* diff_sheet.h: draws two compared images and the image of their errors side by side into a PNG. */
 #ifndef FIRN_APP_DIFF_SHEET_H
 #define FIRN_APP_DIFF_SHEET_H
 

@@ -126,7 +126,7 @@ static enum status find_newest(struct job *job, uint32_t i)
 
 /* ---- report ---- */
 
-/* Prints a range of frames from index `begin`, such as "1-9x2". Returns the index after it. */
+/* Prints frames of equal state from index `begin`, such as "1-9x2". Returns the next index. */
 static uint32_t print_run(const struct job *job, uint32_t begin, enum state state)
 {
     const int32_t *frames = job->sequence->range.frames;

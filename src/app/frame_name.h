@@ -17,13 +17,13 @@ struct frame_name {
     bool hashes;       /* the width excludes the sign */
 };
 
-/* Parses a path with at most one frame number. Logs and returns STATUS_USAGE for other paths. */
+/* Parses a path with at most one frame-number field. Otherwise logs and returns STATUS_USAGE. */
 MUST_USE enum status frame_name_parse(struct frame_name *name, const char *path);
 
-/* Returns true if a path contains a frame number, "##" or "%d". A single '#' does not count. */
+/* Returns true if a path has a frame-number field such as "##" or "%d". A single '#' is not one. */
 bool frame_name_is_pattern(const char *path);
 
-/* Returns the path of a frame, to be freed by the caller; NULL when out of memory. */
+/* Returns the path of a frame, which the caller frees, or NULL when out of memory. */
 char *frame_name_make(const struct frame_name *name, int32_t frame);
 
 #endif

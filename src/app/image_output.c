@@ -69,7 +69,7 @@ static void print_transform(FILE *out, const struct app_scene *scene)
         fprintf(out, " scale=%.9g", (double)model_transform->scale);
     if (glms_vec3_norm2(model_transform->rotate_deg) > 0.0f)
         print_vector(out, "rotate", model_transform->rotate_deg);
-    /* with --material, a model without transmissive materials is one refractive object */
+    /* --material turns a model without transmissive materials into one refractive object */
     if (scene->material && !scene_find_builtin(scene->name))
         fprintf(out, " material=%s", scene->material);
     for (uint32_t i = 0; i < scene->material_override_count; i++)

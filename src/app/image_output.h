@@ -19,9 +19,9 @@ struct output {
     char *png_settings; /* for PNG files; differs with --show */
 };
 
-/* Writes options, camera and all settings as text to output->settings and png_settings. Frees old
- * texts first. A frame of a sequence gets the same text as a single image at its motion.time. On
- * failure logs and returns STATUS_TRY_AGAIN. */
+/* Writes options, camera and all settings as text to output->settings and png_settings, and frees
+ * their earlier texts. A frame of a sequence gets the same text as a single image with the same
+ * motion.time. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status output_describe(struct output *output);
 
 /* Frees what output_describe() allocated. */
@@ -33,15 +33,15 @@ void output_finish(struct output *output);
 bool output_is_current(const struct output *output, const char *path,
                        const struct image_header *head);
 
-/* Returns the sample count in a reference image's header, or 0 if it is not `samples`. Also accepts
- * a smaller count if `noise` is above 0 and the header's noise is at most `noise`. */
+/* Returns the sample count in the header of a path-traced image if it equals `samples`, else 0.
+ * Also accepts a smaller count if `noise` is above 0 and the header's noise is at most `noise`. */
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
 /* Checks --tiles and --tile against the other options. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status output_check_tiles(const struct app_image *p,
                                         const struct app_outputs *outputs);
 
-/* Encodes the image for file_io_write(); the caller frees *data. Logs errors. */
+/* Encodes the image for file_io_write(). The caller frees *data. Logs errors. */
 MUST_USE enum status output_encode(const struct output *output, const char *path,
                                    const struct render_result *result, const char *device,
                                    void **data, size_t *size);

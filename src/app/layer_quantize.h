@@ -12,7 +12,7 @@
 /* Returns the layer called `name`, or NULL. Logs nothing. */
 const struct frame_layer *layer_image_find(const char *name);
 
-/* Returns the layer's bit in renderer_params.layers; 0 for NULL. */
+/* Returns the layer's bit in renderer_params.layers, or 0 for NULL. */
 uint32_t layer_image_bit(const struct frame_layer *layer);
 
 /* Return RGBA pixels of a layer with 8 or 16 bits per channel. The caller frees them. When out of
@@ -20,8 +20,8 @@ uint32_t layer_image_bit(const struct frame_layer *layer);
 uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* Tone-maps the layer `beauty`, keeping alpha. Writes 16-bit pixels if `rgba` is NULL, else 8-bit
- * pixels, dithered if tonemap.dither is on. Logs and returns false when out of memory. */
+/* Tone-maps the layer `beauty` to 8-bit pixels, dithered if tonemap.dither is on, or to 16-bit
+ * pixels. Either pointer may be NULL. Logs and returns false when out of memory. */
 bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
                         uint16_t **rgba_16);
 

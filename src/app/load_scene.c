@@ -93,7 +93,7 @@ static void switch_off_ice_effects(struct app_scene *options, const struct scene
         switch_off(options, &highlight);
 }
 
-/* Switches off inclusions if the scene has several objects. Inclusions support only one. */
+/* Switches off inclusions if the scene has several objects, because only one is supported. */
 static void check_inclusions(struct app_scene *options, const struct scene *scene, bool is_verbose)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
@@ -191,7 +191,7 @@ const struct asset *app_default_environment(const char *name)
     return asset ? asset_find(asset, ASSET_ENVIRONMENT) : NULL;
 }
 
-/* Sets the default environment (`studio` or the asset's) unless the options set one. */
+/* Sets the default environment, `studio` or that of the asset, unless the options set one. */
 static void choose_environment(struct app_scene *options)
 {
     const struct asset *environment = app_default_environment(options->name);
@@ -367,7 +367,7 @@ static enum status check_transform(const struct app_scene *options)
     return STATUS_USAGE;
 }
 
-/* Refuses --env-rotate and --env-exposure without an environment file, and rotation of a cube. */
+/* Refuses --env-rotate and --env-exposure without environment file, and --env-rotate for a cube. */
 static enum status check_environment(const struct app_scene *options, const struct scene *scene)
 {
     const bool is_rotated = fabsf(options->env_rotate) > 0.0f;

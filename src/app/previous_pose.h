@@ -1,10 +1,10 @@
-/* previous_pose.h: an animated model in the previous frame, for motion vectors (layer motion). */
+/* previous_pose.h: pose of an animated model in the previous frame, for motion vectors. */
 #ifndef FIRN_APP_PREVIOUS_POSE_H
 #define FIRN_APP_PREVIOUS_POSE_H
 
 #include "src/app/app.h"
 
-/* Vertex positions in the previous frame; the caller frees them or moves them to a scene. */
+/* Vertex positions in the previous frame. The caller frees them or moves them to a scene. */
 struct previous_pose {
     vec4s *positions; /* NULL if unchanged */
     uint32_t rows, object_count, surroundings_count;

@@ -69,7 +69,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     return true;
 }
 
-/* Writes the name of a material with the scene's refractive index, or the index if none has it. */
+/* Writes the name of a material with the scene's refractive index, else the index itself. */
 static void describe_material(struct profile *p, const struct app_scene *options)
 {
     const double ior = settings_get(&options->settings, settings_find("refract.ior"));

@@ -22,7 +22,7 @@ struct profile_job {
 MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
                                          struct profile *profiles, uint32_t count);
 
-/* Writes the reports of job->sweep that the options name. */
+/* Writes the sweep's report files that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
 /* Returns true if stdout is free for tables, because no report is written there. */

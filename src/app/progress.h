@@ -1,4 +1,4 @@
-/* progress.h: progress bar over all frames and their steps. Shown only if stderr is a terminal. */
+/* progress.h: progress bar over all frames and their steps, shown only if stderr is a terminal. */
 #ifndef FIRN_APP_PROGRESS_H
 #define FIRN_APP_PROGRESS_H
 
@@ -20,7 +20,7 @@ struct progress {
 
 void progress_begin(struct progress *progress, uint32_t frames, const char *step_name, bool quiet);
 
-/* Draws the bar after `done` of the frame's `all` steps. Draws nothing for a single step. */
+/* Draws the bar after `done` of the frame's `all` steps, unless there is only one step in total. */
 void progress_show(const struct progress *progress, uint32_t done, uint32_t all);
 
 /* Writes the bar and the steps to `line`. After 2 seconds, adds the estimated remaining time if
@@ -28,7 +28,7 @@ void progress_show(const struct progress *progress, uint32_t done, uint32_t all)
 void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *progress,
                     uint32_t done, uint32_t all, double seconds);
 
-/* Erases the bar, so that other output can be printed. */
+/* Erases the bar before other output is printed. */
 void progress_clear(const struct progress *progress);
 
 #endif

@@ -32,7 +32,7 @@ MUST_USE enum status render_report_init(struct report *report, uint32_t count);
 void render_report_finish(struct report *report); /* {0} is fine */
 
 /* Hashes firn's version and a frame's settings to 16 hexadecimal digits (64-bit FNV-1a). The hash
- * is equal on all machines. If it changes, --resume draws the frame again. */
+ * is equal on all machines. If the hash changes, --resume draws the frame again. */
 void render_report_hash(const char *settings, char hash[static 17]);
 
 /* Returns true if some frames have failed and others are complete. */

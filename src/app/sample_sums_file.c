@@ -1,4 +1,4 @@
-/* sample_sums_file.c: stores a reference's sample sums in an EXR file, for --resume. */
+/* sample_sums_file.c: stores the sample sums of a path-traced image in EXR files, for --resume. */
 #include "src/app/sample_sums_file.h"
 #include <stdio.h>
 #include <stdlib.h>

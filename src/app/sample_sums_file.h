@@ -1,6 +1,6 @@
-/* sample_sums_file.h: stores a reference's sample sums, from which --resume continues. The sums of
- * a.exr are in a.sums.exr, with the planes of reference_sample_sums.h and the metadata of a.exr. A
- * sandboxed reader process parses this file. */
+/* sample_sums_file.h: stores the sample sums of a path-traced image, from which --resume continues.
+ * The sums of a.exr are in a.sums.exr, with the planes of reference_sample_sums.h and the metadata
+ * of a.exr. A sandboxed reader process parses a.sums.exr. */
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
@@ -17,8 +17,8 @@ struct sample_sums_file {
     double cost;          /* its duration, seconds */
 };
 
-/* Implements reference_load_fn; `user` is a struct sample_sums_file. Refuses sums of another image
- * or firn version, and too many samples. A missing file counts as 0 samples. */
+/* Implements reference_load_fn, with a struct sample_sums_file as `user`. Refuses sums of another
+ * image or firn version, and too many samples. A missing file counts as 0 samples. */
 MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
 
 /* Implements reference_save_fn. Always writes the last sums. Writes earlier sums so rarely that

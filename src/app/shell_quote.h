@@ -7,7 +7,7 @@
 /* Writes an argument, quoted if a shell would change it. */
 void shell_quote_word(const char *word, FILE *out);
 
-/* Returns "firn" and the quoted arguments, to be freed by the caller; NULL when out of memory. */
+/* Returns "firn" and the quoted arguments. The caller frees the text. NULL means out of memory. */
 char *shell_quote_join(char *const *args);
 
 #endif

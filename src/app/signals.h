@@ -19,12 +19,12 @@ struct signals {
     void *user;
 };
 
-/* Blocks the signals and starts the waiting thread. Must be called before other threads exist,
- * because they inherit the signal mask. In *stop, only `last` and `user` may be set. *stop must not
- * be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
+/* Blocks the termination signals and starts the thread that waits for them. Must be called before
+ * other threads exist, because they inherit the signal mask. In *stop, only `last` and `user` may
+ * be set. *stop must not be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status signals_begin(struct signals *stop);
 
-/* Stops the waiting thread. The signals stay blocked and do nothing. An empty *stop is fine. */
+/* Stops the waiting thread. The signals stay blocked and do nothing. *stop may be {0}. */
 void signals_end(struct signals *stop);
 
 /* Delays signals until signals_release(), for example while a file is written. */

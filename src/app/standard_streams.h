@@ -5,7 +5,7 @@
 #include "src/base/status.h"
 
 /* Opens /dev/null for each standard stream that is closed. Otherwise an output file could get the
- * stream's descriptor and receive messages. Reading stdin or writing the others still fails.
+ * stream's descriptor and receive messages. Reading stdin or writing stdout or stderr still fails.
  * Ignores SIGPIPE and SIGXFSZ, so that closed pipes and file size limits become write errors. Must
  * be called before any file is opened. */
 void standard_streams_begin(void);

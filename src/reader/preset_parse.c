@@ -19,7 +19,7 @@ struct text {
     size_t size;
 };
 
-/* Appends an assignment, given as the first `length` characters of a text. */
+/* Appends the first `length` characters of `assignment` to the preset, as line `number`. */
 static enum status append(struct preset *preset, uint32_t number, const char *assignment,
                           size_t length)
 {

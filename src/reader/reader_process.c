@@ -114,7 +114,7 @@ static void select_environment(char *list[static PASSED_VARIABLE_COUNT + 1])
     list[count] = NULL;
 }
 
-/* Spawns the child in its own process group, unaffected by Ctrl-C. Returns 0 or an errno. */
+/* Spawns the child in its own process group, which Ctrl-C does not end. Returns 0 or an errno. */
 static int spawn(pid_t *process, const char *program, char *const *arguments, int out, int err)
 {
     posix_spawn_file_actions_t files;
@@ -221,7 +221,7 @@ static void receive_stderr(struct reader *reader)
     }
 }
 
-/* Returns true if the child missed its deadline. Extends the deadline if it used CPU time. */
+/* Returns true if the child missed its deadline. A child that used CPU time gets a new deadline. */
 static bool is_idle(struct reader *reader)
 {
     clockid_t clock;
@@ -310,7 +310,7 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs up to `max` lines of the child's stderr as own messages. Returns the number of lines. */
+/* Logs the child's stderr as this process's messages, up to `max` lines. Returns the line count. */
 static int repeat_log(const struct reader *reader, int max)
 {
     static const char prefix[] = "firn: ", warning[] = "warning: ";

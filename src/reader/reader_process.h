@@ -65,7 +65,7 @@ struct reader_params {
 
 struct reader;
 
-/* Starts a reader process. `path` and `params` must outlive it. *started is NULL on failure. */
+/* Starts a reader process. `path` and `params` must outlive it. On failure *started is NULL. */
 MUST_USE enum status reader_start(struct reader **started, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 

@@ -160,7 +160,7 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
 }
 
 /* Corrects directions that bumps have put on the wrong side of the triangle. If the surface is
- * rough, they get weight 0. Otherwise they are recomputed with the geometric normal. */
+ * rough, such directions get weight 0, else they are recomputed with the geometric normal. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {

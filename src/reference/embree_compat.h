@@ -21,7 +21,7 @@ struct embree_context {
 
 #endif
 
-/* Finds the closest hit of a ray; `context` is passed to intersection filters and user geometry. */
+/* Finds the closest hit of a ray. Passes `context` to intersection filters and user geometry. */
 static inline void embree_intersect(RTCScene scene, struct embree_context *context,
                                     struct RTCRayHit *rayhit)
 {

@@ -18,7 +18,7 @@ enum {
     TRIANGLE_SIZE = 256
 };
 
-/* Returns the candidate hit passed to a filter. Rays are traced singly, so there is only one. */
+/* Returns the hit passed to a filter. There is only one, because rays are traced one by one. */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
@@ -65,7 +65,7 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
 }
 
 /* Intersection filter for cracks and planes of air. Rejects hits within epsilon of the ray's
- * origin, so that a ray does not hit the sheet on which it starts. */
+ * origin, because a ray must not hit the crack or plane on which it starts. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;

@@ -50,7 +50,7 @@ struct embree_scene_hit {
     struct mesh_vertex surface; /* interpolated vertex, in world space */
 };
 
-/* Embree scene of one frame. It is zero-initialised before embree_scene_init(). */
+/* Embree scene of one frame. */
 struct embree_scene {
     RTCScene scene;
     const struct radiance *radiance;
@@ -66,8 +66,8 @@ struct embree_scene {
 };
 
 /*
- * Builds the Embree scene, which borrows `radiance`. When out of memory, or if the build would need
- * more than `memory` bytes, logs, zeroes *embree_scene and returns STATUS_TRY_AGAIN.
+ * Builds the Embree scene, which borrows `radiance`. Fails when out of memory or if the build needs
+ * more than `memory` bytes. On failure logs, zeroes *embree_scene and returns STATUS_TRY_AGAIN.
  */
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);

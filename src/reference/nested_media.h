@@ -34,7 +34,7 @@ bool nested_media_init(struct nested_media *media, const struct scene *scene,
                        const struct settings *settings);
 void nested_media_finish(struct nested_media *media);
 
-/* Returns the set's object of highest priority except `except`, or else the outside medium. */
+/* Returns the set's object of highest priority other than `except`, or else the outside medium. */
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 

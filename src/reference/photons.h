@@ -50,7 +50,7 @@ MUST_USE enum status photons_init(struct photons *photons, const struct tracer *
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */
 
-/* Returns direct and refracted sunlight at a point. The unit `normal` must face the viewer. */
+/* Returns direct and refracted sunlight at a point. The unit vector `normal` faces the viewer. */
 struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, vec3s normal,
                                    uint32_t seed);
 

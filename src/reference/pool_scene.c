@@ -22,7 +22,7 @@ static vec3s to_world(vec3s v)
     return (vec3s){ { v.x, v.z, -v.y } };
 }
 
-/* Returns a vertex of the water mesh. Border vertices are at the bottom, which closes the sides. */
+/* Returns a vertex of the water mesh. Border vertices are at the pool bottom to close the sides. */
 static struct mesh_vertex shell_vertex(const struct pool_scene *pool_scene, uint32_t column,
                                        uint32_t row, float time)
 {
@@ -82,7 +82,7 @@ static bool add_floating_ice(struct pool_scene *pool_scene, const struct mesh *i
     return true;
 }
 
-/* Adds a quad of tiles; `corners` are in pool coordinates, counter-clockwise, `uvs` in metres. */
+/* Adds a quad of tiles. `corners` are in pool coordinates, counter-clockwise. `uvs` are metres. */
 static void add_tiles(struct mesh *mesh, const struct pool_scene *pool_scene,
                       const vec3s corners[static 4], const vec2s uvs[static 4])
 {

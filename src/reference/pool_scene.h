@@ -27,7 +27,7 @@ struct pool_scene {
     struct water_push push;
 };
 
-/* Builds the meshes of the pool of `scene`, with the waves at globals->time. Returns false when out
+/* Builds the meshes of the pool in `scene`, with its waves at globals->time. Returns false when out
  * of memory; *pool_scene is then zeroed. */
 bool pool_scene_init(struct pool_scene *pool_scene, const struct scene *scene,
                      const struct settings *settings, const struct globals *globals);

@@ -89,7 +89,7 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
     return nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE) == object;
 }
 
-/* Moves a ray past a crack outside the ice, or past a plane of air, whose light is added. */
+/* Moves a ray past a crack outside the ice or past a plane of air. Adds the light of the plane. */
 static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
                        const struct embree_scene_hit *hit)
 {

@@ -39,7 +39,7 @@ void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                      const struct embree_scene_hit *hit, float passing);
 
 /* Returns true if a ray has reached its limit of scattering events or surfaces. The limit of
- * surfaces is reference.bounces. With Russian roulette it is higher. */
+ * surfaces is reference.bounces, or a higher number with Russian roulette. */
 bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_branch *b);
 
 /* Returns true if a ray's medium is that of `object`. Bubbles in the object have another medium. */

@@ -47,8 +47,8 @@ MUST_USE enum status reference_create(struct reference **reference,
 
 /*
  * Renders an image. *result must own no memory, and is zeroed on failure. The calling thread
- * regularly calls `progress` with the numbers of finished tiles and of all tiles. `progress` may be
- * NULL. If it returns false, rendering stops with STATUS_FAILED and without a log message.
+ * regularly calls `progress` with the number of finished tiles and the total. `progress` may be
+ * NULL. If `progress` returns false, rendering stops with STATUS_FAILED and without a log message.
  */
 MUST_USE enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
                                       struct render_result *result, renderer_progress_fn *progress,

@@ -20,9 +20,9 @@ struct reference_ray_values {
     float alpha; /* 1; 0 for a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* Layers of the refracted path: `exit` is its final direction, `path` its length inside the
-     * object in metres, `bounces` its number of total internal reflections. `tir` is 1 if `bounces`
-     * is not 0. */
+    /* Values of the refracted path: `exit` is its final direction, `path` its length inside the
+     * object in metres, and `bounces` its number of total internal reflections. `tir` is 1 if there
+     * are any such reflections, else 0. */
     vec3s exit;
     float path, bounces, tir;
     float inclusion_bits;         /* inclusions hit by the refracted path */
@@ -41,8 +41,8 @@ enum {
     REFERENCE_RAY_VALUE_NONE,
 };
 
-/* Returns the index of the value that an image plane stores. REFERENCE_RAY_VALUE_ERROR is the
- * standard error, REFERENCE_RAY_VALUE_NONE an unknown plane. */
+/* Returns the index of the value that an image plane stores. Returns REFERENCE_RAY_VALUE_ERROR for
+ * the standard error, and REFERENCE_RAY_VALUE_NONE for an unknown plane. */
 size_t reference_layers_find(const char *plane);
 
 /* Returns the name of the plane that stores value `index`, or NULL. */
@@ -56,7 +56,7 @@ enum {
 };
 
 /* Writes to `names` a comma-separated list of enabled features that the path tracer lacks. Returns
- * true if there are any. */
+ * true if the list is not empty. */
 bool reference_unsupported(const struct settings *settings, char *names, size_t size);
 
 #endif

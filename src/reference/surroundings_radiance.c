@@ -316,7 +316,7 @@ static struct normals normals_of(const struct radiance *radiance, const struct m
     return (struct normals){ m->flags & MATERIAL_IS_WATER_LAYER ? n : base, base };
 }
 
-/* Returns the light reflected from the model file's punctual lights, without shadows. */
+/* Returns the radiance reflected from the model file's punctual lights, ignoring shadows. */
 static vec3s shade_lights(const struct radiance *radiance, const struct lit_surface *surface,
                           vec3s point, struct normals n, vec3s to_camera)
 {
@@ -361,7 +361,7 @@ static vec3s shade_white_diffuse(const struct radiance *radiance,
                             glms_vec3_mul(sun->sky, diffuse_irradiance(radiance, n)));
 }
 
-/* Shades direct and refracted sunlight. Refracted light is treated as coming from one direction. */
+/* Shades a surface by direct sunlight, and by refracted sunlight as if from one direction. */
 static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface *surface,
                        const struct radiance_point *point, struct normals n)
 {
@@ -399,7 +399,7 @@ static float occlusion_of(const struct radiance *radiance, const struct material
     return 1.0f + m->occlusion_strength * (texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x - 1.0f);
 }
 
-/* Shades a glTF material: environment, sun, punctual lights and emission. */
+/* Shades a glTF material lit by environment, sun and punctual lights. Adds its emission. */
 static vec3s shade_material(const struct radiance *radiance, const struct material *m,
                             const struct radiance_point *point, struct normals n, vec3s albedo)
 {

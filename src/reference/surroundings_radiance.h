@@ -59,7 +59,7 @@ vec3s radiance_mean(const struct radiance *radiance);
 /* Returns a surface's textured base colour. */
 vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex);
 
-/* Returns the radiance that a surface of the surroundings emits and reflects along the ray. */
+/* Returns the radiance that surroundings emit and reflect towards the ray's origin. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
 
 /* Computes the reflectance of a surface of the surroundings. Returns false if it is unlit. */

@@ -42,7 +42,7 @@ static inline uint32_t tracer_channel_count(const struct tracer *tracing)
     return tracing->media->is_dispersive ? TRACER_CHANNEL_COUNT : 1;
 }
 
-/* Returns the colour channels of a path as a mask of 0 and 1. */
+/* Returns a vector that is 1 for the colour channels of a path and 0 for the others. */
 static inline vec3s tracer_channels(const struct tracer *tracing, uint32_t path)
 {
     const bool all = !tracing->media->is_dispersive;

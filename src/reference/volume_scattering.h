@@ -1,7 +1,7 @@
 /*
- * volume_scattering.h: medium of varying density inside an object, which scatters light and absorbs
- * none. Delta tracking (Woodcock 1965) samples free-flight distances without bias and without a
- * step size. Directions follow the Henyey-Greenstein phase function (1941).
+ * volume_scattering.h: scattering medium of varying density inside an object, without absorption.
+ * Delta tracking (Woodcock 1965) samples free-flight distances without bias and without a step
+ * size. Directions follow the Henyey-Greenstein phase function (1941).
  */
 #ifndef FIRN_REFERENCE_VOLUME_SCATTERING_H
 #define FIRN_REFERENCE_VOLUME_SCATTERING_H
@@ -44,7 +44,7 @@ float volume_scattering_sun_depth(const struct volume_scattering *volume_scatter
 /* Evaluates the Henyey-Greenstein phase function, relative to isotropic scattering. */
 float volume_scattering_phase(const struct volume_scattering *volume_scattering, float cosine);
 
-/* Samples a direction from the Henyey-Greenstein phase function. `at` is a random point in 0..1. */
+/* Samples a direction from the Henyey-Greenstein phase function. `at` is a uniform 2D sample. */
 vec3s volume_scattering_sample_direction(const struct volume_scattering *volume_scattering,
                                          vec3s dir, vec2s at);
 

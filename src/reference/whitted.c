@@ -62,7 +62,7 @@ static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_s
     return true;
 }
 
-/* Returns the refractive index (green) at a ray's origin relative to that of the outside medium. */
+/* Returns the green-channel refractive index at a ray's origin, relative to the outside medium. */
 static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
 {
     const uint32_t top = nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE);
@@ -153,8 +153,8 @@ static void trace_tree(const struct tracer *tracing, struct ray_branch first, ui
     }
 }
 
-/* Fills the layers of the refracted path, which starts at the primary hit, refracts wherever
- * possible, and ends where it leaves all objects. */
+/* Fills the layers of the refracted path. It starts at the primary hit, refracts wherever possible,
+ * and ends where it leaves all objects. */
 static void fill_refracted_layers(const struct tracer *tracing, struct ray_branch b,
                                   struct reference_ray_values *values)
 {
@@ -209,7 +209,7 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
-/* Traces the reflected and the refracted ray of a hit on an object, for one or all `channels`. */
+/* Traces the reflected and refracted ray of a hit. `channels` is 1 in traced colour channels. */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
                           const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
                           struct reference_ray_values *values)

@@ -27,7 +27,7 @@ enum {
     LISTED_SIZE = (2 * FRAME_RANGE_MAX + 1) / 8 + 1
 };
 
-/* Skips the next character if it is `expected`. Returns true if it was. */
+/* Skips the next character and returns true if the character is `expected`. */
 static bool skip(struct list *list, char expected)
 {
     bool found = *list->at == expected;

@@ -96,7 +96,7 @@ enum status option_size(const struct option *option, void *at, const char *value
                : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
 }
 
-/* Sets the width of a cube face, which is square. */
+/* Sets the width and height of a cube face, in texels. */
 enum status option_bake_size(const struct option *option, void *at, const char *value)
 {
     struct app_image *image = at;
@@ -323,7 +323,7 @@ enum status option_rotate(const struct option *option, void *at, const char *val
     return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
 }
 
-/* Sets the background. "none" hides it, but a colour given before still lights the scene. */
+/* Sets the background. The value "none" hides it, but an earlier colour still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
@@ -342,7 +342,7 @@ enum status option_background(const struct option *option, void *at, const char 
 
 /* ---- the camera ---- */
 
-/* Maximum coordinate in metres. The square of such a distance does not overflow a float. */
+/* Maximum coordinate in metres. Its square does not overflow a float. */
 static const float position_max = 1e9f;
 
 enum status option_orbit(const struct option *option, void *at, const char *value)

@@ -8,12 +8,12 @@
 option_fn option_ladder_output;     /* of struct app_outputs */
 option_fn option_refraction_models; /* of struct app_ladder */
 
-/* Sets the defaults of firn ladder: switches off what the reference does not draw, and selects
- * exact refraction. Must be called before the options are parsed. */
+/* Sets the defaults of firn ladder: selects exact refraction, and switches off what the path tracer
+ * does not draw. Must be called before the options are parsed. */
 void option_ladder_settings(struct settings *settings);
 
 /* Switches the inclusions and surface effects of ice back on. Settings of --set and --preset are
- * kept. Cracks are drawn as gaps, as in the reference. */
+ * kept. Cracks are drawn as gaps, as by the path tracer. */
 void option_ladder_whole(struct app_scene *scene);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-/* Setters of a bool (to true), a string, and a uint32_t from option->min to option->max. */
+/* Setters of a flag (to true), a string, and an integer from option->min to option->max. */
 option_fn option_flag, option_text, option_count;
 
 /* Returns true for options whose value may be left out, such as --name[=VALUE]. */
@@ -32,7 +32,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
 enum status option_add_output(const struct option *option, struct app_outputs *outputs,
                               const char *value);
 
-/* Returns the index of `value` in the array of words; -1 if it is not there. */
+/* Returns the index of `value` in the array of words, or -1 if the array does not contain it. */
 int option_find_word(const char *const *names, int count, const char *value);
 
 /* Parses numbers between separators. Returns true if there are exactly `count`, all finite. */

@@ -41,7 +41,7 @@ enum {
 #define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot be in parentheses */
-/* Initialisers of an option's `offset` and `set`. Compilation fails if the field is no `type`. */
+/* Initialisers of an option's `offset` and `set`. Compilation fails if `field` is not a `type`. */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
 /* NOLINTEND(bugprone-macro-parentheses) */
@@ -362,7 +362,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
     return option->set(option, (char *)o + option->offset, value);
 }
 
-/* Adds a positional argument. Most commands accept only SCENE, some several arguments. */
+/* Adds a positional argument. Most commands accept only SCENE, but some accept several. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;

@@ -1,4 +1,4 @@
-/* output_path_conflicts.c: refuses command lines whose outputs overwrite files in use. */
+/* output_path_conflicts.c: refuses command lines that would overwrite inputs or other outputs. */
 #include "src/app/options/output_path_conflicts.h"
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +17,7 @@ enum status option_report(const struct option *option, void *at, const char *val
     return option_text(option, at, value);
 }
 
-/* Calls stat() for the folder that contains `path`. Returns false if it does not exist. */
+/* Calls stat() for the folder that contains `path`. Returns false if the folder does not exist. */
 static bool stat_folder(const char *path, struct stat *info)
 {
     char folder[4096] = ".";

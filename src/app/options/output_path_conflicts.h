@@ -1,10 +1,10 @@
-/* output_path_conflicts.h: checks that no output of a command overwrites another of its files. */
+/* output_path_conflicts.h: checks that outputs of a command do not overwrite its other files. */
 #ifndef FIRN_APP_OPTIONS_OUTPUT_PATH_CONFLICTS_H
 #define FIRN_APP_OPTIONS_OUTPUT_PATH_CONFLICTS_H
 
 #include "src/app/options/option.h"
 
-/* Setters of the path of a file that is read (option_input) or written (option_report). */
+/* Setters of file paths: option_input for a file that is read, option_report for one written. */
 option_fn option_input, option_report;
 
 /* A file that a command reads or writes. */

@@ -24,7 +24,7 @@ static enum status apply_line(struct app_scene *scene, const char *assignment, u
     return STATUS_OK;
 }
 
-/* Applies the built-in preset. It replaces the scene `ice-cube` by `valley`. */
+/* Applies the built-in preset `paper`, which also replaces the scene `ice-cube` by `valley`. */
 static enum status apply_paper(struct app_scene *scene)
 {
     enum status status = STATUS_OK;

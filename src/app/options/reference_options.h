@@ -13,8 +13,8 @@ const char *option_sums_image(const struct app_options *options);
  * the name. Returns NULL when out of memory. */
 char *option_sums_file(const char *image);
 
-/* Checks that options for the reference are used only with it, and sets the default sample count
- * and pixel filter. On failure logs and returns STATUS_USAGE. */
+/* Checks that options of the path tracer are given only with --refraction reference. Sets its
+ * default sample count and pixel filter. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status option_check_reference(struct app_options *options);
 
 #endif
