@@ -80,8 +80,8 @@ static struct frame_cube_state face_inputs(const struct globals *globals)
     };
 }
 
-/* Returns true if a sphere may be visible in a cube face. Inside the face's frustum, |right| and
- * |up| coordinates are at most `forward`. */
+/* Returns true if a sphere may be visible in a cube face. The face's frustum contains the points
+ * whose |right| and |up| coordinates are at most `forward`. */
 static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
                            const struct frame_cube_moving_sphere *sphere)
 {
@@ -162,7 +162,7 @@ static struct frame_cube_light light_inputs(const struct frame_view *view,
     return light;
 }
 
-/* Compares with memcmp(); a difference in padding bytes only causes one redundant redraw. */
+/* Returns true if all bytes are equal. Unequal padding bytes only cause one redundant redraw. */
 static bool are_equal(const void *a, const void *b, size_t size)
 {
     return memcmp(a, b, size) == 0;

@@ -41,7 +41,7 @@ struct surroundings_push frame_view_push(const struct frame_view *view)
     const bool is_orthographic = camera->height > 0.0f;
     float up = is_orthographic ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
-    /* A pixel is 2 right / width wide and 2 up / height high in the image plane at distance 1. */
+    /* At distance 1, a pixel is 2 * right / width metres wide and 2 * up / height metres high. */
     const vec2s at = glms_vec2_add(view->jitter, view->tile);
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));

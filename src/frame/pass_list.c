@@ -140,7 +140,7 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds each object's G-buffer passes (none for PHASE_FACES), then its passes of phase `last`. */
+/* Adds passes per object: G-buffer passes (except for PHASE_FACES), then those of phase `last`. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
@@ -220,8 +220,8 @@ static bool is_shared(const struct frame_list *list, const struct frame_list_obj
     return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Returns true if drawing a target near the object is enough. Such a target has the view's size,
- * and its other pixels are kept or never read. */
+/* Returns true if a target may be drawn only near the object. Such a target has the view's size,
+ * and its pixels elsewhere are kept or never read. */
 static bool is_local(const struct frame_list *list, const struct rg_target *target)
 {
     const struct rg_image *image = target->image;

@@ -24,7 +24,7 @@ struct frame_list {
     struct frame_list_object *objects; /* per object: image, layers, faces */
     size_t object_count;
     bool is_nested; /* nested objects are not listed separately */
-    /* The passes of all objects but the farthest draw only the area near their object. */
+    /* True if the passes of all objects but the farthest draw only the area near their object. */
     bool is_local_to_objects;
     struct pass_arena builder;
     struct low_res_images small;

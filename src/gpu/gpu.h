@@ -64,7 +64,7 @@ struct gpu {
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 
 /* Waits for the device, saves the pipeline cache and frees everything. *gpu may be zeroed or partly
- * created. Afterwards it is zero except for message_count, which includes messages about leaks. */
+ * created. Zeroes all members except message_count, which then includes messages about leaks. */
 void gpu_destroy(struct gpu *gpu);
 
 /* Waits for the device and returns true if it is lost; then only gpu_destroy() may be called. */
@@ -109,7 +109,7 @@ enum status gpu_status(VkResult result);
 /* Logs "WHAT: NAME OF THE RESULT" and advice for the user. Returns gpu_status(result). */
 enum status gpu_failed(const char *what, VkResult result);
 
-/* Logs "CALL of NAME: NAME OF THE RESULT", otherwise like gpu_failed(). `name` may be NULL. */
+/* Logs a failure like gpu_failed(), with the text "CALL of NAME". `name` may be NULL. */
 enum status gpu_failed_for(const char *call, const char *name, VkResult result);
 
 struct gpu_buffer {

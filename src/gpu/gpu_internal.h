@@ -13,8 +13,8 @@ enum {
  * Call volkInitialize() first. A missing validation layer causes only a warning. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
-/* Returns advice for a machine without a usable driver: to install a driver, or to raise the
- * process's memory limit, which may keep drivers from loading. */
+/* Returns advice for a machine without a usable driver: to install a driver or, if the process has
+ * a memory limit, to raise the limit, because it may keep drivers from loading. */
 const char *gpu_driver_advice(void);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);

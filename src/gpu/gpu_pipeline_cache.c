@@ -38,7 +38,7 @@ static void write_name(const struct gpu *gpu, char name[static NAME_SIZE])
                            gpu->properties.pipelineCacheUUID[i]);
 }
 
-/* Returns the cache file's content with its hash, or NULL if it is damaged. The caller frees it. */
+/* Returns the cache file's content and hash; NULL for a damaged file. The caller frees it. */
 static void *read_file(const struct gpu *gpu, size_t *size)
 {
     char name[NAME_SIZE];

@@ -307,7 +307,7 @@ enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint
                                               : gpu_failed("vkAcquireNextImageKHR", result);
 }
 
-/* Waits for the queue and presents a canvas image. The window server reads the image's memory. */
+/* Waits for the queue, then presents an image whose memory is shared with the window server. */
 static enum status show(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
 {
     const VkResult result = vkQueueWaitIdle(gpu->queue);

@@ -32,7 +32,7 @@ enum {
 
 #define GPU_SWAPCHAIN_NONE UINT32_MAX /* no image */
 
-/* Pseudo present mode that selects canvas images if possible, else FIFO. */
+/* Pseudo present mode that selects images in shared memory (canvas) if possible, else FIFO. */
 #define GPU_SWAPCHAIN_ANY VK_PRESENT_MODE_MAX_ENUM_KHR
 
 struct gpu_swapchain {

@@ -425,7 +425,7 @@ static enum status report_result(const struct reader *reader, enum pipe_fault fa
     if (fault == PIPE_LARGE)
         return report_large_image(reader);
     if (fault != PIPE_OK) {
-        log_error("%s: invalid data from the reader: %s; export the file again", reader->path,
+        log_error("%s: the file's data is invalid: %s; export the file again", reader->path,
                   pipe_fault_text(fault));
         return STATUS_DATA;
     }

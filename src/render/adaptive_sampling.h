@@ -47,8 +47,8 @@ void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint
  * covers the noisy cells with new rectangles. Returns false if no cell is noisy. */
 bool adaptive_next_round(struct adaptive *adaptive);
 
-/* Multiplies the sample sums of an averaged layer by ADAPTIVE_SAMPLES / (samples of the cell), so
- * that all sums have the same divisor. These factors are powers of two, so nothing is rounded. */
+/* Multiplies the sample sums of an averaged layer by ADAPTIVE_SAMPLES / (samples of the cell). All
+ * sums then have the same divisor. The factors are powers of two, so nothing is rounded. */
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 

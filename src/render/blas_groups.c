@@ -68,7 +68,7 @@ static void compute_point(const struct affine_map *map, double u, double v, floa
     }
 }
 
-/* Computes a triangle's vertices, with `margin` added on each side. Returns false for area 0. */
+/* Computes a triangle's vertices, with sides moved out by `margin`. Returns false for area 0. */
 static bool compute_vertices(const struct affine_map *map, double margin, float to[static 3][3])
 {
     static const double none[3] = { 0 };
@@ -114,7 +114,7 @@ static uint32_t object_id_of(const struct bvh *bvh, uint32_t triangle)
     return id ? id : bvh->corners.all[(size_t)(surface & BVH_SURFACE_MASK) + 3][3] / 2;
 }
 
-/* Visits a child. Extends `range` by a leaf's triangles, or pushes an inner node onto the stack. */
+/* Visits a child node: adds a leaf's triangles to `range`, or pushes an inner node on the stack. */
 static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uint32_t *top)
 {
     const uint32_t first = (child & ~BVH_LEAF) >> 3, count = child & 7;
@@ -228,7 +228,7 @@ static struct similarity_transform_corners vertices_of(const struct gpu_blas_gro
 }
 
 /* Returns true if a group has only moved rigidly or been scaled uniformly since `built`. Deviations
- * up to groups->margin / 2 are allowed. The other half is for rounding errors. */
+ * up to half of groups->margin are allowed. The other half is for rounding errors. */
 static bool has_moved(const struct gpu_blas_groups *groups, const struct gpu_blas_groups *built,
                       uint32_t index, struct similarity_transform *motion)
 {

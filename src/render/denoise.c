@@ -12,7 +12,7 @@ enum {
 /* Samples per pixel from which each filter iteration is skipped, narrowest filter first. */
 static const float enough_samples[STEPS] = { DENOISE_SAMPLES_ENOUGH, 16.0f, 8.0f, 6.0f };
 
-/* Difference between a pixel's irradiance (without albedo) and that from an unoccluded sky. */
+/* Irradiance of a pixel (without albedo), minus the irradiance from an unoccluded sky. */
 struct light {
     vec3s mean;
     float count;                /* samples in `mean`; 0 for none */

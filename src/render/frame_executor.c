@@ -18,8 +18,8 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Checks that the plan's memory fits in the device's heaps. Host-visible buffers exist once per
- * frame in flight. CPU devices commit memory on first use, so only one tile of an image counts. */
+/* Checks that the plan's memory fits in the device's heaps. Host-visible buffers count once per
+ * frame in flight. On CPU devices, which commit memory on first use, images count as one tile. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = lavapipe_tuning_is_cpu(gpu);

@@ -27,7 +27,7 @@ MUST_USE enum status frame_executor_realise(struct frame_executor *frame_executo
                                             const struct rg_exec_import *imports);
 
 /* Replaces the plan of frame_executor by that of *next, which has no executor yet. Keeps resources
- * that both plans need (rg_exec_update()). After a failure, only destroy frame_executor. */
+ * that both plans need (rg_exec_update()). After a failure, frame_executor must be destroyed. */
 MUST_USE enum status frame_executor_replace(struct frame_executor *frame_executor,
                                             struct frame_executor *next,
                                             const struct renderer_params *params,

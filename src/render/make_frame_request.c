@@ -37,8 +37,8 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
-/* Returns true if the image should be denoised, that is, if it is read back, drawn whole, and has
- * few samples. With many samples, the image should equal progressive rendering in a window. */
+/* Returns true if the image should be denoised: it is read back, drawn whole, and has few samples.
+ * An image with many samples must equal progressive rendering, which does not denoise. */
 static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);

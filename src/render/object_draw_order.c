@@ -97,8 +97,8 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest layer above all farther objects that overlap object `index` on screen. Layers
- * with an object for which lookups_overlap() is true are skipped. */
+/* Returns the lowest layer for an object. The layer is above those of all farther objects that
+ * overlap the object on screen, and has no object for which lookups_overlap() is true. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];
@@ -116,9 +116,9 @@ static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
     return layer;
 }
 
-/* Assigns the objects, which are sorted back to front, to layers. The passes of a layer's first
- * object draw all its objects, which saves barriers. The farthest object is alone in layer 0,
- * because its passes also clear the G-buffer. */
+/* Assigns the objects, which are sorted back to front, to layers. The passes of the first object in
+ * a layer draw all objects of that layer, which saves barriers. The farthest object is alone in
+ * layer 0, because its passes also clear the G-buffer. */
 static void assign_layers(struct frame_object *objects, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {

@@ -226,7 +226,7 @@ void renderer_destroy(struct renderer *renderer)
 
 /* ---- a frame ---- */
 
-/* Fills the techniques' upload buffers, as far as the plan contains them. */
+/* Fills the globals buffer and those upload buffers of techniques that the plan contains. */
 static void write_uploads(const struct frame_view *view, const struct globals *globals,
                           struct rg_exec *exec, uint32_t slot)
 {
@@ -242,8 +242,8 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the image area where shaders may look up the object's faces. The area has a margin, since
- * rays begin up to 0.02 radii inside the object. Output layers and pools need the whole image. */
+/* Returns the image area where shaders may look up the object's faces. It includes a margin, as
+ * lookups may land just outside the object. Output layers and pools need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
@@ -520,7 +520,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = renderer_draw_adaptive(r, shot, result, progress, user);
     else
         status = draw_samples(r, shot, &result->image, progress, user);
-    /* Stop the warm-up first: a crash in a driver's compiler must not damage an output file. */
+    /* End the warm-up now, because a crash in a driver's compiler could damage output files. */
     shader_warm_up_end(r->warm_up);
     r->warm_up = NULL;
     if (status == STATUS_OK)

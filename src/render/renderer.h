@@ -116,8 +116,7 @@ struct renderer_costs {
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* Sets what frames measure (graph/rg_profile.h). Times are in the pass order of renderer_frame().
- */
+/* Selects what the next frames measure. Times are in the pass order of renderer_frame(). */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);

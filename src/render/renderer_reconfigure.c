@@ -1,5 +1,4 @@
-/* renderer_reconfigure.c: switches a renderer to other params, keeping the resources that both
- * need. */
+/* renderer_reconfigure.c: switches a renderer to other params, keeping resources still needed. */
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/render/make_frame_request.h"

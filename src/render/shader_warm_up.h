@@ -18,7 +18,7 @@ struct warm_up;
 
 /* Starts warm-up threads for a compiled frame_executor. The result borrows frame_executor, gpu and
  * scene. Returns NULL (no error) if the device is not a CPU or has one core, if validation is on,
- * if shaders are replaced, if FIRN_WARM_UP=off is set in the environment, or without memory. */
+ * if shaders are replaced, if FIRN_WARM_UP=off is set, or when out of memory. */
 struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
                                      const struct renderer_params *params);
 

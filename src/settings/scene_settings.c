@@ -147,7 +147,7 @@ static const struct setting env_rows[] = {
         .min = -360,
         .max = 360,
         .unit = "degrees",
-        .help = "azimuth of the panorama's sun with env.sun=own; 0 is +Z, 90 is +X",
+        .help = "azimuth of the sun that env.sun=own places in the panorama; 0 is +Z, 90 is +X",
     },
     {
         .name = "env.sun_elevation",
@@ -158,7 +158,7 @@ static const struct setting env_rows[] = {
         .min = -90,
         .max = 90,
         .unit = "degrees",
-        .help = "elevation of the panorama's sun above the horizon with env.sun=own",
+        .help = "elevation above the horizon of the sun that env.sun=own places in the panorama",
     },
 };
 

@@ -30,7 +30,7 @@ const struct setting_group *settings_group(size_t i);
 
 struct settings settings_default(void);
 
-/* Returns the values of a group, to be cast to its struct. */
+/* Returns a pointer to a group's values, to be cast to the group's struct type. */
 const void *settings_of(const struct settings *settings, const struct setting_group *group);
 
 /* Returns the setting of a group that describes the struct member at `offset` bytes. */

@@ -16,9 +16,9 @@ struct frame_medium {
     bool is_textured; /* textured: material_is_textured() */
 };
 
-/* Returns the medium of object `index`; the last index stands for the medium around the objects.
- * Settings override materials: refract.ior if it was changed after loading, absorb.* and
- * refract.dispersion if they are not 0. Objects without a material use only settings. */
+/* Returns the medium of object `index`, or the medium around the objects for the last index.
+ * Objects use their material, overridden by refract.ior if it was changed after loading, and by
+ * absorb.* and refract.dispersion if not 0. Objects without a material use only settings. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 
@@ -28,11 +28,10 @@ float frame_media_air(const struct scene *scene);
 /* Returns true if settings, not materials, define the media of the objects. */
 bool frame_media_are_from_settings(const struct scene *scene);
 
-/* Returns true if some medium is dispersive, so that each colour channel needs its own path. */
+/* Returns true if any medium is dispersive. Each colour channel then needs its own path. */
 bool frame_media_disperse(const struct scene *scene, const struct settings *settings);
 
-/* Returns the number of media: one per object, and the one around the objects. A scene that lists
- * no objects counts as one object, so the result is at least 2. */
+/* Returns the number of media: one per object (at least one), and the medium around the objects. */
 uint32_t frame_media_count(const struct scene *scene);
 
 #endif

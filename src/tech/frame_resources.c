@@ -91,7 +91,7 @@ const struct rg_buffer frame_samples = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Images imported from the scene. Width and height are those of the 1x1 fallback images. */
+/* Images imported from the scene. The declared size is that of the 1x1 fallback images. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,

@@ -23,7 +23,7 @@ struct frame_view {
     vec2s jitter;           /* subpixel offset of the sample, pixels */
     vec2s light_jitter;     /* photon jitter, in [-0.5, 0.5) */
     uint32_t face_size;     /* environment cube face size, texels */
-    /* Offset of the rendered pixel from the centre of its block, pixels; 0 if not interleaved. */
+    /* Interleaved tile: offset of its pixel from the centre of the pixel block, pixels. Else 0. */
     vec2s tile;
     uint32_t sample; /* sample index, from 0 */
     float lod_bias;  /* mip bias of an interleaved tile (-log2 of its pixel spacing) */
@@ -33,7 +33,7 @@ struct frame_view {
 /* Returns the time of the previous frame in seconds, at least 0. */
 float frame_time_before(const struct settings *settings, float time);
 
-/* Computes rotations of objects and of bodies that orbit `center` at `time`, in seconds. */
+/* Computes, for a time in seconds, the rotations of objects and of bodies that orbit `center`. */
 void frame_rotations(const struct frame_view *view, vec3s center, float time,
                      mat4s *world_from_object, mat4s *world_from_movers);
 
@@ -47,8 +47,8 @@ struct frame_object {
     uint32_t layer;                    /* index of the group of objects that the same passes draw */
     /* next: following object of the group; NULL for the last one */
     const struct frame_object *next;
-    /* Area that the object's passes draw: the union of `reach` of the group's objects. Empty if the
-     * passes of another object of the group draw this object. */
+    /* Area that the object's passes draw. For the first object of a group, it is the bounding
+     * rectangle of the group's `reach` areas. Empty for the group's other objects. */
     VkRect2D drawn;
 };
 
@@ -58,7 +58,7 @@ struct frame_updates {
     bool light;     /* caustic and shadow maps */
 };
 
-/* Per-frame data that the renderer sets once per frame and record functions of passes read. */
+/* Data of one frame, which the renderer sets and the record functions of passes read. */
 struct rg_frame {
     const struct settings *settings;
     const struct scene *scene;
@@ -140,8 +140,8 @@ VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *fra
 const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame);
 
-/* Record functions without push constants. frame_draw_object() draws the pass's object, the others
- * a full-screen triangle, frame_draw_lookup_area() only within lookup_area. */
+/* Implement rg_pass.record for passes without push constants. Draw the pass's object, a full-screen
+ * triangle, or a full-screen triangle clipped to lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);

@@ -108,13 +108,13 @@ struct refraction_model {
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
     bool traces_bvh;        /* traces rays through scene->bvh */
-    /* Returns true if refracted rays can hit air-filled cracks. NULL if rays cannot. */
-    bool (*refracts_cracks)(const struct settings *settings); /* NULL: never */
+    /* Returns true if refracted rays can hit air-filled cracks. NULL means that they never can. */
+    bool (*refracts_cracks)(const struct settings *settings);
     bool (*refracts_bubbles)(const struct settings *settings);
-    /* Optional. Sets the members of `config` that depend on the model, after all other members. */
+    /* Optional. Sets the members of `config` that depend on the model, once all others are set. */
     void (*choose)(struct technique_config *config, const struct scene *scene);
-    /* Makes a pass of ice_caustics.c trace photons through the scene's triangles if rays hit
-     * surroundings, and adds the uses `own`, which end at an empty use. NULL: rasterise photons. */
+    /* Makes a photon pass of ice_caustics.c trace photons through the scene's triangles if rays hit
+     * surroundings. Adds the uses `own`, a list that {0} ends. If NULL, photons are rasterised. */
     void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_arena *builder, const struct rg_use *own);
 };
@@ -172,7 +172,7 @@ struct technique {
     bool (*is_on)(const struct settings *settings);
     bool is_traced;   /* the CPU reference models the feature */
     bool is_ice_only; /* by default, only ice has it */
-    bool is_hit;      /* is_hit: ray tracing models intersect the feature and skip its passes */
+    bool is_hit;      /* is_hit: ray tracing models intersect the feature; its passes are skipped */
     /* Returns true if the technique makes objects transmit or block light. NULL if it does not. */
     bool (*affects_light)(const struct scene *scene);
     const char *title; /* display name; NULL: `name` */

@@ -202,8 +202,9 @@ static const struct {
         .characters = "w",
         .name = "W",
         .label = "compare A and B side by side",
-        .help = "switch between A alone and A beside B with a draggable divider; B is the stored "
-                "state or, if none is stored, the most exact refraction model",
+        .help = "switch between image A alone and images A and B on two sides of a draggable "
+                "divider; B is the stored state or, if none is stored, the most exact refraction "
+                "model",
         .button = "Compare",
     },
     [VIEW_REFERENCE] = {

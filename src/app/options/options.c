@@ -218,7 +218,7 @@ static const struct option options[] = {
     { "Scene", "bump", 0, "FILE", SCENES, INPUT(image.scene.bump),
       "height map of bumps, tiled over the surface: .exr, .hdr or .png (default: noise)" },
     { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(image.scene.bump_mask),
-      "mask image, white where the surface has no bumps (default: noise, by bump.mask)" },
+      "mask image, white where the surface has no bumps (default: noise; see bump.mask)" },
     { "Scene", "air", 0, "FILE", SCENES, INPUT(image.scene.air),
       "texture of the planes of bubbles: white is bubble, black is ice (default: random)" },
     { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),

@@ -44,7 +44,7 @@ static bool spans_zero(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* Counts the crossings of the rays along +x, +y and +z. The point is inside if all three counts are
+/* Counts crossings of the surface by rays along +x, +y and +z. A point is inside if all counts are
  * odd. One ray is not enough, since a ray through an edge may miss both triangles. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {

@@ -413,7 +413,7 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
 }
 
 /* Adds a ring of vertices to the body just outside a tube's first ring, and stores it in
- * t->next_loop. The ring keeps the smoothing of normals close to the joint. */
+ * t->next_loop. The ring confines the smoothing of normals to the joint. */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {

@@ -16,7 +16,7 @@ struct greyscale_image {
     uint32_t width, height;
 };
 
-/* Finds the planes R, G and B, or one grey plane for all three. Returns false without either. */
+/* Finds the planes R, G and B, or one grey plane for all three. Returns false if there is none. */
 static bool find_planes(const struct image *image, const float *planes[static 3])
 {
     static const char *const colors[] = { "R", "G", "B" };

@@ -90,7 +90,7 @@ struct model {
     uint32_t object_count;
     struct material *materials; /* referenced by objects and vertices */
     uint32_t material_count;
-    /* First vertex of each surroundings object, ascending. Earlier vertices belong to none.
+    /* First vertex of each surroundings object, ascending. Vertices before them have no object.
      * Padded with zeros to a multiple of MODEL_SURROUNDINGS_ROW, for upload as an image. */
     uint32_t *surroundings_starts;
     /* names of the surroundings objects' nodes; "" if unnamed */

@@ -155,7 +155,7 @@ static bool is_refracting(const struct mtl *mtl)
     return illum == 4 || illum == 6 || illum == 7 || illum == 9;
 }
 
-/* Returns true if "Tr 1" alone suggests transparency. MeshLab writes it for opaque materials. */
+/* Returns true if only "Tr 1" suggests transparency. MeshLab writes "Tr 1" for opaque materials. */
 static bool is_meshlab(const struct mtl *mtl)
 {
     return mtl->transparency >= 1 && !is_refracting(mtl) && !(mtl->ior > 1);
@@ -263,7 +263,7 @@ static void end_material(struct mtl *mtl)
     (void)material_clamp(m);
 }
 
-/* Begins a material. Of several with the same name, the first is used. */
+/* Begins a material. If several materials have the same name, the first one is used. */
 static enum status begin_material(struct mtl *mtl, struct text_scan *line,
                                   const struct statement *statement)
 {

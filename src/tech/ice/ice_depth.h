@@ -7,7 +7,7 @@
  * ice, front depth is 1 and back depth is 0. linearize_depth.glsl converts depth to metres. */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
-/* Layer of front depth, back depth and thickness along the ray, metres; 0 without ice. */
+/* AOV layer in metres: front depth, back depth, thickness along the view ray; 0 without ice. */
 extern const struct rg_image ice_depth_layers;
 
 /* Sets up a pass's depth test to reject fragments behind the farthest back face. */

@@ -212,8 +212,8 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_object(cmd, frame);
 }
 
-/* Returns true if front faces need a separate depth buffer, because frame_depth holds the depth of
- * a finished image or of other objects, to which only the refraction model's passes may add. */
+/* Returns true if front faces need their own depth buffer. They do if frame_depth holds depths of
+ * other objects or of a finished image, which the G-buffer passes must not change. */
 static bool keeps_depth(const struct technique_config *config)
 {
     const bool are_many = config->object_count > 1;
@@ -221,8 +221,8 @@ static bool keeps_depth(const struct technique_config *config)
            (are_many && !config->refraction->refraction.shades_fullscreen);
 }
 
-/* Makes a pass clear its normals, which is faster in a limited area than a separate clear pass. */
-static void clear_normals(struct pass_arena *builder, struct rg_pass *pass)
+/* Makes a pass clear its normals on load. In a limited area this is faster than a clear pass. */
+static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
 {
     struct rg_target *color = pass_arena_copy_targets(builder, pass->color, pass->color_count);
     if (color)
@@ -230,7 +230,7 @@ static void clear_normals(struct pass_arena *builder, struct rg_pass *pass)
     pass->color = color;
 }
 
-/* Returns the G-buffer passes. Pools have no bump mapping. */
+/* Returns the G-buffer passes, without bump mapping in scenes with a pool. */
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
 {

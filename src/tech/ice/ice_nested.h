@@ -22,7 +22,7 @@ extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */
 /* Returns true if the scene has nested objects. */
 bool ice_nested_is_in(const struct scene *scene);
 
-/* Returns true if the scene has few enough media for the nested-object maps. */
+/* Returns true if the scene has at most ICE_NESTED_MEDIA_MAX media, the limit of this technique. */
 bool ice_nested_fits(const struct scene *scene);
 
 /* Returns the number of objects that are not nested in another one. */

@@ -23,7 +23,7 @@
 
 static rg_record_fn record_planes;
 
-/* Imported textures of air planes (struct air_layers). The declared size is the fallback's. */
+/* Imported textures of air planes (struct air_layers). The size is that of the fallback image. */
 static const struct rg_image air_layers = {
     .name = "frame.air",
     .format = VK_FORMAT_R8G8_UNORM,
@@ -298,7 +298,7 @@ static const struct frame_layer layers[] = {
         .image = &air_color,
         .planes = { "air.R", "air.G", "air.B", "air.A" },
         .mean = true,
-        .help = "radiance of the air planes in the ice, premultiplied",
+        .help = "radiance of the air planes (textured planes of bubbles) in the ice, premultiplied",
     },
     { 0 },
 };

@@ -42,7 +42,7 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
     return &made->image;
 }
 
-/* Makes a pass sample the low-resolution images. The filter is bilinear unless `is_small`. */
+/* Makes a pass read the low-resolution images, with bilinear filtering unless `is_small`. */
 static void read_small(struct low_res_images *small, struct rg_pass *pass, bool is_small)
 {
     struct rg_use *uses = pass_arena_copy_uses(small->builder, pass->uses);
@@ -93,7 +93,7 @@ static struct rg_pass upsample(struct low_res_images *small, const struct rg_ima
     };
 }
 
-/* Returns the group's depth map passes at reduced resolution, without its AOV layers. */
+/* Returns low-resolution copies of a group's depth passes, except passes that draw AOV layers. */
 static struct rg_technique draw_depths_again(struct low_res_images *small,
                                              const struct rg_technique *group, float scale)
 {

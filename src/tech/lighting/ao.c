@@ -43,7 +43,7 @@ static const struct rg_image map = {
     .persistent = true, /* read between updates, too */
 };
 
-/* Depth buffers of surroundings from above, of highest upward and lowest downward faces. */
+/* Depth buffer of the highest upward-facing surfaces of the surroundings, seen from above. */
 static const struct rg_image heights = {
     .name = "ao.heights",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -51,6 +51,7 @@ static const struct rg_image heights = {
     .height = AO_HEIGHTS_SIZE,
 };
 
+/* Depth buffer of the lowest downward-facing surfaces of the surroundings, seen from above. */
 static const struct rg_image undersides = {
     .name = "ao.undersides",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -151,7 +152,7 @@ static bool is_on(const struct settings *settings)
     return strength_of(settings) > 0.0f;
 }
 
-/* Returns the mean of medium_relative_density() over the volume of a ball or a cube. */
+/* Returns medium_relative_density() averaged over a ball. A cube has the same mean. */
 static float medium_mean_density(void)
 {
     const int steps = 32;
@@ -190,7 +191,7 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
     return medium;
 }
 
-/* Moves a box corner towards the vertical axis, so that the box has the occluder's volume. */
+/* Moves a box corner towards the vertical axis until the box has the occluder's volume. */
 static vec3s slimmed_corner(const struct ao_shape *shape, vec3s corner)
 {
     const vec3s middle = box_center(shape->box);

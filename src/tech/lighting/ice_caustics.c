@@ -37,7 +37,7 @@
 static rg_record_fn record_ground, record_shade, record_photons, record_clear, record_splat;
 static rg_record_fn record_layers;
 
-/* Declares an image in the sun's view, persistent (`is_kept`) if later frames read it unchanged. */
+/* Declares an image in the sun's view. If `is_kept`, its content persists for later frames. */
 #define SUN_VIEW_IMAGE(title, texel, is_kept) \
     { \
         .name = (title), .format = (texel), .width = ICE_CAUSTICS_PHOTONS, \

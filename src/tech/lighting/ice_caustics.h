@@ -7,7 +7,7 @@
 struct ice_caustics_params {
     uint32_t light; /* ICE_CAUSTICS_NONE, ... */
     float reach;    /* half map width, bounding radii */
-    /* shadow: 1 if the ice blocks direct sunlight, so that only caustics light its shadow */
+    /* shadow: 1 if the ice blocks direct sunlight. Then only caustics light the ice's shadow. */
     uint32_t shadow;
     uint32_t ground; /* 1: surroundings shadow each other */
 };

@@ -2,8 +2,8 @@
  * composite.c: composites air, bubbles and cracks (premultiplied, in this order) over the ice and
  * adds the highlights of the light sources.
  *
- * The shader's bindings are fixed. Bindings of disabled techniques refer to the highlights and are
- * not read.
+ * The shader's bindings are fixed. Bindings of disabled techniques are set to the image of the
+ * highlights and are not read.
  */
 #include "shaders/output/composite.h"
 #include <string.h>
@@ -48,7 +48,7 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* Returns CONSTANT_COMPOSITE: bits of the layers that the refraction model has not drawn yet. */
+/* Returns COMPOSITE_* flags of the layers that the refraction model has not drawn itself. */
 static uint32_t layers_of(const struct settings *settings, const struct technique *refraction,
                           bool renders_media)
 {

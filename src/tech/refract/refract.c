@@ -254,7 +254,8 @@ static const struct setting rows[] = {
         .max = 4.0,
         .help =
             "refractive index of the medium around the objects, such as 1.333 for water; bubbles "
-            "and cracks always contain air (for files with materials, 1.0003 is treated as 1)",
+            "and cracks always contain air; for files with materials, the default 1.0003 selects a "
+            "vacuum (1)",
     },
     {
         .name = "refract.dispersion",

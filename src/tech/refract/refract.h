@@ -22,7 +22,7 @@ extern const struct setting_group refract_settings;
 struct refract_params {
     float ior;        /* of the object, for green */
     float outside;    /* outside: refractive index around the objects */
-    float dispersion; /* 20 / Abbe number; 0 if there is none */
+    float dispersion; /* dispersion: 20 / Abbe number, or 0 for none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
     uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */
@@ -83,8 +83,8 @@ void refract_choose(struct technique_config *config, const struct scene *scene);
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
 
-/* Make the passes of a refraction model. The image is drawn before the background, so that the
- * depth test rejects hidden background. Layers follow, as surroundings may hide the object. */
+/* Make a refraction model's passes. The image is drawn before the background, so hidden background
+ * fails the depth test. Layers are drawn afterwards, as the background may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
 #define REFRACT_PASS_GROUPS \
     { \

@@ -217,8 +217,8 @@ static const struct setting rows[] = {
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
 
-/* Minimum mesh_depth_complexity() at which all faces of an object are rendered. Objects of lower
- * complexity have small errors with their nearest faces only. */
+/* Minimum mesh_depth_complexity() at which all faces of an object are rendered. Below this,
+ * rendering only the nearest faces causes small errors. */
 static const float depth_complexity_min = 0.05f;
 
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene)
@@ -267,7 +267,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
-/* Returns a view's width or height divided by that of the maps that extend beyond the image. */
+/* Returns the ratio of a view's width or height to that of the enlarged G-buffers. */
 static float wide_ratio(uint32_t view)
 {
     return (float)view / ceilf((float)view * ICE_NORMAL_WIDE);

@@ -16,7 +16,8 @@ static const struct setting rows[] = {
         .initial = 1e-3,
         .min = 1e-6, /* branches multiply in concave objects */
         .max = 1,
-        .help = "path throughput below which a path is terminated (see layer remaining)",
+        .help = "throughput below which a path is terminated; the lost throughput is in layer "
+                "remaining",
     },
     {
         .name = "reference.bounces",

@@ -199,7 +199,7 @@ static float thickness_of(const struct scene *scene)
     return most;
 }
 
-/* Writes an area to the push constants. Edges on the image border do not fade reflections. */
+/* Writes an area to the push constants. Reflections fade at its edges, except at image borders. */
 static void write_area(struct ssr_push *push, VkRect2D area, VkExtent2D image_size)
 {
     const int32_t first[2] = { area.offset.x, area.offset.y };
@@ -302,8 +302,8 @@ static struct rg_technique make_object_passes(const struct technique_config *con
     return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
 }
 
-/* Returns the shader that refracts reflected rays in the object, or NULL if rays read the image.
- * Several or nested objects need NULL, because they overwrite each other's depth maps. */
+/* Returns the shader that refracts reflected rays in the object. Returns NULL if rays read the
+ * image instead, as for several or nested objects, which overwrite each other's depth maps. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);

@@ -93,7 +93,7 @@ static const struct rg_shader *const frags[3][2] = {
     { &surroundings_extra_frag, &surroundings_extra_caustics_frag },
 };
 
-/* Shader variants that also write the inputs of screen-space reflections; they need materials. */
+/* Variants of the shaders for materials that also write the inputs of screen-space reflections. */
 static const struct rg_shader *const ssr_frags[3][2] = {
     { NULL },
     { &surroundings_materials_ssr_frag, &surroundings_materials_caustics_ssr_frag },

@@ -151,7 +151,7 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
     return false;
 }
 
-/* Returns a rotation's cosine and sine and its translation in x and z, for trace_bvh_pose(). */
+/* Returns the cosine and sine of a pose's rotation, and the pose's translation in x and z. */
 static vec4s rotation_of(mat4s pose)
 {
     return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };

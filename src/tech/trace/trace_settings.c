@@ -162,8 +162,8 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
 }
 
 /* Minimum throughput for trace.min_branch=auto. The value for clear objects is below 0.018, the
- * reflectance of ice at normal incidence, so that the first reflection of each path is followed.
- * With this value, other scenes would take 1.5 times as long or show errors of the cube map. */
+ * reflectance of ice at normal incidence, because paths must follow their first reflection. In
+ * other scenes it would cost 1.5 times the time or show errors of the cube map. */
 static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)

@@ -60,7 +60,7 @@ static const struct rg_buffer caustics_sum = {
 
 #define PUSH .push_size = sizeof(struct caustics_push)
 
-/* Final pass of every method, which writes the light map. */
+/* Members of the final pass of each caustics method, which writes the light map. */
 #define LIGHT \
     .name = "caustics.light", .color = RG_TARGETS({ &caustics_light, RG_LOAD_DISCARD }), \
     .vert = &fullscreen_vert, .record = record_screen

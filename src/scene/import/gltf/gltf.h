@@ -168,7 +168,7 @@ const char *gltf_string(const struct gltf_object *object, const char *key, const
 
 /* Returns a member that is an index into the top-level array `list`; gltf_none if it is absent. */
 uint32_t gltf_index(const struct gltf_object *object, const char *key, const char *list);
-/* Returns element `index` of a member array of indices into the top-level array `list`. */
+/* Returns element `index` of a member array that holds indices into the top-level array `list`. */
 uint32_t gltf_index_at(const struct gltf_object *object, const char *key, uint32_t index,
                        const char *list);
 
@@ -185,7 +185,7 @@ void gltf_close(struct gltf *gltf);
 enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
                           struct gltf_bytes *bytes);
 
-/* Returns a buffer view's bytes, or an empty range after a fault. A missing stride becomes 0. */
+/* Returns a buffer view's bytes, or none after a fault. *stride is 0 if the view has no stride. */
 struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
 
 /* Returns the bytes given by an object's members buffer, byteOffset and byteLength. */
@@ -213,8 +213,8 @@ uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *coun
 MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
 /* Lists in *model the extensions that the file uses and its features that are not drawn. */
 MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
-/* Logs warnings about undrawn features and unsupported extensions. Call it last, after the file was
- * accepted: only the first logged line of a rejected file reaches the user. */
+/* Logs warnings about undrawn features and unsupported extensions. Call it only for an accepted
+ * file, because the user sees only the first logged line of a rejected file. */
 void gltf_warn(const struct gltf *gltf, const struct model *model);
 
 /* Checks all indices in the file, including those in unused meshes, skins and cameras. */

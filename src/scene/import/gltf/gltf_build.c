@@ -32,7 +32,7 @@ static bool has_transmission(const struct gltf *gltf)
     return false;
 }
 
-/* Returns true if any primitive has no material, so that the default material is used. */
+/* Returns true if any primitive has no material and therefore uses the default material. */
 static bool uses_default_material(const struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {

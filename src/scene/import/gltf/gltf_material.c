@@ -110,7 +110,7 @@ static void read_scattering(const struct gltf_object *object, struct material *m
                          (double)MATERIAL_SCATTERING_MAX);
 }
 
-/* Reads "extras": { "film": true }, which means a water layer on an opaque base. */
+/* Reads "extras": { "film": true }. True means that a water layer covers an opaque base. */
 static void read_water_layer(const struct gltf_object *object, struct material *m)
 {
     const json_t *film = json_object_get(json_object_get(object->json, "extras"), "film");
@@ -127,7 +127,7 @@ static bool has_image(const struct gltf_texture *texture)
 
 /* Records the properties of a transmissive material that are not drawn. A thickness texture is not
  * drawn, because path lengths are traced. A metallic factor is recorded only if the file sets it
- * and no texture scales it: an omitted factor means 1, which is rarely intended. */
+ * and no texture scales it. An omitted factor means 1, which is rarely intended. */
 static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;

@@ -1,0 +1,40 @@
+/*
+ * pass_builder.h: arena allocator for pass tables that a technique builds at run time. When out of
+ * memory, functions return NULL and set `failed`. Callers may then return no passes, because the
+ * builder's owner handles the error. The builder owns all results.
+ */
+#ifndef FIRN_TECH_PASS_BUILDER_H
+#define FIRN_TECH_PASS_BUILDER_H
+
+#include "graph/rg.h"
+
+struct pass_builder {
+    struct pass_block *blocks; /* list of memory blocks, newest first */
+    bool failed;
+};
+
+/* Returns zeroed memory of `size` bytes, aligned for any object. */
+void *pass_builder_alloc(struct pass_builder *builder, size_t size);
+
+/* Returns a writable copy of a table of passes. */
+struct rg_pass *pass_builder_copy_passes(struct pass_builder *builder, const struct rg_pass *table,
+                                         size_t count);
+
+/* Returns the string "PREFIX.NAME". */
+const char *pass_builder_name(struct pass_builder *builder, const char *prefix, const char *name);
+
+/* Returns a table that contains one colour target. */
+const struct rg_target *pass_builder_target(struct pass_builder *builder, struct rg_target target);
+
+/* Return writable copies of a pass's targets and uses. An empty table gives NULL. */
+struct rg_target *pass_builder_copy_targets(struct pass_builder *builder,
+                                            const struct rg_target *targets, uint32_t count);
+struct rg_use *pass_builder_copy_uses(struct pass_builder *builder, const struct rg_use *uses);
+
+/* Returns `count` lists of uses joined into one. A list is NULL or ends at an empty use {0}. */
+const struct rg_use *pass_builder_join_uses(struct pass_builder *builder,
+                                            const struct rg_use *const *lists, size_t count);
+
+void pass_builder_finish(struct pass_builder *builder); /* {0} is fine */
+
+#endif
