@@ -1,8 +1,7 @@
 /*
- * pass_arena.h: arena allocator for pass tables that a technique builds at run time.
- *
- * Functions return NULL when out of memory and set `failed`, so that callers may return no passes
- * and leave the error to the builder's owner. The builder owns all results.
+ * pass_arena.h: arena allocator for pass tables that a technique builds at run time. When out of
+ * memory, functions return NULL and set `failed`. Callers may then return no passes, because the
+ * builder's owner handles the error. The builder owns all results.
  */
 #ifndef FIRN_TECH_PASS_ARENA_H
 #define FIRN_TECH_PASS_ARENA_H

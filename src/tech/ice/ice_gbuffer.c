@@ -222,7 +222,7 @@ static bool keeps_depth(const struct technique_config *config)
 }
 
 /* Makes a pass clear its normals on load. In a limited area this is faster than a clear pass. */
-static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
+static void clear_normals(struct pass_arena *builder, struct rg_pass *pass)
 {
     struct rg_target *color = pass_arena_copy_targets(builder, pass->color, pass->color_count);
     if (color)

@@ -55,7 +55,7 @@ static const struct rg_pass count = {
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
 /* Returns the resource uses of a pass that reads the globals and some layers of an image. */
-static const struct rg_use *use_before(struct pass_builder *builder, const struct rg_image *layers,
+static const struct rg_use *use_before(struct pass_arena *builder, const struct rg_image *layers,
                                        struct rg_range range)
 {
     const struct rg_use before[] = {

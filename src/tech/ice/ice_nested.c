@@ -135,7 +135,7 @@ static void record_far(struct rg_cmd *cmd, const struct rg_frame *frame)
 }
 
 /* Makes a pass render to the images that cover a larger area than the view. */
-static void widen(struct pass_builder *builder, struct rg_pass *pass)
+static void widen(struct pass_arena *builder, struct rg_pass *pass)
 {
     struct rg_target *color = pass_arena_copy_targets(builder, pass->color, pass->color_count);
     struct rg_use *uses = pass_arena_copy_uses(builder, pass->uses);
