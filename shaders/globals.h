@@ -2,7 +2,7 @@
 #ifndef SHADERS_GLOBALS_H
 #define SHADERS_GLOBALS_H
 #include "abi.h"
-#include "inclusions/medium.h"
+#include "inclusions/medium_density.h"
 #include "lighting/highlight.h"
 
 #define GLOBALS_BINDING     0 /* binding in every pass */

@@ -2,7 +2,7 @@
 #ifndef SHADERS_ICE_ICE_NESTED_H
 #define SHADERS_ICE_ICE_NESTED_H
 #include "abi.h"
-#include "inclusions/medium.h"
+#include "inclusions/medium_density.h"
 
 #define ICE_NESTED_LEVELS    3  /* number of nesting levels; level 0 is the outermost */
 #define ICE_NESTED_MEDIA_MAX 16 /* maximum number of media; medium 0 is the outside */

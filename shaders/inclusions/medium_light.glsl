@@ -1,5 +1,6 @@
 /*
- * medium_light.glsl: single-segment approximation of light scattered by a medium (medium.h).
+ * medium_light.glsl: single-segment approximation of light scattered by a medium
+ * (medium_density.h).
  *
  * A segment of optical depth t transmits exp(-t) unscattered. With the Henyey-Greenstein phase
  * function of parameter g, a fraction exp(-(1 - g) t) - exp(-t) comes from about the ray's
@@ -14,7 +15,7 @@
  */
 #ifndef MEDIUM_LIGHT_GLSL
 #define MEDIUM_LIGHT_GLSL
-#include "inclusions/medium.h"
+#include "inclusions/medium_density.h"
 #include "lib/environment_diffuse.glsl"
 
 layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray densities;

@@ -72,8 +72,8 @@ cube_bracket cube_find_bracket(vec4 from, vec4 to)
     return ends;
 }
 
-/* Returns the point where a ray is as far from the cube's centre as the nearest surface. Since the
- * ray hits nothing before this point, a search may start there. */
+/* Returns the point where a ray leaves the empty sphere around the cube's centre, whose radius is
+ * the distance to the nearest surface. A search may start there. */
 vec3 cube_first_point(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)

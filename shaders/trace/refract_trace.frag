@@ -302,7 +302,7 @@ void trace_push_end(trace_path at)
 }
 #endif
 
-/* Pushes a pending path. Stores a path that has left the objects in `ends` instead. */
+/* Pushes a pending path. If the path has left all objects, it is stored in `ends` instead. */
 void trace_push_pending(trace_path other)
 {
 #ifndef TRACE_RAYS

@@ -2,7 +2,7 @@
 #ifndef SHADERS_TRACE_REFRACT_TRACE_H
 #define SHADERS_TRACE_REFRACT_TRACE_H
 #include "abi.h"
-#include "inclusions/medium.h"
+#include "inclusions/medium_density.h"
 #include "refract/refract.h"
 #include "trace/bvh_layout.h"
 

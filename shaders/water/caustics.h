@@ -17,7 +17,7 @@
 
 #define CAUSTICS_GROUP_2D     8       /* workgroup width and height */
 #define CAUSTICS_GROUP_1D     256     /* size of one-dimensional workgroups */
-#define CAUSTICS_WEIGHT       1024.0f /* fixed-point weight of a photon that enters level water */
+#define CAUSTICS_WEIGHT       1024.0f /* weight of a photon at normal incidence */
 #define CAUSTICS_TRIANGLE_MAX 32.0f   /* maximum light that one triangle adds to a texel */
 
 #define CAUSTICS_COUNTS  1 /* accumulated photon weights, in units of 1 / CAUSTICS_WEIGHT */

@@ -9,8 +9,8 @@
 #include "src/app/input_image.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
+#include "src/image/atomic_file.h"
 #include "src/image/exr.h"
-#include "src/image/file_io.h"
 
 struct job {
     const struct app_options *options;

@@ -9,7 +9,7 @@
 #include "src/app/shell_quote.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/ladder/comparison_report.h"
 #include "src/ladder/white_furnace.h"
 #include "src/profile/utf8_text.h"

@@ -5,8 +5,8 @@
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/base/tile.h"
+#include "src/image/atomic_file.h"
 #include "src/image/exr.h"
-#include "src/image/file_io.h"
 #include "src/reader/image_receive.h"
 
 /* An opened tile file. */

@@ -5,7 +5,7 @@
 #include "src/app/options/sweep_values.h"
 #include "src/app/profile_job.h"
 #include "src/base/log.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/profile/baseline_comparison.h"
 #include "src/profile/chrome_trace.h"
 #include "src/profile/csv.h"

@@ -7,7 +7,7 @@
 #include "src/app/progress.h"
 #include "src/app/shell_quote.h"
 #include "src/base/log.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
 #include "src/ladder/sheet_grid.h"

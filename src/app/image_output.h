@@ -4,7 +4,7 @@
 #define FIRN_APP_IMAGE_OUTPUT_H
 
 #include "src/app/app.h"
-#include "src/image/image_header.h"
+#include "src/image/image_metadata.h"
 #include "src/render/renderer.h"
 
 /* A frame to be drawn, and its metadata. */

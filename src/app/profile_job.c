@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/frame/pass_list.h"
 #include "src/gpu/gpu_capture.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/profile/html_page.h"
 #include "src/profile/json.h"
 #include "src/render/make_frame_request.h"

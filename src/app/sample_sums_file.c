@@ -6,8 +6,8 @@
 #include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/image/atomic_file.h"
 #include "src/image/exr.h"
-#include "src/image/file_io.h"
 #include "src/reader/image_receive.h"
 #include "src/reference/reference_sample_sums.h"
 #include "src/version.h"

@@ -6,7 +6,7 @@
 #include "src/app/image_output.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/settings/scene_settings.h"
 
 static enum status parse_frames(struct sequence *sequence, const struct app_options *o)

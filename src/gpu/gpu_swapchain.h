@@ -13,7 +13,7 @@
  *
  * A slot is a frame in flight; a caller reuses a slot only after its frame has finished.
  *
- * With a canvas (gpu_host_memory_images.h) the canvas owns the images instead of the driver. There
+ * With a canvas (gpu_shared_window.h) the canvas owns the images instead of the driver. There
  * are no semaphores then, and presenting waits for the queue.
  *
  * Ownership: the caller owns surface and canvas, which must outlive the swapchain.
@@ -24,7 +24,7 @@
 #define FIRN_GPU_SWAPCHAIN_H
 
 #include "src/gpu/gpu.h"
-#include "src/gpu/gpu_host_memory_images.h"
+#include "src/gpu/gpu_shared_window.h"
 
 enum {
     GPU_SWAPCHAIN_SLOT_COUNT = 2, /* frames in flight */

@@ -10,7 +10,7 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/image/image_header.h"
+#include "src/image/image_metadata.h"
 
 struct exr_header {
     const struct image_text *texts; /* string attributes; may be NULL */

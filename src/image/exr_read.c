@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/image/atomic_file.h"
 #include "src/image/exr.h"
-#include "src/image/file_io.h"
 
 struct source {
     FILE *file;

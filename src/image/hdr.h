@@ -4,7 +4,7 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/image/image_header.h"
+#include "src/image/image_metadata.h"
 
 /* Reads only the header, and returns the size and planes that hdr_read() would return. */
 MUST_USE enum status hdr_read_header(const char *path, struct image_header *head);

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/image/image_header.h"
+#include "src/image/image_metadata.h"
 
 struct png_image_source {
     const uint8_t *rgba;            /* sRGB-encoded, rows from the top */

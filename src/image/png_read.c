@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/image/png.h"
 #include "src/image/srgb.h"
 

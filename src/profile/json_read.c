@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/profile/json.h"
 #include "src/profile/json_fields.h"
 

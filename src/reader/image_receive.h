@@ -4,7 +4,7 @@
 #define FIRN_READER_IMAGE_RECEIVE_H
 
 #include "src/image/image.h"
-#include "src/image/image_header.h"
+#include "src/image/image_metadata.h"
 #include "src/reader/reader_process.h"
 
 /* Returns true if a path has the suffix of a supported image format. */

@@ -16,7 +16,7 @@ struct ray_branch {
     uint32_t scatterings;
     uint32_t inclusion_bits; /* enum reference_inclusion bits hit so far */
     bool ignores_scattering; /* passes scattering media undeflected, for layers */
-    bool is_gather_ray;      /* gathers light at surroundings (light_gather.h) */
+    bool is_gather_ray;      /* gathers light at surroundings (final_gather.h) */
     bool is_single_path;     /* samples reflection or refraction, never branches */
 };
 

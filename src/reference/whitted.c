@@ -2,7 +2,7 @@
 #include "src/reference/whitted.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "src/reference/light_gather.h"
+#include "src/reference/final_gather.h"
 #include "src/reference/photons.h"
 #include "src/reference/pool_scene.h"
 #include "src/reference/primary_hit_aovs.h"

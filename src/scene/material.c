@@ -65,7 +65,7 @@ bool material_clamp(struct material *m)
 {
     const float color_max = m->flags & MATERIAL_IS_UNLIT ? 65504.0f : 1.0f;
     bool has_changed = clamp_surface(m);
-    if (isinf(m->attenuation_distance)) /* glTF's default, infinity, means a clear medium */
+    if (isinf(m->attenuation_distance)) /* glTF's default; 0 stands for a clear medium */
         m->attenuation_distance = 0.0f;
     for (int k = 0; k < 3; k++) {
         has_changed |= clamp(&m->base_color.raw[k], 0.0f, color_max, 1.0f);

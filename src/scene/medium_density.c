@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "shaders/inclusions/medium.h"
+#include "shaders/inclusions/medium_density.h"
 #include "src/scene/generate/noise.h"
 #include "src/scene/geometry/distance_field.h"
 

@@ -1,4 +1,4 @@
-/* medium_density.h: density fields of tiny bubbles in ice (shaders/inclusions/medium.h). An
+/* medium_density.h: density fields of tiny bubbles in ice (shaders/inclusions/medium_density.h). An
  * object has one if its material or the settings say so. Density grows with depth, since freezing
  * pushes air towards the core. */
 #ifndef FIRN_SCENE_SCATTERING_MEDIA_H

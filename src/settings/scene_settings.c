@@ -338,9 +338,9 @@ static const struct setting ground_rows[] = {
         .offset = offsetof(struct ground_params, denoise),
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "trace fewer rays for ground.light=traced and denoise the result (edge-avoiding "
-                "filter); only for files drawn with --refraction trace, fewer than 32 samples and "
-                "no tiles",
+        .help =
+            "trace fewer rays for ground.light=traced and denoise their light; for output files "
+            "with --refraction trace, fewer than 32 samples and no tiles",
     },
 };
 

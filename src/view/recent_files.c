@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/view/xdg_folders.h"
 
 static char *file_name(bool make)

@@ -6,7 +6,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/frame/pass_list.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/view/file_kind.h"
 #include "src/view/recent_files.h"
 #include "src/view/view_internal.h"

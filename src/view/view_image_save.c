@@ -8,7 +8,7 @@
 #include "src/app/signals.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/view/view_renderers.h"
 
 enum {

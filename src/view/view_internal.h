@@ -5,8 +5,8 @@
 #include "src/app/signals.h"
 #include "src/view/pixel_inspector.h"
 #include "src/view/presenter.h"
-#include "src/view/rebuild_log.h"
 #include "src/view/session_file.h"
+#include "src/view/slow_change_log.h"
 #include "src/view/stderr_capture.h"
 #include "src/view/ui/ui.h"
 #include "src/view/undo_scenes.h"
@@ -126,7 +126,7 @@ void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
 
-/* Sets side B of `state`. Without a stored state, VIEW_SIDE_B_STATE selects a refraction model. */
+/* Sets side B of `state`. If no state is stored, VIEW_SIDE_B_STATE acts as VIEW_SIDE_B_MODEL. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
 /* Shows side B of a state. On failure, logs an error and changes nothing. */

@@ -83,7 +83,7 @@ MUST_USE enum status viewport_load(struct viewport **viewport, const char *path,
 MUST_USE enum status viewport_apply_state(struct viewport **viewport,
                                           const struct app_image *state);
 
-/* Returns `settings` with the exposure of `of`, to compare settings regardless of exposure. */
+/* Returns a copy of `settings` with the exposure replaced by that of `of`. */
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);
 
 /* Shows another refraction model as side B; NULL ends the split. Copies `settings`. If `settings`

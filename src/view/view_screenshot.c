@@ -5,7 +5,7 @@
 #include "src/app/image_output.h"
 #include "src/base/clock.h"
 #include "src/base/path.h"
-#include "src/view/clipboard.h"
+#include "src/view/clipboard_copy_png.h"
 #include "src/view/ui/ui_offscreen_capture.h"
 #include "src/view/view_internal.h"
 

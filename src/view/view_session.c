@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "src/scene/bundled_assets.h"
 #include "src/view/recent_files.h"
 #include "src/view/session_file.h"

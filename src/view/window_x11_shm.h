@@ -4,7 +4,7 @@
 #ifndef FIRN_VIEW_WINDOW_X11_SHM_H
 #define FIRN_VIEW_WINDOW_X11_SHM_H
 
-#include "src/gpu/gpu_host_memory_images.h"
+#include "src/gpu/gpu_shared_window.h"
 
 struct GLFWwindow;
 struct window_x11_shm;

@@ -3,7 +3,7 @@
  * is accepted has each triangle once, and ways and leaves that are no longer than allowed.
  */
 #include <stdbool.h>
-#include "src/scene/bvh/bvh_topology_codec.h"
+#include "src/scene/bvh/bvh_topology_cache.h"
 #include "tests/fuzz/fuzz.h"
 
 enum {

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "src/base/disk_cache.h"
-#include "src/scene/bvh/bvh_topology_codec.h"
+#include "src/scene/bvh/bvh_topology_cache.h"
 #include "src/scene/bvh/bvh_two_level.h"
 #include "tests/support/assertions.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/image/exr.h"
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include "tests/support/assertions.h"
 
 static char path[] = "/tmp/firn-test-exr-XXXXXX";

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "shaders/inclusions/medium.h"
+#include "shaders/inclusions/medium_density.h"
 #include "src/reference/microfacet.h"
 #include "src/reference/volume_scattering.h"
 #include "src/scene/geometry/distance_field.h"

@@ -246,8 +246,8 @@ static void whatever_it_does(void **state)
         check_refused(&usual, "throw", STATUS_TRY_AGAIN, "memory limit that the program was start");
     check_refused(&usual, "leave", STATUS_DATA, "crashed (exit code 0)");
     check_refused(&usual, "refuse", STATUS_DATA, "firn: a.glb: it is ?[1mbad\n");
-    check_refused(&usual, "send-lies", STATUS_DATA, "reader: an index beyond the vertices");
-    check_refused(&usual, "send-nan", STATUS_DATA, "reader: a number that is not finite");
+    check_refused(&usual, "send-lies", STATUS_DATA, "invalid: an index beyond the vertices");
+    check_refused(&usual, "send-nan", STATUS_DATA, "invalid: a number that is not finite");
     const struct reader_params narrow = { .program = usual.program,
                                           .seconds = AMPLE,
                                           .memory_gib = 2 };

@@ -25,7 +25,7 @@
 #include "src/scene/material.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
-#include "src/tech/refract/refract_cpu_reference.h"
+#include "src/tech/refract/refract_reference_settings.h"
 
 /* ---- the table ---- */
 
@@ -194,7 +194,7 @@ static const struct option options[] = {
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (default: neutral)" },
     { "Rendering", "preset", 0, "FILE", SCENES, INPUT(image.scene.preset),
-      "settings from a file of NAME=VALUE lines, an image of firn, or the preset paper" },
+      "settings from a file of NAME=VALUE lines, an image of firn, or the preset `paper`" },
     { "Rendering", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),
@@ -390,7 +390,7 @@ static enum status add_positional(struct app_options *o, enum app_command comman
 
 static enum status refuse_traced(const struct app_image *image)
 {
-    if (image->refraction != &refract_cpu_reference)
+    if (image->refraction != &refract_reference_settings)
         return STATUS_OK;
     log_error("--refraction: only firn render supports 'reference'; choose another refraction "
               "model");
@@ -403,7 +403,7 @@ static enum status check_layers(struct app_image *image)
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        const bool is_made = image->refraction == &refract_cpu_reference
+        const bool is_made = image->refraction == &refract_reference_settings
                                  ? reference_has_layer(layer)
                                  : layer->image != NULL;
         const bool is_shown = image->show == layer;

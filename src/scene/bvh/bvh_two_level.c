@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/scene/bvh/bvh_topology_codec.h"
+#include "src/scene/bvh/bvh_topology_cache.h"
 #include "src/scene/geometry/fit_similarity.h"
 
 enum {

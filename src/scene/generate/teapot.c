@@ -23,7 +23,7 @@
 enum {
     PROFILE_PIECES = 6,
     UPPER = 3,     /* first of the two profile pieces to which handle and spout are joined */
-    CELLS_MIN = 5, /* with fewer cells, smoothed normals at the joints point inwards */
+    CELLS_MIN = 5, /* minimum for which the normals at the joints point outwards */
 };
 
 /* Bezier control points of the body's profile: radius, height. */

@@ -10,7 +10,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "shaders/inclusions/medium.h"
+#include "shaders/inclusions/medium_density.h"
 
 enum {
     SIZE = MEDIUM_SIZE,

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include "src/scene/geometry/vertex_weld.h"
 
-/* maximum depth of a shrinking air pocket's centre, in half widths of the ice; the depth is also at
- * most half the pocket's radius */
+/* An air pocket shrinks once its centre is less deep than this, in half widths of the ice, and than
+ * half its radius. */
 #define SHRINKS_AT 0.06f
 
 #define SCALE_MIN 1e-3f /* minimum scale of an air pocket, which keeps normals valid */
@@ -379,9 +379,9 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
     }
 }
 
-/* Moves texture coordinates with the vertices of water layers, and lowers vertices over hollows of
- * the ground. `level` is the ground height below the ice. Where the ground is higher, a layer's
- * thickness is measured from `level`. */
+/* Moves the texture coordinates of water layers with their vertices, and lowers vertices that are
+ * over hollows of the ground. `level` is the ground height below the ice, from which a layer's
+ * thickness is measured on higher ground. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

@@ -17,7 +17,7 @@
 #include "shaders/embedded.h"
 #include "shaders/ice/ice_depth.h"
 #include "shaders/inclusions/air.h"
-#include "shaders/inclusions/medium.h"
+#include "shaders/inclusions/medium_density.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
 
@@ -157,8 +157,9 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 128,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "number of bubbles of the largest size on air planes, counted along the object's "
-                "diagonal",
+        .help =
+            "bubbles of the largest size that fit side by side along the object's diagonal (air "
+            "planes)",
     },
     {
         .name = "air.strength",

@@ -1,7 +1,7 @@
 /* air.h: air enclosed in the ice: textured planes of bubbles, or a scattering medium. */
 #ifndef FIRN_TECH_INCLUSIONS_AIR_H
 #define FIRN_TECH_INCLUSIONS_AIR_H
-#include "shaders/inclusions/medium.h"
+#include "shaders/inclusions/medium_density.h"
 #include "shaders/output/composite.h"
 #include "src/tech/technique.h"
 
@@ -13,7 +13,7 @@ extern const struct rg_image air_color; /* premultiplied AOV colour; 0 without a
     FRAME_SAMPLE(frame_environment, COMPOSITE_ENVIRONMENT, .sampler = &frame_environment_sampler, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
 
-/* Imported density fields of the scattering media (shaders/inclusions/medium.h). */
+/* Imported density fields of the scattering media (shaders/inclusions/medium_density.h). */
 extern const struct rg_image air_media;
 extern const struct rg_sampler air_media_sampler;
 #define AIR_USE_MEDIA FRAME_SAMPLE(air_media, MEDIUM_TEXELS, .sampler = &air_media_sampler)

@@ -2,7 +2,7 @@
 #ifndef FIRN_TECH_INCLUSIONS_MEDIUM_DENSITY_LOOKUP_H
 #define FIRN_TECH_INCLUSIONS_MEDIUM_DENSITY_LOOKUP_H
 
-#include "shaders/inclusions/medium.h"
+#include "shaders/inclusions/medium_density.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 

@@ -163,7 +163,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_bounce_params, min_throughput),
         .max = 1,
-        .help = "minimum remaining fraction of a ray's light for following the ray to another exit",
+        .help = "path throughput below which an internally reflected ray is not followed",
     },
     {
         .name = "refract_bounce.min_branch",

@@ -53,7 +53,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_paper_params, a),
         .initial = 0.33,
         .max = 1.0,
-        .help = "weight of the back face's normal (eq. 1 of the paper)",
+        .help = "weight of the back face's normal (Seipel and Nivfors, eq. 1)",
     },
 };
 

@@ -265,7 +265,7 @@ static const struct setting rows[] = {
         .help = "number of directions per point of the floor with caustics.method=gather"),
     ROW(cone, SETTING_FLOAT, .label = "Gather cone (caustics)", .initial = 20, .min = 0.1,
         .max = 90, .unit = "degrees",
-        .help = "half-angle of the cone of gathered directions around the unperturbed ray (90: "
+        .help = "half-angle of the cone in which caustics.method=gather searches for sunlight (90: "
                 "hemisphere)"),
     ROW(slope, SETTING_CHOICE, .label = "Refraction law (caustics)", .max = CAUSTICS_PUBLISHED,
         .choices = slopes,

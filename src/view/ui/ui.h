@@ -7,7 +7,7 @@
 #include "src/view/overlay_draw_list.h"
 #include "src/view/pixel_inspector.h"
 #include "src/view/presenter.h"
-#include "src/view/rebuild_log.h"
+#include "src/view/slow_change_log.h"
 #include "src/view/ui/theme.h"
 #include "src/view/ui/ui_frame_bottleneck.h"
 #include "src/view/ui/ui_preset_thumbnails.h"
@@ -43,8 +43,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets the path of a text file for scripts. Each visible widget has a line with left, top, width
- * and height in pixels, and label. Lines that begin "0 0 0 0" count executions of an action. */
+/* Sets the path of a text file for scripts. It has one line for each visible widget: left, top,
+ * width and height in pixels, and the label. For each action, a line "0 0 0 0" has its count. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 

@@ -380,7 +380,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
 {
     const struct window_layout *l = view->layout;
     if (ui->focus_panel || ui->release)
-        /* focus the panel before its first widget, which is then highlighted */
+        /* The focus must be set before the first widget of the panel is drawn. */
         imgui_focus_panel(ui->release ? NULL : panel);
     ui->focus_panel = ui->release = false;
     if (l->panel.extent.width) {

@@ -18,7 +18,7 @@ uint32_t gltf_draco_index_count(const struct gltf_draco *draco);
 /* Copies the vertex indices of all triangles. */
 void gltf_draco_copy_indices(const struct gltf_draco *draco, uint32_t *indices);
 
-/* Returns the number of components of the attribute with a unique id; 0 if there is none. */
+/* Returns the number of components of an attribute, given by its unique id; 0 if there is none. */
 uint32_t gltf_draco_width(const struct gltf_draco *draco, uint32_t attribute);
 
 /* Copies an attribute as floats; normalised integers become -1 to 1. Returns false on failure. */

@@ -1,9 +1,9 @@
 /*
- * image_header.h: header of an image file: size, channels, text metadata, windows, matrices. It
+ * image_metadata.h: header of an image file: size, channels, text metadata, windows, matrices. It
  * owns its texts and the names of its planes, which image_header_finish() frees.
  */
-#ifndef FIRN_IMAGE_IMAGE_HEADER_H
-#define FIRN_IMAGE_IMAGE_HEADER_H
+#ifndef FIRN_IMAGE_IMAGE_METADATA_H
+#define FIRN_IMAGE_IMAGE_METADATA_H
 
 #include <stdbool.h>
 #include <stdint.h>

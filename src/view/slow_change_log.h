@@ -1,6 +1,6 @@
-/* rebuild_log.h: log of recent changes that rebuilt the scene or a render-graph plan. */
-#ifndef FIRN_VIEW_REBUILD_LOG_H
-#define FIRN_VIEW_REBUILD_LOG_H
+/* slow_change_log.h: log of recent changes that rebuilt the scene or a render-graph plan. */
+#ifndef FIRN_VIEW_SLOW_CHANGE_LOG_H
+#define FIRN_VIEW_SLOW_CHANGE_LOG_H
 
 #include <stdint.h>
 

@@ -1,12 +1,12 @@
 /*
- * medium.h: density field of the scattering medium that microscopic bubbles form in ice.
+ * medium_density.h: density field of the scattering medium that microscopic bubbles form in ice.
  *
  * Ice freezes from its surface inwards and pushes dissolved air ahead: the rim is clear, and what
  * freezes last is white. The density depends on the depth below the surface relative to the maximum
  * depth in the object. src/scene/medium_density.h stores it in 3D grids.
  */
-#ifndef SHADERS_INCLUSIONS_MEDIUM_H
-#define SHADERS_INCLUSIONS_MEDIUM_H
+#ifndef SHADERS_INCLUSIONS_MEDIUM_DENSITY_H
+#define SHADERS_INCLUSIONS_MEDIUM_DENSITY_H
 #include "abi.h"
 #include "abi_math.h"
 

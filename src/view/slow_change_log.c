@@ -1,5 +1,5 @@
-/* rebuild_log.c: ring buffer of messages about rebuilds. */
-#include "src/view/rebuild_log.h"
+/* slow_change_log.c: ring buffer of messages about rebuilds. */
+#include "src/view/slow_change_log.h"
 #include <stddef.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* clipboard.c: copies a PNG file to the clipboard through wl-copy or xclip. */
-#include "src/view/clipboard.h"
+/* clipboard_copy_png.c: copies a PNG file to the clipboard through wl-copy or xclip. */
+#include "src/view/clipboard_copy_png.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* bvh_topology_codec.c: encodes BVH topologies as 32-bit words, and decodes untrusted ones. */
-#include "src/scene/bvh/bvh_topology_codec.h"
+/* bvh_topology_cache.c: encodes BVH topologies as 32-bit words, and decodes untrusted ones. */
+#include "src/scene/bvh/bvh_topology_cache.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

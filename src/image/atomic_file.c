@@ -1,6 +1,6 @@
-/* file_io.c: writes output files atomically, by a locked temporary file and rename(). */
+/* atomic_file.c: writes output files atomically, by a locked temporary file and rename(). */
 #define _XOPEN_SOURCE 700 /* realpath() */
-#include "src/image/file_io.h"
+#include "src/image/atomic_file.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-/* image_header.c: adds planes and texts to image headers; compares and frees headers. */
-#include "src/image/image_header.h"
+/* image_metadata.c: adds planes and texts to image headers; compares and frees headers. */
+#include "src/image/image_metadata.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /*
- * file_io.h: atomic writing of all output files, and opening of input files.
+ * atomic_file.h: atomic writing of all output files, and opening of input files.
  *
  * A file is written to a temporary file beside it (".NAME.XXXXXX.tmp", X: random letters and
  * digits), every write is checked, and it is fsynced, renamed and closed, so that other programs
@@ -8,8 +8,8 @@
  * writer locks (flock) its temporary. The next write of the same file removes unlocked temporaries
  * of killed processes; on file systems without locks, those not modified for an hour.
  */
-#ifndef FIRN_IMAGE_FILE_IO_H
-#define FIRN_IMAGE_FILE_IO_H
+#ifndef FIRN_IMAGE_ATOMIC_FILE_H
+#define FIRN_IMAGE_ATOMIC_FILE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,13 +1,13 @@
 /*
- * bvh_topology_codec.h: caches the topology of large BVHs in files between runs
+ * bvh_topology_cache.h: caches the topology of large BVHs in files between runs
  * (src/base/disk_cache.h).
  *
  * A file holds the triangle order of a scene part, and the triangle count of each node's first
  * child. Boxes are recomputed from the scene, so a wrong file can make rays slower, but cannot
  * change what they hit. The file name is a hash of everything that determines the topology.
  */
-#ifndef FIRN_SCENE_BVH_BVH_TOPOLOGY_CODEC_H
-#define FIRN_SCENE_BVH_BVH_TOPOLOGY_CODEC_H
+#ifndef FIRN_SCENE_BVH_BVH_TOPOLOGY_CACHE_H
+#define FIRN_SCENE_BVH_BVH_TOPOLOGY_CACHE_H
 
 #include "src/scene/bvh/bvh_scene_parts.h"
 

@@ -1,5 +1,5 @@
-/* gpu_host_memory_images.c: window images in imported memory (VK_EXT_external_memory_host). */
-#include "src/gpu/gpu_host_memory_images.h"
+/* gpu_shared_window.c: window images in imported memory (VK_EXT_external_memory_host). */
+#include "src/gpu/gpu_shared_window.h"
 #include "src/gpu/gpu_internal.h"
 
 static const VkExternalMemoryHandleTypeFlagBits host =

@@ -1,6 +1,6 @@
-/* clipboard.h: copies PNG images to the desktop's clipboard. GLFW supports only text. */
-#ifndef FIRN_VIEW_CLIPBOARD_H
-#define FIRN_VIEW_CLIPBOARD_H
+/* clipboard_copy_png.h: copies PNG images to the desktop's clipboard. GLFW supports only text. */
+#ifndef FIRN_VIEW_CLIPBOARD_COPY_PNG_H
+#define FIRN_VIEW_CLIPBOARD_COPY_PNG_H
 
 #include <stdbool.h>
 

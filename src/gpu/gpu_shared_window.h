@@ -1,5 +1,5 @@
 /*
- * gpu_host_memory_images.h: window images in memory that is shared with the window server.
+ * gpu_shared_window.h: window images in memory that is shared with the window server.
  *
  * Where window server and driver share no memory, a CPU driver copies each frame and sends it
  * through a socket: Mesa 22.3 does so on X servers without DRI3 (Xvfb, VNC). With shared memory,
@@ -8,8 +8,8 @@
  * Ownership: the window owns the canvas (struct gpu_shared_window), which outlives the images; each
  * image owns its memory import.
  */
-#ifndef FIRN_GPU_GPU_HOST_MEMORY_IMAGES_H
-#define FIRN_GPU_GPU_HOST_MEMORY_IMAGES_H
+#ifndef FIRN_GPU_GPU_SHARED_WINDOW_H
+#define FIRN_GPU_GPU_SHARED_WINDOW_H
 
 #include "src/gpu/gpu.h"
 

@@ -1,5 +1,5 @@
-/* light_gather.c: spawns rays that gather direct and indirect light on the surroundings. */
-#include "src/reference/light_gather.h"
+/* final_gather.c: spawns rays that gather direct and indirect light on the surroundings. */
+#include "src/reference/final_gather.h"
 #include <cglm/struct.h>
 #include "src/reference/microfacet.h"
 

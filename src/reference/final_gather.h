@@ -1,5 +1,5 @@
 /*
- * light_gather.h: ray-traced diffuse and glossy lighting of the surroundings (ground.light=traced).
+ * final_gather.h: ray-traced diffuse and glossy lighting of the surroundings (ground.light=traced).
  *
  * A surface is shaded analytically with an unoccluded sky. Each sample then adds the radiance found
  * by rays of the diffuse lobe and one ray of the specular lobe, minus the sky radiance in those
@@ -10,8 +10,8 @@
  * disc: the sun is sampled separately by shadow rays (light_gather_sun()), and its caustics come
  * from the photon map (photons.h).
  */
-#ifndef FIRN_REFERENCE_LIGHT_GATHER_H
-#define FIRN_REFERENCE_LIGHT_GATHER_H
+#ifndef FIRN_REFERENCE_FINAL_GATHER_H
+#define FIRN_REFERENCE_FINAL_GATHER_H
 
 #include "shaders/lighting/diffuse_sampling.h"
 #include "src/reference/ray_branch.h"
