@@ -12,7 +12,7 @@ static const char bad_frame[] = "expected frame numbers from -9999999 to 9999999
 static const char bad_step[] = "expected a step (the N of A-BxN) from 1 to 9999999";
 static const char too_many[] = "expected at most 100000 frames";
 static const char has_colon[] =
-    "':' is not used: expected A-BxN for every Nth frame, or A,B for single frames";
+    "expected A-BxN for every Nth frame or A,B for single frames, but no ':'";
 
 struct list {
     struct frame_range range;
