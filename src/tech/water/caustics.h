@@ -4,7 +4,8 @@
 #include "shaders/water/caustics.h"
 #include "src/tech/technique.h"
 
-/* Light map of the pool's floor (lib/caustics_map.glsl), relative to light through level water. */
+/* Light map of the pool's floor (lib/caustics_map_coordinates.glsl), relative to light through
+ * level water. */
 extern const struct rg_image caustics_light;
 
 /* AOV layer of sunlight on the visible ground; 0 without ground. Pools: relative to sunlight below
