@@ -374,7 +374,7 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
     return count;
 }
 
-/* ---- resource_records.c ---- */
+/* ---- create_resource_records.c ---- */
 
 /* Adds the imports and outputs, and reports their faults. */
 void rg_add_boundary(struct compiler *c);

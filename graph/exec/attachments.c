@@ -1,6 +1,6 @@
 /* attachments.c: creates attachment views, and VkRenderPass objects if requested. A render pass has
  * one subpass. The plan's barriers replace subpass dependencies and layout transitions. */
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
                              struct rg_plan_target attachments[RG_ATTACHMENT_COUNT])

@@ -1,6 +1,6 @@
 /* barrier_batch.c: records the barriers of skipped passes in one call with those of the next pass
  * that runs, since llvmpipe flushes all pending work at each barrier call (0.05 to 0.1 ms). */
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 static VkImageMemoryBarrier2 image_barrier(const struct rg_exec *exec, const struct rg_barrier *b)
 {

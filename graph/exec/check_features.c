@@ -1,5 +1,5 @@
 /* check_features.c: reports device features that a plan needs and the device lacks. */
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 struct features {
     VkPhysicalDeviceFeatures2 core;

@@ -1,5 +1,5 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
 {

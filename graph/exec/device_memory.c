@@ -1,6 +1,6 @@
 /* device_memory.c: allocates memory blocks, and creates the images and buffers of a plan. */
 #include <string.h>
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 /* Returns the first memory type with `needed` and preferably `preferred` properties, or RG_NONE. */
 static uint32_t find_type(const struct rg_exec *exec, uint32_t bits,

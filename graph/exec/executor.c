@@ -1,7 +1,7 @@
 /* executor.c: creates, updates and destroys an executor; begins, submits and waits for frames. */
-#include "graph/exec/executor.h"
 #include <assert.h>
 #include <stdlib.h>
+#include "graph/exec/executor_internal.h"
 
 /* Creates fences and command buffers, which are kept when the plan changes. */
 static VkResult make_slots(struct rg_exec *exec)

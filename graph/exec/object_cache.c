@@ -4,7 +4,7 @@
  * same list, and lists move as a whole. */
 #include <stdlib.h>
 #include <string.h>
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 enum {
     UNUSED_MAX = 1, /* plans that an unused pipeline survives */

@@ -3,7 +3,7 @@
  * write a timestamp after barriers only when the next pass has finished. */
 #include <string.h>
 #include <time.h>
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 /* Pipeline statistics to query. The results of a query are in the order of these bits. */
 enum {

@@ -1,5 +1,5 @@
 /* pipelines.c: creates the pipeline of each pass of a plan. */
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
 {

@@ -1,6 +1,6 @@
 /* record_commands.c: records the command buffer of a frame; implements rg_cmd.h. */
 #include <assert.h>
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 #include "graph/rg_cmd.h"
 
 /* ---- render passes ---- */

@@ -1,6 +1,6 @@
 /* render_region.c: finds which part of the view each pass must draw to produce a given region. */
 #include <assert.h>
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 /* Parts of the view that a pass draws, or that later passes read from an image, as bit flags. */
 enum {

@@ -1,6 +1,6 @@
 /* warm_up_draws.c: invisible draws, for drivers that compile pipelines at the first draw. */
 #include <string.h>
-#include "graph/exec/executor.h"
+#include "graph/exec/executor_internal.h"
 
 /* buffer size in bytes that suffices for three indices and for a vertex of any layout */
 static const VkDeviceSize blank_size = 1024;

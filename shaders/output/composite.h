@@ -16,7 +16,8 @@
 
 #define COMPOSITE_REFRACTED 1 /* varyings, locations 1 to 8 */
 
-#define COMPOSITE_LOW_RES 1 /* low-resolution image that composite_upsample.frag upsamples */
+/* low-resolution image that composite_upsample_inclusions.frag upsamples */
+#define COMPOSITE_LOW_RES 1
 
 /* Bits of CONSTANT_COMPOSITE: which images exist, and whether they have low resolution. */
 #define COMPOSITE_HAS_HIGHLIGHT (1u << COMPOSITE_HIGHLIGHT)

@@ -22,7 +22,7 @@
 #include "src/image/atomic_file.h"
 #include "src/reader/image_receive.h"
 #include "src/reference/reference.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"

@@ -13,7 +13,7 @@
 #include "src/metric/error_sums.h"
 #include "src/metric/flip.h"
 #include "src/reference/reference.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/render/make_frame_request.h"
 
 static const char *const colors[3] = { "R", "G", "B" };

@@ -5,7 +5,7 @@
 #ifndef FIRN_REFERENCE_INCLUSION_SHADING_H
 #define FIRN_REFERENCE_INCLUSION_SHADING_H
 
-#include "shaders/inclusions/air.h"
+#include "shaders/inclusions/air_planes.h"
 #include "src/reference/embree_scene.h"
 #include "src/settings/settings.h"
 

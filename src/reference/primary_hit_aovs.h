@@ -4,7 +4,7 @@
 
 #include "shaders/output/first_surface.h"
 #include "src/reference/embree_scene.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 
 struct primary_hit_layers {
     const struct embree_scene *embree_scene;

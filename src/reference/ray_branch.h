@@ -3,7 +3,7 @@
 #define FIRN_REFERENCE_RAY_BRANCH_H
 
 #include "src/reference/dielectric_split.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/reference/tracer.h"
 
 struct ray_branch {

@@ -17,7 +17,7 @@
 #include "src/reference/microfacet.h"
 #include "src/reference/photons.h"
 #include "src/reference/pool_scene.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/reference/reference_sample_sums.h"
 #include "src/reference/whitted.h"
 #include "src/render/sample_accumulation.h"

@@ -15,7 +15,7 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 
 enum {
     REFERENCE_SUM_BRIGHTNESS = REFERENCE_RAY_VALUE_COUNT, /* first index after ray values */

@@ -24,7 +24,7 @@
 #ifndef FIRN_REFERENCE_WHITTED_H
 #define FIRN_REFERENCE_WHITTED_H
 
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/reference/tracer.h"
 
 /* Finds the objects that contain a point, by counting the surfaces along a ray to infinity. */

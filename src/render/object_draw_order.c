@@ -138,12 +138,12 @@ static void assign_layers(struct frame_object *objects, uint32_t count)
     }
 }
 
-void frame_objects_place(struct frame_objects *objects, const struct frame_executor *frame_executor,
+void frame_objects_place(struct frame_objects *objects, const struct compiled_frame *compiled_frame,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach)
 {
-    const struct frame_list *list = &frame_executor->frame->list;
-    const VkExtent2D size = frame_executor->frame->plan->view;
+    const struct frame_list *list = &compiled_frame->frame->list;
+    const VkExtent2D size = compiled_frame->frame->plan->view;
     struct frame_view drawn = *view; /* view of one interleaved tile */
     drawn.width = size.width;
     drawn.height = size.height;
@@ -155,7 +155,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_execu
         const uint32_t index = objects->order[entry->depth_index].object;
         const struct object *object = &view->scene->model.objects[index];
         const struct globals own = frame_view_object_globals(view, globals, index);
-        void *memory = rg_exec_mapped(frame_executor->exec, entry->globals, slot);
+        void *memory = rg_exec_mapped(compiled_frame->exec, entry->globals, slot);
         if (memory)
             memcpy(memory, &own, sizeof(own));
         objects->all[i] = (struct frame_object){

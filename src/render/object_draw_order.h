@@ -4,7 +4,7 @@
 
 #include "src/frame/frame_uniforms.h"
 #include "src/frame/pass_list.h"
-#include "src/render/frame_executor.h"
+#include "src/render/compiled_frame.h"
 
 /* Objects drawn by the frames of a plan. Empty if the plan has no per-object passes. */
 struct frame_objects {
@@ -20,7 +20,7 @@ void frame_objects_finish(struct frame_objects *objects);
 
 /* Sorts objects back to front and assigns them to the plan's passes. Writes their uniform data to
  * a frame slot. `reach` is the maximum lookup distance from an object's centre, bounding radii. */
-void frame_objects_place(struct frame_objects *objects, const struct frame_executor *frame_executor,
+void frame_objects_place(struct frame_objects *objects, const struct compiled_frame *compiled_frame,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach);
 

@@ -15,7 +15,7 @@
 #include "src/frame/thin_lens.h"
 #include "src/image/half_float.h"
 #include "src/render/adaptive_sampling.h"
-#include "src/render/frame_executor.h"
+#include "src/render/compiled_frame.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/object_draw_order.h"
 #include "src/render/renderer_internal.h"
@@ -66,21 +66,21 @@ struct rg_exec_import *renderer_imports(const struct renderer *r, const struct f
     return imports;
 }
 
-static enum status realise(struct renderer *r, struct frame_executor *frame_executor)
+static enum status realise(struct renderer *r, struct compiled_frame *compiled_frame)
 {
-    struct rg_exec_import *imports = renderer_imports(r, frame_executor->frame);
-    const enum status status = imports ? frame_executor_realise(frame_executor, &r->params, imports)
+    struct rg_exec_import *imports = renderer_imports(r, compiled_frame->frame);
+    const enum status status = imports ? compiled_frame_realise(compiled_frame, &r->params, imports)
                                        : log_out_of_memory(NULL);
     free(imports);
     return status;
 }
 
-enum status renderer_compile(struct renderer *r, struct frame_executor *frame_executor,
+enum status renderer_compile(struct renderer *r, struct compiled_frame *compiled_frame,
                              struct frame_request request)
 {
-    enum status status = frame_executor_compile(frame_executor, &r->params, request);
+    enum status status = compiled_frame_compile(compiled_frame, &r->params, request);
     if (status == STATUS_OK)
-        status = realise(r, frame_executor);
+        status = realise(r, compiled_frame);
     return status;
 }
 
@@ -176,7 +176,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         status = renderer_build_bvh(r);
     const double start = clock_ms();
     if (status == STATUS_OK)
-        status = frame_executor_compile(&r->image, &r->params, renderer_image_request(&r->params));
+        status = compiled_frame_compile(&r->image, &r->params, renderer_image_request(&r->params));
     r->costs.compile = clock_ms() - start;
     if (status == STATUS_OK && params->warm_up)
         r->warm_up = shader_warm_up_begin(&r->image, &r->params);
@@ -210,9 +210,9 @@ void renderer_destroy(struct renderer *renderer)
     if (!renderer)
         return;
     shader_warm_up_end(renderer->warm_up);
-    frame_executor_destroy(&renderer->resolve);
-    frame_executor_destroy(&renderer->image);
-    frame_executor_destroy(&renderer->capture);
+    compiled_frame_destroy(&renderer->resolve);
+    compiled_frame_destroy(&renderer->image);
+    compiled_frame_destroy(&renderer->capture);
     frame_objects_finish(&renderer->objects);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
@@ -267,7 +267,7 @@ static void restrict_to_tile(const struct renderer *r, const struct frame_view *
         rg_exec_set_region(r->image.exec, &region);
 }
 
-enum status renderer_run(struct renderer *r, struct frame_executor *frame_executor,
+enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_frame,
                          const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
 {
     const struct uploaded_scene *s = r->scene;
@@ -294,8 +294,8 @@ enum status renderer_run(struct renderer *r, struct frame_executor *frame_execut
         .scene = r->params.scene,
         .object = uploaded_scene_mesh(&s->object, r->params.is_coarse),
         .surroundings = uploaded_scene_mesh(&s->surroundings, r->params.is_coarse),
-        .objects = frame_executor == &r->image ? r->objects.all : NULL,
-        .object_count = frame_executor == &r->image ? r->objects.count : 0,
+        .objects = compiled_frame == &r->image ? r->objects.all : NULL,
+        .object_count = compiled_frame == &r->image ? r->objects.count : 0,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
         .time = shot->time,
@@ -305,35 +305,35 @@ enum status renderer_run(struct renderer *r, struct frame_executor *frame_execut
     const struct globals globals = frame_view_globals(&view, &frame.view);
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
-    const VkExtent2D size = frame_executor->frame->plan->view;
+    const VkExtent2D size = compiled_frame->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.ground_area = frame_view_reflection_area(&view, &globals, size);
-    frame.due = frame_executor == &r->image ? frame_cube_due(&r->cube, &view, &globals)
+    frame.due = compiled_frame == &r->image ? frame_cube_due(&r->cube, &view, &globals)
                                             : (struct frame_updates){ FRAME_CUBE_ALL, true };
-    VkResult result = rg_exec_begin(frame_executor->exec, slot);
+    VkResult result = rg_exec_begin(compiled_frame->exec, slot);
     if (result == VK_SUCCESS) {
-        write_uploads(&view, &globals, frame_executor->exec, *slot);
-        if (frame_executor == &r->image) {
-            frame_objects_place(&r->objects, frame_executor, *slot, &view, &globals,
+        write_uploads(&view, &globals, compiled_frame->exec, *slot);
+        if (compiled_frame == &r->image) {
+            frame_objects_place(&r->objects, compiled_frame, *slot, &view, &globals,
                                 r->params.refraction ? r->params.refraction->refraction.reach
                                                      : 0.0f);
             restrict_to_tile(r, &view, &globals);
         }
-        result = rg_exec_submit(frame_executor->exec, &frame);
+        result = rg_exec_submit(compiled_frame->exec, &frame);
     }
-    if (frame_executor == &r->image && result == VK_SUCCESS)
+    if (compiled_frame == &r->image && result == VK_SUCCESS)
         frame_cube_mark_drawn(&r->cube, &view, &globals, frame.due);
     return gpu_status(result);
 }
 
 /* ---- an image ---- */
 
-const void *renderer_read_back(struct frame_executor *frame_executor, const struct rg_image *image,
+const void *renderer_read_back(struct compiled_frame *compiled_frame, const struct rg_image *image,
                                uint32_t slot)
 {
-    const struct rg_buffer *buffer = frame_plan_buffer(frame_executor->frame, image);
-    return buffer ? rg_exec_mapped(frame_executor->exec, buffer, slot) : NULL;
+    const struct rg_buffer *buffer = frame_plan_buffer(compiled_frame->frame, image);
+    return buffer ? rg_exec_mapped(compiled_frame->exec, buffer, slot) : NULL;
 }
 
 static bool wants_layer(const struct renderer *r, uint32_t layer)
@@ -438,12 +438,12 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 }
 
 /* Copies the tile from the read-back 8-bit image. Image rows are `width` pixels long. */
-static uint8_t *copy_display(struct renderer *r, struct frame_executor *frame_executor,
+static uint8_t *copy_display(struct renderer *r, struct compiled_frame *compiled_frame,
                              uint32_t slot, uint32_t width)
 {
     const size_t row_size = (size_t)r->tile.width * 4;
     uint8_t *rgba = malloc(row_size * r->tile.height);
-    const uint8_t *source = renderer_read_back(frame_executor, &frame_display, slot);
+    const uint8_t *source = renderer_read_back(compiled_frame, &frame_display, slot);
     if (!rgba || !source)
         (void)log_out_of_memory(NULL);
     for (size_t y = 0; y < r->tile.height && rgba && source; y++)
@@ -582,7 +582,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
         status = gpu_status(rg_exec_wait(r.capture.exec, slot));
     if (status == STATUS_OK)
         status = fetch_cube(&r, slot, image);
-    frame_executor_destroy(&r.capture);
+    compiled_frame_destroy(&r.capture);
     uploaded_scene_finish(&r.own, params->gpu);
     uploaded_scene_finish(&r.bvh, params->gpu);
     free(r.meshes);

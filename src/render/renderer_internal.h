@@ -4,7 +4,7 @@
 
 #include "src/base/tile.h"
 #include "src/frame/env_cube_updates.h"
-#include "src/render/frame_executor.h"
+#include "src/render/compiled_frame.h"
 #include "src/render/object_draw_order.h"
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
@@ -23,10 +23,10 @@ struct renderer {
     struct bvh own_bvh;                 /* BVH of `own_scene` */
     struct scene own_scene;
     struct rg_mesh *meshes;        /* one mesh per technique */
-    struct frame_executor capture; /* draws a static environment cube */
-    struct frame_executor image;   /* draws one sample of the image */
+    struct compiled_frame capture; /* draws a static environment cube */
+    struct compiled_frame image;   /* draws one sample of the image */
     struct frame_objects objects;  /* objects drawn by `image` */
-    struct frame_executor resolve; /* tone-maps the mean of many samples */
+    struct compiled_frame resolve; /* tone-maps the mean of many samples */
     struct warm_up *warm_up;       /* shader compilation; may be NULL */
     bool captured;                 /* `capture` has drawn the environment cube */
     struct frame_cube cube;        /* cube state of `image` */
@@ -54,7 +54,7 @@ MUST_USE enum status renderer_upload_bvh(struct renderer *renderer);
 
 /* Compiles a request and creates its executor. */
 MUST_USE enum status renderer_compile(struct renderer *renderer,
-                                      struct frame_executor *frame_executor,
+                                      struct compiled_frame *compiled_frame,
                                       struct frame_request request);
 
 /* Returns an array, which the caller frees, of the Vulkan objects that a plan imports. When out of
@@ -63,7 +63,7 @@ struct rg_exec_import *renderer_imports(const struct renderer *renderer,
                                         const struct frame_plan *plan);
 
 /* Submits one sample to an executor of the renderer. Sets *slot to the frame's slot. */
-MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_executor *frame_executor,
+MUST_USE enum status renderer_run(struct renderer *renderer, struct compiled_frame *compiled_frame,
                                   const struct renderer_shot *shot, uint32_t sample,
                                   uint32_t *slot);
 
@@ -91,7 +91,7 @@ MUST_USE enum status renderer_capture_cube(struct renderer *renderer,
                                            const struct renderer_shot *shot);
 
 /* Returns the texels of an image that a finished frame copied to the host, or NULL. */
-const void *renderer_read_back(struct frame_executor *frame_executor, const struct rg_image *image,
+const void *renderer_read_back(struct compiled_frame *compiled_frame, const struct rg_image *image,
                                uint32_t slot);
 
 #endif

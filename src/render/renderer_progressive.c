@@ -16,7 +16,7 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
     if (!imports)
         return log_out_of_memory(NULL);
     request.view = view;
-    const enum status status = frame_executor_change_view(&r->image, &r->params, request, imports);
+    const enum status status = compiled_frame_change_view(&r->image, &r->params, request, imports);
     free(imports);
     if (status == STATUS_OK) {
         r->width = view.width;

@@ -5,27 +5,27 @@
 #include "src/render/renderer_internal.h"
 #include "src/render/shader_warm_up.h"
 
-/* Replaces the plan of frame_executor by one compiled from the request. */
-static enum status replace(struct renderer *r, struct frame_executor *frame_executor,
+/* Replaces the plan of compiled_frame by one compiled from the request. */
+static enum status replace(struct renderer *r, struct compiled_frame *compiled_frame,
                            struct frame_request request)
 {
-    struct frame_executor next = { 0 };
-    enum status status = frame_executor_compile(&next, &r->params, request);
+    struct compiled_frame next = { 0 };
+    enum status status = compiled_frame_compile(&next, &r->params, request);
     struct rg_exec_import *imports = status == STATUS_OK ? renderer_imports(r, next.frame) : NULL;
     if (status == STATUS_OK && !imports)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        status = frame_executor_replace(frame_executor, &next, &r->params, imports);
-    frame_executor_destroy(&next);
+        status = compiled_frame_replace(compiled_frame, &next, &r->params, imports);
+    compiled_frame_destroy(&next);
     free(imports);
     return status;
 }
 
-static enum status update(struct renderer *r, struct frame_executor *frame_executor,
+static enum status update(struct renderer *r, struct compiled_frame *compiled_frame,
                           struct frame_request request)
 {
-    return frame_executor->exec ? replace(r, frame_executor, request)
-                                : renderer_compile(r, frame_executor, request);
+    return compiled_frame->exec ? replace(r, compiled_frame, request)
+                                : renderer_compile(r, compiled_frame, request);
 }
 
 /* Updates all executors. Destroys `capture` last, because `image` imports its cube. */
@@ -33,18 +33,18 @@ static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);
     const bool resolves = renderer_wants_resolve(&r->params);
-    struct frame_executor unused = r->capture;
+    struct compiled_frame unused = r->capture;
     enum status status = STATUS_OK;
     if (captures)
         status = update(r, &r->capture, renderer_capture_request(&r->params));
     else
-        r->capture = (struct frame_executor){ 0 };
+        r->capture = (struct compiled_frame){ 0 };
     if (status == STATUS_OK)
         status = update(r, &r->image, renderer_image_request(&r->params));
     if (!captures)
-        frame_executor_destroy(&unused);
+        compiled_frame_destroy(&unused);
     if (!resolves)
-        frame_executor_destroy(&r->resolve);
+        compiled_frame_destroy(&r->resolve);
     else if (status == STATUS_OK)
         status = update(r, &r->resolve, renderer_resolve_request(&r->params));
     return status;

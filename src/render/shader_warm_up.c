@@ -20,7 +20,7 @@ enum {
 
 struct warm_up {
     const struct gpu *gpu;
-    struct frame_executor_params described;
+    struct compiled_frame_params described;
     struct settings settings;
     struct rg_frame frame;
     struct rg_mesh *meshes; /* meshes of the techniques */
@@ -65,13 +65,13 @@ static void *run_thread(void *user)
 }
 
 /* Fills in executor parameters. Every mesh in the warm-up frame is a single triangle. */
-static void describe(struct warm_up *warm_up, const struct frame_executor *frame_executor,
+static void describe(struct warm_up *warm_up, const struct compiled_frame *compiled_frame,
                      const struct renderer_params *params)
 {
     const struct rg_mesh mesh = { .index_count = 3 };
     for (size_t i = 0; i < techniques_count; i++)
         warm_up->meshes[i] = mesh;
-    frame_executor_describe(&warm_up->described, frame_executor, params);
+    compiled_frame_describe(&warm_up->described, compiled_frame, params);
     warm_up->gpu = params->gpu;
     warm_up->settings = *params->settings;
     warm_up->frame = (struct rg_frame){
@@ -89,7 +89,7 @@ static void describe(struct warm_up *warm_up, const struct frame_executor *frame
     exec->measured = false;
     exec->warm_up_only = true;
     exec->log = NULL;
-    atomic_init(&warm_up->next, (int)frame_executor->frame->plan->pass_count - 1);
+    atomic_init(&warm_up->next, (int)compiled_frame->frame->plan->pass_count - 1);
 }
 
 static bool is_enabled(void)
@@ -98,7 +98,7 @@ static bool is_enabled(void)
     return !value || strcmp(value, "off") != 0;
 }
 
-struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
+struct warm_up *shader_warm_up_begin(const struct compiled_frame *compiled_frame,
                                      const struct renderer_params *params)
 {
     const struct gpu *gpu = params->gpu;
@@ -113,7 +113,7 @@ struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor
         free(warm_up);
         return NULL;
     }
-    describe(warm_up, frame_executor, params);
+    describe(warm_up, compiled_frame, params);
     const uint32_t limit = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
     while (warm_up->thread_count < limit &&
            !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, run_thread, warm_up))

@@ -12,14 +12,14 @@
 #ifndef FIRN_RENDER_SHADER_WARM_UP_H
 #define FIRN_RENDER_SHADER_WARM_UP_H
 
-#include "src/render/frame_executor.h"
+#include "src/render/compiled_frame.h"
 
 struct warm_up;
 
-/* Starts warm-up threads for a compiled frame_executor. The result borrows frame_executor, gpu and
+/* Starts warm-up threads for a compiled compiled_frame. The result borrows compiled_frame, gpu and
  * scene. Returns NULL (no error) if the device is not a CPU or has one core, if validation is on,
  * if shaders are replaced, if FIRN_WARM_UP=off is set, or when out of memory. */
-struct warm_up *shader_warm_up_begin(const struct frame_executor *frame_executor,
+struct warm_up *shader_warm_up_begin(const struct compiled_frame *compiled_frame,
                                      const struct renderer_params *params);
 
 /* Stops the threads after their current pass, waits for them and frees everything. Accepts NULL. */

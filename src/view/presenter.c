@@ -2,7 +2,7 @@
 #include "src/view/presenter.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/render/frame_executor.h"
+#include "src/render/compiled_frame.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_frame_stats.h"
@@ -166,7 +166,7 @@ static bool shows(const struct presenter *s, const struct presenter_images *imag
 
 enum status presenter_connect(struct presenter *s, const struct presenter_images *images)
 {
-    const struct rg_vulkan vulkan = frame_executor_vulkan(s->gpu);
+    const struct rg_vulkan vulkan = compiled_frame_vulkan(s->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     struct rg_plan *plan = NULL;
     if (shows(s, images))

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "src/reference/reference.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/reference/reference_sample_sums.h"
 #include "tests/support/assertions.h"
 #include "tests/support/picture.h"

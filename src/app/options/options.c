@@ -21,7 +21,7 @@
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/reference/reference.h"
-#include "src/reference/reference_aov_planes.h"
+#include "src/reference/reference_aov_table.h"
 #include "src/scene/material.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"

@@ -16,7 +16,7 @@
 #include "src/tech/inclusions/air.h"
 #include "shaders/embedded.h"
 #include "shaders/ice/ice_depth.h"
-#include "shaders/inclusions/air.h"
+#include "shaders/inclusions/air_planes.h"
 #include "shaders/inclusions/medium_density.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
@@ -86,8 +86,8 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &air_cover, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
         ICE_DEPTH_BEFORE_BACK,
         .uses = uses,
-        .vert = &air_vert,
-        .frag = &air_frag,
+        .vert = &air_planes_vert,
+        .frag = &air_planes_frag,
         .vertices = &frame_mesh_layout,
         .push_size = sizeof(struct air_push),
         .record = record_planes,

@@ -87,8 +87,8 @@ static struct rg_pass upsample(struct low_res_images *small, const struct rg_ima
         .color = pass_arena_target(small->builder, target),
         .color_count = 1,
         .uses = pass_arena_join_uses(small->builder, (const struct rg_use *const[]){ read }, 1),
-        .vert = &composite_upsample_vert,
-        .frag = &composite_upsample_frag,
+        .vert = &composite_upsample_inclusions_vert,
+        .frag = &composite_upsample_inclusions_frag,
         .record = frame_draw_screen,
     };
 }

@@ -133,7 +133,7 @@ static const struct rg_pass backtrace_passes[] = {
         .uses = RG_USES(
             USE_RAW,
             { .buffer = &caustics_sum, .access = RG_STORAGE_WRITE, .binding = CAUSTICS_SUM }),
-        .comp = &caustics_sum_comp,
+        .comp = &caustics_reduce_comp,
         .record = record_one,
     },
     {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/render/frame_executor.h"
+#include "src/render/compiled_frame.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/output/tonemap.h"
 
@@ -138,7 +138,7 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
 enum status ui_screenshot(const struct presenter *presenter, const struct viewport *viewport,
                           const struct window_frame *frame, struct ui *ui, uint8_t **rgba)
 {
-    const struct rg_vulkan vulkan = frame_executor_vulkan(presenter->gpu);
+    const struct rg_vulkan vulkan = compiled_frame_vulkan(presenter->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     const VkExtent2D size = presenter->swapchain.extent;
     struct shot s = { .presenter = presenter, .viewport = viewport, .frame = frame };

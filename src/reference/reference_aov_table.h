@@ -1,7 +1,7 @@
-/* reference_aov_planes.h: values computed for a camera ray, and the layers (AOVs) that store them.
+/* reference_aov_table.h: values computed for a camera ray, and the layers (AOVs) that store them.
  */
-#ifndef FIRN_REFERENCE_REFERENCE_AOV_PLANES_H
-#define FIRN_REFERENCE_REFERENCE_AOV_PLANES_H
+#ifndef FIRN_REFERENCE_REFERENCE_AOV_TABLE_H
+#define FIRN_REFERENCE_REFERENCE_AOV_TABLE_H
 
 #include <cglm/types-struct.h>
 #include "src/frame/output_layers.h"

@@ -1,5 +1,5 @@
-/* frame_executor.c: compiles a frame's plan for the device and creates its executor. */
-#include "src/render/frame_executor.h"
+/* compiled_frame.c: compiles a frame's plan for the device and creates its executor. */
+#include "src/render/compiled_frame.h"
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"
@@ -36,7 +36,7 @@ static enum status check_memory(const struct gpu *gpu, const struct rg_plan *pla
                             host_size);
 }
 
-struct rg_vulkan frame_executor_vulkan(const struct gpu *gpu)
+struct rg_vulkan compiled_frame_vulkan(const struct gpu *gpu)
 {
     return (struct rg_vulkan){
         gpu->instance,
@@ -46,30 +46,30 @@ struct rg_vulkan frame_executor_vulkan(const struct gpu *gpu)
     };
 }
 
-enum status frame_executor_compile(struct frame_executor *frame_executor,
+enum status compiled_frame_compile(struct compiled_frame *compiled_frame,
                                    const struct renderer_params *params,
                                    struct frame_request request)
 {
     const struct gpu *gpu = params->gpu;
-    const struct rg_vulkan vulkan = frame_executor_vulkan(gpu);
+    const struct rg_vulkan vulkan = compiled_frame_vulkan(gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     request.device = &device;
-    frame_executor->frame = calloc(1, sizeof(*frame_executor->frame));
-    if (!frame_executor->frame)
+    compiled_frame->frame = calloc(1, sizeof(*compiled_frame->frame));
+    if (!compiled_frame->frame)
         return log_out_of_memory(NULL);
-    enum status status = frame_plan_init(frame_executor->frame, &request);
+    enum status status = frame_plan_init(compiled_frame->frame, &request);
     if (status == STATUS_OK)
-        status = check_memory(gpu, frame_executor->frame->plan, request.view);
+        status = check_memory(gpu, compiled_frame->frame->plan, request.view);
     return status;
 }
 
-void frame_executor_describe(struct frame_executor_params *described,
-                             const struct frame_executor *frame_executor,
+void compiled_frame_describe(struct compiled_frame_params *described,
+                             const struct compiled_frame *compiled_frame,
                              const struct renderer_params *params)
 {
     const struct gpu *gpu = params->gpu;
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
-    struct frame_executor_params *d = described;
+    struct compiled_frame_params *d = described;
     const struct settings settled =
         frame_resolve_settings(params->settings, params->refraction, params->height);
     d->constants = frame_view_constants(params->scene, &settled, params->refraction);
@@ -80,7 +80,7 @@ void frame_executor_describe(struct frame_executor_params *described,
     d->info =
         (VkSpecializationInfo){ CONSTANT_COUNT, d->entries, sizeof(d->constants), &d->constants };
     d->params = (struct rg_exec_params){
-        .plan = frame_executor->frame->plan,
+        .plan = compiled_frame->frame->plan,
         .instance = gpu->instance,
         .get_proc_addr = vkGetInstanceProcAddr,
         .physical = gpu->physical,
@@ -89,7 +89,7 @@ void frame_executor_describe(struct frame_executor_params *described,
         .queue_family = gpu->queue_family,
         .pipeline_cache = gpu->pipeline_cache,
         .pipelines = gpu->pipelines,
-        .import_count = frame_executor->frame->import_count,
+        .import_count = compiled_frame->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
         /* render passes only with validation layers, some of which ignore dynamic rendering */
@@ -103,71 +103,71 @@ void frame_executor_describe(struct frame_executor_params *described,
     };
 }
 
-enum status frame_executor_realise(struct frame_executor *frame_executor,
+enum status compiled_frame_realise(struct compiled_frame *compiled_frame,
                                    const struct renderer_params *params,
                                    const struct rg_exec_import *imports)
 {
-    struct frame_executor_params described;
+    struct compiled_frame_params described;
     VkResult result;
-    frame_executor_describe(&described, frame_executor, params);
+    compiled_frame_describe(&described, compiled_frame, params);
     described.params.imports = imports;
-    frame_executor->exec = rg_exec_create(&described.params, &result);
-    if (frame_executor->exec)
-        lavapipe_tuning_advise_memory(params->gpu, frame_executor->frame->plan,
-                                      frame_executor->exec);
+    compiled_frame->exec = rg_exec_create(&described.params, &result);
+    if (compiled_frame->exec)
+        lavapipe_tuning_advise_memory(params->gpu, compiled_frame->frame->plan,
+                                      compiled_frame->exec);
     return gpu_status(result);
 }
 
 /* Frees the frame plan. No frame may be in flight. */
-static void destroy_frame(struct frame_executor *frame_executor)
+static void destroy_frame(struct compiled_frame *compiled_frame)
 {
-    if (frame_executor->frame)
-        frame_plan_finish(frame_executor->frame);
-    free(frame_executor->frame);
-    frame_executor->frame = NULL;
+    if (compiled_frame->frame)
+        frame_plan_finish(compiled_frame->frame);
+    free(compiled_frame->frame);
+    compiled_frame->frame = NULL;
 }
 
-enum status frame_executor_replace(struct frame_executor *frame_executor,
-                                   struct frame_executor *next,
+enum status compiled_frame_replace(struct compiled_frame *compiled_frame,
+                                   struct compiled_frame *next,
                                    const struct renderer_params *params,
                                    const struct rg_exec_import *imports)
 {
-    struct frame_executor former = *frame_executor;
-    struct frame_executor_params described;
-    frame_executor_describe(&described, next, params);
+    struct compiled_frame former = *compiled_frame;
+    struct compiled_frame_params described;
+    compiled_frame_describe(&described, next, params);
     described.params.imports = imports;
     const enum status status = gpu_status(rg_exec_update(former.exec, &described.params));
     if (status == STATUS_OK)
         lavapipe_tuning_advise_memory(params->gpu, next->frame->plan, former.exec);
-    frame_executor->frame = next->frame;
+    compiled_frame->frame = next->frame;
     next->frame = NULL;
     destroy_frame(&former);
     return status;
 }
 
-enum status frame_executor_change_view(struct frame_executor *frame_executor,
+enum status compiled_frame_change_view(struct compiled_frame *compiled_frame,
                                        const struct renderer_params *params,
                                        struct frame_request request,
                                        const struct rg_exec_import *imports)
 {
-    const struct rg_vulkan vulkan = frame_executor_vulkan(params->gpu);
+    const struct rg_vulkan vulkan = compiled_frame_vulkan(params->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
-    struct frame_executor_params described;
+    struct compiled_frame_params described;
     struct rg_plan *former;
     request.device = &device;
-    enum status status = frame_plan_change_view(frame_executor->frame, &request, &former);
+    enum status status = frame_plan_change_view(compiled_frame->frame, &request, &former);
     if (status != STATUS_OK)
         return status;
-    frame_executor_describe(&described, frame_executor, params);
+    compiled_frame_describe(&described, compiled_frame, params);
     described.params.imports = imports;
-    status = gpu_status(rg_exec_update(frame_executor->exec, &described.params));
+    status = gpu_status(rg_exec_update(compiled_frame->exec, &described.params));
     rg_plan_destroy(former);
     return status;
 }
 
-void frame_executor_destroy(struct frame_executor *frame_executor)
+void compiled_frame_destroy(struct compiled_frame *compiled_frame)
 {
-    rg_exec_destroy(frame_executor->exec);
-    frame_executor->exec = NULL;
-    destroy_frame(frame_executor);
+    rg_exec_destroy(compiled_frame->exec);
+    compiled_frame->exec = NULL;
+    destroy_frame(compiled_frame);
 }

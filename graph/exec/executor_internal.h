@@ -1,6 +1,7 @@
-/* executor.h: data and functions shared by the executor's files. Private to graph/exec/. */
-#ifndef RG_EXEC_EXECUTOR_H
-#define RG_EXEC_EXECUTOR_H
+/* executor_internal.h: data and functions shared by the executor's files. Private to graph/exec/.
+ */
+#ifndef RG_EXEC_EXECUTOR_INTERNAL_H
+#define RG_EXEC_EXECUTOR_INTERNAL_H
 
 #include "graph/exec/vulkan_functions.h"
 #include "graph/rg_exec.h"

@@ -1,4 +1,5 @@
-/* composite_upsample.frag: fragment shader that upsamples low-resolution images of inclusions. */
+/* composite_upsample_inclusions.frag: fragment shader that upsamples low-resolution images of
+ * inclusions. */
 #version 460
 #include "output/composite.h"
 

@@ -1,6 +1,6 @@
-/* air.vert: vertex shader of the textured planes that show milky air in the ice. */
+/* air_planes.vert: vertex shader of the textured planes that show milky air in the ice. */
 #version 460
-#include "inclusions/air.h"
+#include "inclusions/air_planes.h"
 #include "lib/object_pose.glsl"
 
 layout(location = MESH_POSITION) in vec3 position;

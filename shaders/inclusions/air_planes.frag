@@ -1,7 +1,8 @@
-/* air.frag: fragment shader that writes the opacity of milky air, drawn as textured planes. */
+/* air_planes.frag: fragment shader that writes the opacity of milky air, drawn as textured planes.
+ */
 #version 460
 #include "ice/ice_depth.h"
-#include "inclusions/air.h"
+#include "inclusions/air_planes.h"
 #include "lib/globals.glsl"
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"

@@ -1,4 +1,5 @@
-/* composite_upsample.vert: vertex shader of upsampling: full-screen triangle with its uv. */
+/* composite_upsample_inclusions.vert: vertex shader of upsampling: full-screen triangle with its
+ * uv. */
 #version 460
 
 layout(location = 0) out vec2 uv;

@@ -1,5 +1,5 @@
-/* reference_aov_planes.c: maps image planes to values of a traced ray; needs no Embree. */
-#include "src/reference/reference_aov_planes.h"
+/* reference_aov_table.c: maps image planes to values of a traced ray; needs no Embree. */
+#include "src/reference/reference_aov_table.h"
 #include <stdio.h>
 #include <string.h>
 #include "src/tech/techniques.h"

@@ -1,5 +1,5 @@
 /*
- * sample_mean.c: uploads the mean of the samples to the colour image.
+ * sample_mean_upload.c: uploads the mean of the samples to the colour image.
  *
  * Samples are accumulated in float on the CPU. Tone mapping is not linear, so the mean is taken
  * first and copied to frame_color, where tonemap reads it.
@@ -25,7 +25,7 @@ static void record_upload(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_copy_buffer_to_image(cmd, &frame_samples, 0, &frame_color);
 }
 
-const struct technique sample_mean = {
+const struct technique sample_mean_upload = {
     .name = "resolve",
     .help = "mean of all samples, uploaded to the device",
     .pass_groups = { { PHASE_ENVIRONMENT, SCENE_OF_ANY, .purposes = 1u << TECHNIQUE_RESOLVE,

@@ -1,4 +1,5 @@
-/* resource_records.c: checks each image and buffer, and creates the compiler's record of it. */
+/* create_resource_records.c: checks each image and buffer, and creates the compiler's record of it.
+ */
 #include <math.h>
 #include "graph/compile/compiler.h"
 

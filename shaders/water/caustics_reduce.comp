@@ -1,4 +1,4 @@
-/* caustics_sum.comp: compute shader that sums the light map by a reduction in one workgroup. */
+/* caustics_reduce.comp: compute shader that sums the light map by a reduction in one workgroup. */
 #version 460
 #include "water/caustics.h"
 

@@ -1,4 +1,4 @@
-/* renderer_adaptive.c: draws an image with adaptive sampling, rectangle by rectangle. */
+/* renderer_adaptive_sampling.c: draws an image with adaptive sampling, rectangle by rectangle. */
 #include "src/base/log.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/render/renderer_internal.h"

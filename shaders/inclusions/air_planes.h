@@ -1,6 +1,6 @@
-/* air.h: binding and push constants of air.{vert,frag}. */
-#ifndef SHADERS_INCLUSIONS_AIR_H
-#define SHADERS_INCLUSIONS_AIR_H
+/* air_planes.h: binding and push constants of air.{vert,frag}. */
+#ifndef SHADERS_INCLUSIONS_AIR_PLANES_H
+#define SHADERS_INCLUSIONS_AIR_PLANES_H
 #include "abi.h"
 
 #define AIR_LAYERS 3 /* texture array with the opacity of bubbles in r and of haze in g */
