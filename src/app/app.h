@@ -70,10 +70,8 @@ struct app_scene {
     struct settings settings;
     struct settings user_settings; /* without those that the scene sets */
     const char *preset;            /* file, or NULL */
-    bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, by --preset */
-    bool is_asset_setting[SETTINGS_FIELD_COUNT];                        /* set by the asset */
-    bool quiet;                                                         /* print no notes */
-    bool plain; /* no inclusions, bumps and highlights */
+    bool quiet;                    /* print no notes */
+    bool plain;                    /* no inclusions, bumps and highlights */
 };
 
 /* Options that describe the rendered image of a scene. */

@@ -196,6 +196,12 @@ static bool draws_bumps(const struct refraction_model *refraction)
                                                                 refraction->shaders->bump_frag));
 }
 
+/* Returns true if the user has set a setting. */
+static bool is_set(const struct app_scene *options, const char *name)
+{
+    return settings_source(&options->settings, settings_find(name)) == SETTING_USER;
+}
+
 /* Warns if bump.strength or a crack setting is given with --set, but has no effect with the
  * refraction model. */
 static void warn_of_settings(const struct app_image *image)
@@ -214,8 +220,8 @@ static void warn_of_settings(const struct app_image *image)
         const bool is_left_out = unknown[i].of == &bump
                                      ? !draws_bumps(&image->refraction->refraction)
                                      : image->refraction->refraction.traces_bvh;
-        if (options->is_set[settings_index(settings_find(unknown[i].name))] &&
-            unknown[i].of->is_on(&options->settings) && is_left_out)
+        if (is_set(options, unknown[i].name) && unknown[i].of->is_on(&options->settings) &&
+            is_left_out)
             snprintf(&text[used], sizeof(text) - used, "%s%s", used ? ", " : "", unknown[i].name);
     }
     if (text[0] && !options->quiet)
@@ -230,7 +236,7 @@ static void warn_of_files(const struct app_image *image, const struct scene *sce
     const bool has_bumps =
         bump.is_on(&options->settings) && draws_bumps(&image->refraction->refraction);
     const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !traces_bvh;
-    const bool is_scaled = options->is_set[settings_index(settings_find("inclusions.scale"))];
+    const bool is_scaled = is_set(options, "inclusions.scale");
 
     const struct {
         const char *option, *file;
@@ -253,8 +259,7 @@ static void warn_of_files(const struct app_image *image, const struct scene *sce
 
 static void warn_of_outside(const struct app_scene *options, const struct scene *scene)
 {
-    if (scene->has_pool && options->is_set[settings_index(settings_find("refract.ior_outside"))] &&
-        !options->quiet)
+    if (scene->has_pool && is_set(options, "refract.ior_outside") && !options->quiet)
         log_warning(
             "refract.ior_outside: no effect in a pool, where water and air surround the ice");
 }
@@ -264,9 +269,8 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
 {
     const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
     const struct refraction_model *refraction = &image->refraction->refraction;
-    const size_t index = settings_index(settings_find("ground.light"));
-    if (ground->light == GROUND_TRACED && image->scene.is_set[index] && refraction->shaders &&
-        !refraction->traces_bvh && scene->material_table &&
+    if (ground->light == GROUND_TRACED && is_set(&image->scene, "ground.light") &&
+        refraction->shaders && !refraction->traces_bvh && scene->material_table &&
         material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
         log_note("ground.light=traced: not supported by this refraction model, which lights "
                  "surroundings without occlusion; use --refraction trace");

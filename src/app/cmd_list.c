@@ -100,19 +100,15 @@ static void print_range(const struct setting *row, const char *separator)
 static enum status print_preset(void)
 {
     const struct settings defaults = settings_default();
-    const struct setting_group *group;
     printf("# All settings of firn %s, with their defaults. Remove the '#' of a line to change its "
            "setting.\n",
            FIRN_VERSION);
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            printf("\n# %s", row->help);
-            print_range(row, row->choices ? "; one of " : "; ");
-            printf("%s\n#%s=", row->type == SETTING_SWITCH ? "; on or off" : "", row->name);
-            settings_print(&defaults, row, stdout);
-            printf("\n");
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        printf("\n# %s", row->help);
+        print_range(row, row->choices ? "; one of " : "; ");
+        printf("%s\n#%s=", row->type == SETTING_SWITCH ? "; on or off" : "", row->name);
+        settings_print(&defaults, row, stdout);
+        printf("\n");
     }
     return STATUS_OK;
 }
@@ -120,15 +116,11 @@ static enum status print_preset(void)
 static enum status list_settings(void)
 {
     const struct settings defaults = settings_default();
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            printf("  %-22s %s; default ", row->name, row->help);
-            settings_print(&defaults, row, stdout);
-            print_range(row, row->choices ? ", one of " : ", ");
-            printf(row->renamed_from ? "; formerly %s\n" : "\n", row->renamed_from);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        printf("  %-22s %s; default ", row->name, row->help);
+        settings_print(&defaults, row, stdout);
+        print_range(row, row->choices ? ", one of " : ", ");
+        printf(row->renamed_from ? "; formerly %s\n" : "\n", row->renamed_from);
     }
     return STATUS_OK;
 }

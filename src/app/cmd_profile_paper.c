@@ -179,8 +179,8 @@ static enum status apply_paper_settings(struct app_image *image)
         status = app_set_option(image, "refraction", "paper");
     for (size_t i = 0;
          i < sizeof(paper_settings) / sizeof(paper_settings[0]) && status == STATUS_OK; i++) {
-        const size_t index = settings_index(settings_find(paper_settings[i][0]));
-        if (!image->scene.is_set[index] && !image->scene.is_preset[index])
+        const struct setting *row = settings_find(paper_settings[i][0]);
+        if (settings_source(&image->scene.settings, row) < SETTING_PRESET)
             status = app_set_option(image, paper_settings[i][0], paper_settings[i][1]);
     }
     return status;

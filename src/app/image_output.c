@@ -42,13 +42,9 @@ static void print_vector(FILE *out, const char *name, vec3s v)
 
 static void print_settings(FILE *out, const struct settings *settings)
 {
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            fprintf(out, " %s=", row->name);
-            settings_print(settings, row, out);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        fprintf(out, " %s=", row->name);
+        settings_print(settings, row, out);
     }
 }
 

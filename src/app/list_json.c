@@ -147,11 +147,8 @@ static json_t *qualities_all(void)
 static json_t *settings(void)
 {
     json_t *all = json_array();
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)) && all; g++) {
-        for (size_t r = 0; r < group->row_count && all; r++)
-            all = json_text_append(all, setting_of(&group->rows[r]));
-    }
+    for (const struct setting *row = settings_next(NULL); row && all; row = settings_next(row))
+        all = json_text_append(all, setting_of(row));
     return all;
 }
 

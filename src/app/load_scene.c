@@ -32,15 +32,11 @@ static bool choose_ior(struct app_scene *options, const struct scene *scene)
     const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
-    const size_t index = settings_index(ior);
-    const bool is_own = !options->is_set[index] && !options->material && model->has_ior &&
-                        !options->is_preset[index];
-    if (is_own)
-        settings_set_value(&options->settings, ior, (double)model->ior);
-    else if (!options->is_set[index] && options->material)
-        settings_set_value(&options->settings, ior,
-                           (double)material_preset_find(options->material)->ior);
-    return is_own;
+    if (options->material)
+        settings_put(&options->settings, ior, (double)material_preset_find(options->material)->ior,
+                     SETTING_PRESET);
+    return !options->material && model->has_ior &&
+           settings_put(&options->settings, ior, (double)model->ior, SETTING_SCENE);
 }
 
 /* Switches on the sun's shadows and caustics if the sun lights a model file's opaque surroundings.
@@ -49,21 +45,15 @@ static void choose_sun(struct app_scene *options, const struct scene *scene)
 {
     const struct setting *row =
         settings_row(&ice_caustics_settings, offsetof(struct ice_caustics_params, light));
-    const size_t index = settings_index(row);
-    const bool is_given =
-        options->is_set[index] || options->is_preset[index] || options->is_asset_setting[index];
-    if (!is_given && !options->plain && !scene_find_builtin(options->name) &&
-        material_table_has_lit(&scene->model.surroundings) &&
+    if (settings_source(&options->settings, row) == SETTING_DEFAULT && !options->plain &&
+        !scene_find_builtin(options->name) && material_table_has_lit(&scene->model.surroundings) &&
         glms_vec3_max(frame_sun_light(scene, &options->settings)) > 0.0f)
-        settings_set_value(&options->settings, row, ICE_CAUSTICS_SUN);
+        settings_put(&options->settings, row, ICE_CAUSTICS_SUN, SETTING_SCENE);
 }
 
 static void switch_off(struct app_scene *options, const struct technique *technique)
 {
-    const struct setting *row = &technique->settings[0]->rows[0];
-    const size_t index = settings_index(row);
-    if (!options->is_set[index] && !options->is_preset[index])
-        settings_set_value(&options->settings, row, 0);
+    settings_put(&options->settings, &technique->settings->rows[0], 0, SETTING_SCENE);
 }
 
 /* Returns true if the scene's objects are ice when no --material is given. */
@@ -77,7 +67,7 @@ static bool has_ice(const struct scene *scene)
 static bool has_default(const struct app_scene *options, const struct technique *technique)
 {
     return !options->material &&
-           options->is_asset_setting[settings_index(&technique->settings[0]->rows[0])];
+           settings_source(&options->settings, &technique->settings->rows[0]) == SETTING_SCENE;
 }
 
 /* Switches off inclusions and bumps with --plain, or if the material is not ice. */
@@ -102,7 +92,7 @@ static void check_inclusions(struct app_scene *options, const struct scene *scen
         if (is_verbose)
             log_warning("%s: left out, because the scene has %u refractive objects instead of one",
                         (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
-        settings_set_value(&options->settings, &(*t)->settings[0]->rows[0], 0);
+        settings_set_value(&options->settings, &(*t)->settings->rows[0], 0);
     }
 }
 
@@ -128,8 +118,8 @@ static void note_brightness(const struct app_scene *options, const struct scene 
         brightest = fmaxf(brightest, glms_vec3_max(light->color) * light->intensity / (d * d));
     }
     const double stops = log2((double)brightest / (double)CGLM_PI);
-    if (stops >= BRIGHT_STOPS && !options->quiet && !options->is_preset[settings_index(exposure)] &&
-        !options->is_set[settings_index(exposure)])
+    if (stops >= BRIGHT_STOPS && !options->quiet &&
+        settings_source(&options->settings, exposure) < SETTING_PRESET)
         log_note("%s: its lights overexpose white surfaces by a factor of %.0f; use --set "
                  "tonemap.exposure=%.0f",
                  options->name, exp2(stops), fmax(-stops, exposure->min));
@@ -207,24 +197,15 @@ static void choose_environment(struct app_scene *options)
                  environment->file);
 }
 
-/* Applies an asset's default settings. Values of --set and --preset are kept. */
+/* Applies the settings of a bundled asset. */
 static enum status apply_asset_settings(struct app_scene *options)
 {
     const struct asset *scene = asset_find(options->name, ASSET_SCENE);
-    memset(options->is_asset_setting, 0, sizeof(options->is_asset_setting));
-    for (uint32_t i = 0; scene && i < ASSET_SETTING_COUNT && scene->settings[i]; i++) {
-        struct settings settings = options->settings;
-        const struct setting *row;
-        const enum status status = settings_assign(&settings, scene->settings[i], NULL, &row);
-        if (status != STATUS_OK)
-            return status;
-        const size_t index = settings_index(row);
-        if (options->is_set[index] || options->is_preset[index])
-            continue;
-        options->settings = settings;
-        options->is_asset_setting[index] = true;
-    }
-    return STATUS_OK;
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0;
+         scene && i < ASSET_SETTING_COUNT && scene->settings[i] && status == STATUS_OK; i++)
+        status = settings_assign(&options->settings, scene->settings[i], SETTING_SCENE, NULL);
+    return status;
 }
 
 void app_apply_scene_settings(struct app_scene *options, const struct scene *scene)
@@ -242,8 +223,6 @@ struct settings app_scene_settings(const struct app_scene *options, const struct
     struct app_scene initial = *options;
     initial.plain = false;
     initial.settings = settings_default();
-    memset(initial.is_set, 0, sizeof(initial.is_set));
-    memset(initial.is_preset, 0, sizeof(initial.is_preset));
     app_apply_scene_settings(&initial, scene);
     return initial.settings;
 }

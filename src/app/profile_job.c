@@ -48,23 +48,19 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
 static bool describe_settings(struct profile *p, const struct settings *settings)
 {
     size_t count = 0;
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++)
-        count += group->row_count;
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row))
+        count++;
     p->settings = calloc(count + 1, sizeof(*p->settings));
     if (!p->settings)
         return false;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            struct profile_setting *setting = &p->settings[p->setting_count++];
-            FILE *out = fmemopen(setting->value, sizeof(setting->value), "w");
-            if (!out)
-                return false;
-            snprintf(setting->name, sizeof(setting->name), "%s", row->name);
-            settings_print(settings, row, out);
-            fclose(out);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        struct profile_setting *setting = &p->settings[p->setting_count++];
+        FILE *out = fmemopen(setting->value, sizeof(setting->value), "w");
+        if (!out)
+            return false;
+        snprintf(setting->name, sizeof(setting->name), "%s", row->name);
+        settings_print(settings, row, out);
+        fclose(out);
     }
     return true;
 }

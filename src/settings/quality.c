@@ -36,28 +36,50 @@ const struct quality_row quality_rows[] = {
     { 0 },
 };
 
-void quality_apply_row(struct settings *settings, const struct quality_row *row, uint32_t level)
+double quality_value(const struct quality_row *row, uint32_t level)
 {
-    const struct settings defaults = settings_default();
     const struct setting *setting = settings_find(row->setting);
+    struct settings settings = settings_default();
     char assignment[64];
-    settings_set_value(settings, setting, settings_get(&defaults, setting));
-    if (!row->values[level])
-        return;
-    snprintf(assignment, sizeof(assignment), "%s=%s", row->setting, row->values[level]);
-    const enum status status = settings_set(settings, assignment);
+    snprintf(assignment, sizeof(assignment), "%s=%s", row->setting,
+             row->values[level] ? row->values[level] : "");
+    const enum status status = row->values[level]
+                                   ? settings_assign(&settings, assignment, SETTING_QUALITY, NULL)
+                                   : STATUS_OK;
     assert(status == STATUS_OK);
     (void)status;
+    return settings_get(&settings, setting);
+}
+
+static bool has_value(const struct settings *settings, const struct quality_row *row,
+                      uint32_t level)
+{
+    const double a = settings_get(settings, settings_find(row->setting));
+    const double b = quality_value(row, level);
+    return !(a < b || a > b);
+}
+
+bool quality_is_of_level(const struct settings *settings, const struct quality_row *row)
+{
+    uint32_t level = 0;
+    while (level < QUALITY_COUNT && !has_value(settings, row, level))
+        level++;
+    return level < QUALITY_COUNT;
+}
+
+void quality_apply(struct settings *settings, uint32_t level, enum setting_source source)
+{
+    for (const struct quality_row *row = quality_rows; row->setting; row++)
+        settings_put(settings, settings_find(row->setting), quality_value(row, level), source);
 }
 
 uint32_t quality_find(const struct settings *settings)
 {
-    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
-        struct settings applied = *settings;
-        for (const struct quality_row *row = quality_rows; row->setting; row++)
-            quality_apply_row(&applied, row, level);
-        if (!memcmp(&applied, settings, sizeof(applied)))
-            return level;
+    uint32_t level = 0;
+    for (const struct quality_row *row = quality_rows; row->setting && level < QUALITY_COUNT;) {
+        const bool is_equal = has_value(settings, row, level);
+        level += !is_equal;
+        row = is_equal ? row + 1 : quality_rows;
     }
-    return QUALITY_COUNT;
+    return level;
 }

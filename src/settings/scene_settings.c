@@ -16,8 +16,7 @@ static const struct setting object_rows[] = {
     },
 };
 
-const struct setting_group object_settings =
-    SETTING_GROUP("object", object_rows, struct object_params);
+SETTING_GROUP(object, object_rows, struct object_params);
 
 static const struct setting ice_rows[] = {
     {
@@ -32,7 +31,7 @@ static const struct setting ice_rows[] = {
     },
 };
 
-const struct setting_group ice_settings = SETTING_GROUP("ice", ice_rows, struct ice_params);
+SETTING_GROUP(ice, ice_rows, struct ice_params);
 
 static const struct setting landscape_rows[] = {
     {
@@ -55,8 +54,7 @@ static const struct setting landscape_rows[] = {
     },
 };
 
-const struct setting_group landscape_settings =
-    SETTING_GROUP("landscape", landscape_rows, struct landscape_params);
+SETTING_GROUP(landscape, landscape_rows, struct landscape_params);
 
 static const struct setting sky_rows[] = {
     {
@@ -101,7 +99,7 @@ static const struct setting sky_rows[] = {
     },
 };
 
-const struct setting_group sky_settings = SETTING_GROUP("sky", sky_rows, struct sky_params);
+SETTING_GROUP(sky, sky_rows, struct sky_params);
 
 static const char *const env_suns[] = {
     [ENV_SUN_FILE] = "file",
@@ -162,7 +160,7 @@ static const struct setting env_rows[] = {
     },
 };
 
-const struct setting_group env_settings = SETTING_GROUP("env", env_rows, struct env_params);
+SETTING_GROUP(env, env_rows, struct env_params);
 
 static const struct setting texture_rows[] = {
     {
@@ -178,8 +176,7 @@ static const struct setting texture_rows[] = {
     },
 };
 
-const struct setting_group texture_settings =
-    SETTING_GROUP("texture", texture_rows, struct texture_params);
+SETTING_GROUP(texture, texture_rows, struct texture_params);
 
 #define MOTION(field, ...) \
     { \
@@ -212,8 +209,7 @@ static const struct setting motion_rows[] = {
     },
 };
 
-const struct setting_group motion_settings =
-    SETTING_GROUP("motion", motion_rows, struct motion_params);
+SETTING_GROUP(motion, motion_rows, struct motion_params);
 
 #define LIGHT(field, ...) \
     { \
@@ -242,7 +238,7 @@ static const struct setting light_rows[] = {
           .help = "distance of the lights, in radii of the ice's bounding sphere"),
 };
 
-const struct setting_group light_settings = SETTING_GROUP("light", light_rows, struct light_params);
+SETTING_GROUP(light, light_rows, struct light_params);
 
 static const struct setting env_cube_rows[] = {
     {
@@ -290,8 +286,7 @@ static const struct setting env_cube_rows[] = {
     },
 };
 
-const struct setting_group env_cube_settings =
-    SETTING_GROUP("env_cube", env_cube_rows, struct env_cube_params);
+SETTING_GROUP(env_cube, env_cube_rows, struct env_cube_params);
 
 static const char *const ground_lights[] = {
     [GROUND_UNOCCLUDED] = "open",
@@ -344,8 +339,7 @@ static const struct setting ground_rows[] = {
     },
 };
 
-const struct setting_group ground_settings =
-    SETTING_GROUP("ground", ground_rows, struct ground_params);
+SETTING_GROUP(ground, ground_rows, struct ground_params);
 
 static const struct setting lens_rows[] = {
     {
@@ -368,7 +362,7 @@ static const struct setting lens_rows[] = {
     },
 };
 
-const struct setting_group lens_settings = SETTING_GROUP("lens", lens_rows, struct lens_params);
+SETTING_GROUP(lens, lens_rows, struct lens_params);
 
 static const struct setting target_rows[] = {
     {
@@ -386,5 +380,4 @@ static const struct setting target_rows[] = {
     },
 };
 
-const struct setting_group inclusion_target_settings =
-    SETTING_GROUP("inclusions", target_rows, struct inclusion_target_params);
+SETTING_GROUP(inclusions, target_rows, struct inclusion_target_params);

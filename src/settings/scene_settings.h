@@ -99,6 +99,6 @@ struct inclusion_target_params {
 
 extern const struct setting_group object_settings, ice_settings, landscape_settings, sky_settings,
     env_settings, texture_settings, motion_settings, light_settings, env_cube_settings,
-    ground_settings, lens_settings, inclusion_target_settings;
+    ground_settings, lens_settings, inclusions_settings;
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "src/settings/setting_groups.h"
 
 enum setting_type {
     SETTING_FLOAT,
@@ -49,17 +50,29 @@ static inline bool setting_is_auto(const struct setting *row, double value)
     return row->has_auto && value < row->min;
 }
 
+enum {
+    SETTING_GROUP_SIZE = 96, /* maximum size of a group's struct, bytes; a multiple of 16 */
+};
+
+/* Settings whose values are the members of one struct. */
 struct setting_group {
     const char *name;
     const struct setting *rows;
     size_t row_count;
-    size_t params_size; /* size of the struct, bytes */
+    size_t params_size; /* size of the struct, bytes; at most SETTING_GROUP_SIZE */
+    size_t index;       /* position in setting_groups[] */
 };
 
-#define SETTING_GROUP(title, table, type) \
-    { \
-        .name = (title), .rows = (table), .row_count = sizeof(table) / sizeof((table)[0]), \
-        .params_size = sizeof(type) \
-    }
+/* Defines the group GROUP_settings. It must be listed in the root meson.build. */
+#define SETTING_GROUP(group, table, type) \
+    extern const struct setting_group group##_settings; \
+    const struct setting_group group##_settings = { \
+        .name = #group, \
+        .rows = (table), \
+        .row_count = sizeof(table) / sizeof((table)[0]), \
+        .params_size = sizeof(type), \
+        .index = SETTING_GROUP_##group, \
+    }; \
+    _Static_assert(sizeof(type) <= SETTING_GROUP_SIZE, "the struct fits")
 
 #endif

@@ -1,4 +1,4 @@
-/* settings.c: list of all setting groups; reads, writes, parses and prints values by name. */
+/* settings.c: reads, writes, parses and prints the values of settings by name. */
 #include "src/settings/settings.h"
 #include <assert.h>
 #include <ctype.h>
@@ -7,86 +7,38 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/base/suggest.h"
-#include "src/settings/scene_settings.h"
-#include "src/tech/techniques.h"
 
-/* Setting groups of the scene; those of the rendering techniques follow them. */
-static const struct setting_group *const scene_groups[] = {
-    &object_settings,   &ice_settings,     &landscape_settings, &sky_settings,
-    &env_settings,      &texture_settings, &motion_settings,    &light_settings,
-    &env_cube_settings, &ground_settings,  &lens_settings,      &inclusion_target_settings,
-};
-
-enum {
-    SCENE_GROUP_COUNT = sizeof(scene_groups) / sizeof(scene_groups[0])
-};
-
-/* Iterator over all setting groups, first the scene's, then those of each technique. */
-struct iterator {
-    const struct setting_group *group; /* NULL at the end */
-    size_t offset;                     /* byte offset, a multiple of 16 */
-    const struct technique *const *technique;
-    size_t index; /* within scene_groups or the technique's groups */
-};
-
-static struct iterator first_group(void)
+static const struct setting_group *group_of(const struct setting *row)
 {
-    return (struct iterator){ .group = scene_groups[0] };
-}
-
-static void next_group(struct iterator *iterator)
-{
-    iterator->offset += (iterator->group->params_size + 15) / 16 * 16;
-    iterator->group = NULL;
-    iterator->index++;
-    if (!iterator->technique && iterator->index < SCENE_GROUP_COUNT)
-        iterator->group = scene_groups[iterator->index];
-    if (!iterator->technique && iterator->index == SCENE_GROUP_COUNT) {
-        iterator->technique = techniques;
-        iterator->index = 0;
+    size_t i = 0;
+    while (row < setting_groups[i]->rows ||
+           row >= setting_groups[i]->rows + setting_groups[i]->row_count) {
+        i++;
+        assert(setting_groups[i]); /* the row is in a listed group */
     }
-    while (!iterator->group && iterator->technique && *iterator->technique) {
-        if (iterator->index < TECHNIQUE_GROUP_COUNT)
-            iterator->group = (*iterator->technique)->settings[iterator->index];
-        if (!iterator->group) {
-            iterator->technique++;
-            iterator->index = 0;
-        }
-    }
+    return setting_groups[i];
 }
 
-const struct setting_group *settings_group(size_t i)
+const struct setting *settings_next(const struct setting *row)
 {
-    struct iterator iterator = first_group();
-    while (iterator.group && i-- > 0)
-        next_group(&iterator);
-    return iterator.group;
+    if (!row)
+        return setting_groups[0]->rows;
+    const struct setting_group *group = group_of(row);
+    if (row + 1 < group->rows + group->row_count)
+        return row + 1;
+    group = setting_groups[group->index + 1];
+    return group ? group->rows : NULL;
 }
 
-static size_t group_offset(const struct setting_group *group)
+/* Returns the index of a setting's source. */
+static size_t field_index(const struct setting *row)
 {
-    struct iterator iterator = first_group();
-    while (iterator.group != group) {
-        next_group(&iterator);
-        assert(iterator.group);
-    }
-    assert(iterator.offset + group->params_size <= SETTINGS_SIZE);
-    return iterator.offset;
+    return (group_of(row)->index * SETTING_GROUP_SIZE + row->offset) / sizeof(float);
 }
 
-const void *settings_of(const struct settings *settings, const struct setting_group *group)
+static unsigned char *field_of(struct settings *settings, const struct setting *row)
 {
-    return &settings->values[group_offset(group)];
-}
-
-static size_t row_offset(const struct setting *row)
-{
-    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
-        if (row >= iterator.group->rows && row < iterator.group->rows + iterator.group->row_count)
-            return iterator.offset + row->offset;
-    }
-    assert(false && "the row is in a listed group");
-    return 0;
+    return &settings->values[group_of(row)->index][row->offset];
 }
 
 const struct setting *settings_row(const struct setting_group *group, size_t offset)
@@ -120,30 +72,56 @@ static double read_field(const unsigned char *field, const struct setting *row)
 
 void settings_set_value(struct settings *settings, const struct setting *row, double value)
 {
-    write_field(&settings->values[row_offset(row)], row, value);
+    write_field(field_of(settings, row), row, value);
+}
+
+bool settings_put(struct settings *settings, const struct setting *row, double value,
+                  enum setting_source source)
+{
+    if (settings_source(settings, row) > source)
+        return false;
+    settings_set_value(settings, row, value);
+    settings->sources[field_index(row)] = (unsigned char)source;
+    return true;
+}
+
+void settings_set_sources(struct settings *settings, enum setting_source source)
+{
+    memset(settings->sources, (int)source, sizeof(settings->sources));
+}
+
+void settings_copy(struct settings *to, const struct setting *row, const struct settings *from)
+{
+    settings_set_value(to, row, settings_get(from, row));
+    to->sources[field_index(row)] = from->sources[field_index(row)];
 }
 
 double settings_get(const struct settings *settings, const struct setting *row)
 {
-    return read_field(&settings->values[row_offset(row)], row);
+    return read_field(&settings->values[group_of(row)->index][row->offset], row);
+}
+
+enum setting_source settings_source(const struct settings *settings, const struct setting *row)
+{
+    return (enum setting_source)settings->sources[field_index(row)];
+}
+
+bool settings_equal(const struct settings *a, const struct settings *b)
+{
+    return !memcmp(a->values, b->values, sizeof(a->values));
 }
 
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after)
 {
     enum setting_effect greatest = SETTING_AFFECTS_NOTHING;
-    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
-        for (size_t r = 0; r < iterator.group->row_count; r++) {
-            const struct setting *row = &iterator.group->rows[r];
-            const size_t field = iterator.offset + row->offset;
-            const double a = read_field(&before->values[field], row);
-            const double b = read_field(&after->values[field], row);
-            if (!(a < b) && !(a > b))
-                continue;
-            greatest = greatest > SETTING_AFFECTS_FRAME ? greatest : SETTING_AFFECTS_FRAME;
-            greatest = greatest > row->affects ? greatest : row->affects;
-            if (!(a > 0.0 || a < 0.0) != !(b > 0.0 || b < 0.0))
-                greatest = greatest > row->switches ? greatest : row->switches;
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double a = settings_get(before, row), b = settings_get(after, row);
+        if (!(a < b) && !(a > b))
+            continue;
+        greatest = greatest > SETTING_AFFECTS_FRAME ? greatest : SETTING_AFFECTS_FRAME;
+        greatest = greatest > row->affects ? greatest : row->affects;
+        if (!(a > 0.0 || a < 0.0) != !(b > 0.0 || b < 0.0))
+            greatest = greatest > row->switches ? greatest : row->switches;
     }
     return greatest;
 }
@@ -151,93 +129,85 @@ enum setting_effect settings_changed(const struct settings *before, const struct
 struct settings settings_default(void)
 {
     struct settings settings = { 0 };
-    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
-        for (size_t r = 0; r < iterator.group->row_count; r++)
-            write_field(&settings.values[iterator.offset + iterator.group->rows[r].offset],
-                        &iterator.group->rows[r], iterator.group->rows[r].initial);
-    }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row))
+        settings_set_value(&settings, row, row->initial);
     return settings;
 }
 
 const struct setting *settings_find(const char *name)
 {
-    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
-        for (size_t r = 0; r < iterator.group->row_count; r++) {
-            if (!strcmp(iterator.group->rows[r].name, name))
-                return &iterator.group->rows[r];
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        if (!strcmp(row->name, name))
+            return row;
     }
     return NULL;
 }
 
 enum {
     NAME_SIZE = 64,
-    SOURCE_SIZE = 512, /* text size of an assignment's source */
+    LOCATION_SIZE = 512, /* text size of an assignment's location */
 };
 
 struct assignment {
     struct settings *settings;
     const struct setting *row;
-    const struct settings_source *source; /* NULL for --set */
+    enum setting_source source;
+    const struct settings_location *location; /* NULL for --set */
 };
 
-/* Writes an assignment's source: "--set NAME", "FILE:LINE: NAME" or "FILE: NAME". */
-static const char *format_source(const struct settings_source *source, const char *name,
-                                 char text[static SOURCE_SIZE])
+/* Writes an assignment's location: "--set NAME", "FILE:LINE: NAME" or "FILE: NAME". */
+static const char *format_location(const struct settings_location *location, const char *name,
+                                   char text[static LOCATION_SIZE])
 {
-    if (!source)
-        snprintf(text, SOURCE_SIZE, "--set%s%s", name[0] ? " " : "", name);
-    else if (source->line)
-        snprintf(text, SOURCE_SIZE, "%s:%u%s%s", source->path, source->line, name[0] ? ": " : "",
-                 name);
+    if (!location)
+        snprintf(text, LOCATION_SIZE, "--set%s%s", name[0] ? " " : "", name);
+    else if (location->line)
+        snprintf(text, LOCATION_SIZE, "%s:%u%s%s", location->path, location->line,
+                 name[0] ? ": " : "", name);
     else
-        snprintf(text, SOURCE_SIZE, "%s%s%s", source->path, name[0] ? ": " : "", name);
+        snprintf(text, LOCATION_SIZE, "%s%s%s", location->path, name[0] ? ": " : "", name);
     return text;
 }
 
 /* Finds a setting by its former name, and logs its new name. Returns NULL if there is none. */
-static const struct setting *find_renamed(const struct settings_source *source, const char *name)
+static const struct setting *find_renamed(const struct settings_location *location,
+                                          const char *name)
 {
-    char where[SOURCE_SIZE];
-    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
-        for (size_t r = 0; r < iterator.group->row_count; r++) {
-            const struct setting *row = &iterator.group->rows[r];
-            if (row->renamed_from && !strcmp(row->renamed_from, name)) {
-                log_note("%s is now named %s", format_source(source, name, where), row->name);
-                return row;
-            }
+    char where[LOCATION_SIZE];
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        if (row->renamed_from && !strcmp(row->renamed_from, name)) {
+            log_note("%s is now named %s", format_location(location, name, where), row->name);
+            return row;
         }
     }
     return NULL;
 }
 
-static enum status rejection_status(const struct settings_source *source)
+static enum status rejection_status(const struct settings_location *location)
 {
-    return source ? STATUS_DATA : STATUS_USAGE;
+    return location ? STATUS_DATA : STATUS_USAGE;
 }
 
-static enum status reject_name(const struct settings_source *source, const char *name)
+static enum status reject_name(const struct settings_location *location, const char *name)
 {
     struct suggest suggest = { .word = name };
-    char hint[SUGGEST_HINT_SIZE], where[SOURCE_SIZE];
-    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
-        for (size_t r = 0; r < iterator.group->row_count; r++)
-            suggest_offer(&suggest, iterator.group->rows[r].name);
-    }
-    log_error("%s: unknown setting '%s'%s (firn list settings)", format_source(source, "", where),
-              name, suggest_hint(&suggest, hint));
-    return rejection_status(source);
+    char hint[SUGGEST_HINT_SIZE], where[LOCATION_SIZE];
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row))
+        suggest_offer(&suggest, row->name);
+    log_error("%s: unknown setting '%s'%s (firn list settings)",
+              format_location(location, "", where), name, suggest_hint(&suggest, hint));
+    return rejection_status(location);
 }
 
 static enum status reject_value(const struct assignment *a, const char *value)
 {
     const struct setting *row = a->row;
-    char choices[256] = "", where[SOURCE_SIZE];
+    char choices[256] = "", where[LOCATION_SIZE];
     size_t used = 0;
     for (size_t i = 0; row->choices && row->choices[i] && used < sizeof(choices); i++)
         used += (size_t)snprintf(&choices[used], sizeof(choices) - used, "%s%s", i ? ", " : "",
                                  row->choices[i]);
-    format_source(a->source, row->name, where);
+    format_location(a->location, row->name, where);
     if (row->type == SETTING_CHOICE)
         log_error("%s: expected one of %s, got '%s'", where, choices, value);
     else if (row->type == SETTING_SWITCH)
@@ -246,7 +216,7 @@ static enum status reject_value(const struct assignment *a, const char *value)
         log_error(
             "%s: expected %sa %s from %g to %g, got '%s'", where, row->has_auto ? "auto or " : "",
             row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max, value);
-    return rejection_status(a->source);
+    return rejection_status(a->location);
 }
 
 static enum status set_number(const struct assignment *a, const char *text)
@@ -255,7 +225,7 @@ static enum status set_number(const struct assignment *a, const char *text)
     char *end;
     double value = strtod(text, &end);
     if (row->has_auto && !strcmp(text, "auto")) {
-        settings_set_value(a->settings, row, setting_auto(row));
+        settings_put(a->settings, row, setting_auto(row), a->source);
         return STATUS_OK;
     }
     if (end == text || *end || isspace((unsigned char)*text) || !isfinite(value) ||
@@ -263,7 +233,7 @@ static enum status set_number(const struct assignment *a, const char *text)
         return reject_value(a, text);
     if (row->type == SETTING_COUNT && floor(value) < value)
         return reject_value(a, text);
-    settings_set_value(a->settings, row, value);
+    settings_put(a->settings, row, value, a->source);
     return STATUS_OK;
 }
 
@@ -273,7 +243,7 @@ static enum status set_choice(const struct assignment *a, const char *text)
     const char *const *names = a->row->type == SETTING_SWITCH ? switches : a->row->choices;
     for (uint32_t i = 0; names[i]; i++) {
         if (!strcmp(names[i], text)) {
-            settings_set_value(a->settings, a->row, i);
+            settings_put(a->settings, a->row, i, a->source);
             return STATUS_OK;
         }
     }
@@ -281,39 +251,24 @@ static enum status set_choice(const struct assignment *a, const char *text)
 }
 
 enum status settings_assign(struct settings *settings, const char *assignment,
-                            const struct settings_source *source, const struct setting **row)
+                            enum setting_source source, const struct settings_location *location)
 {
     const char *equals = strchr(assignment, '=');
     size_t length = equals ? (size_t)(equals - assignment) : 0;
-    char name[NAME_SIZE] = "", where[SOURCE_SIZE];
-    *row = NULL;
+    char name[NAME_SIZE] = "", where[LOCATION_SIZE];
     if (!equals || !length) {
-        log_error("%s: expected NAME=VALUE, got '%s'", format_source(source, "", where),
+        log_error("%s: expected NAME=VALUE, got '%s'", format_location(location, "", where),
                   assignment);
-        return rejection_status(source);
+        return rejection_status(location);
     }
     memcpy(name, assignment, length < NAME_SIZE ? length : NAME_SIZE - 1);
-    struct assignment a = { settings, settings_find(name), source };
+    struct assignment a = { settings, settings_find(name), source, location };
     if (!a.row)
-        a.row = find_renamed(source, name);
+        a.row = find_renamed(location, name);
     if (!a.row || length >= NAME_SIZE)
-        return reject_name(source, name);
+        return reject_name(location, name);
     const bool is_number = a.row->type == SETTING_FLOAT || a.row->type == SETTING_COUNT;
-    const enum status status = is_number ? set_number(&a, equals + 1) : set_choice(&a, equals + 1);
-    if (status == STATUS_OK)
-        *row = a.row;
-    return status;
-}
-
-enum status settings_set(struct settings *settings, const char *assignment)
-{
-    const struct setting *row;
-    return settings_assign(settings, assignment, NULL, &row);
-}
-
-size_t settings_index(const struct setting *row)
-{
-    return row_offset(row) / sizeof(float);
+    return is_number ? set_number(&a, equals + 1) : set_choice(&a, equals + 1);
 }
 
 /* Tries 6 to 9 significant digits; 9 are enough for any float. */
@@ -343,26 +298,15 @@ void settings_print(const struct settings *settings, const struct setting *row, 
         settings_print_number((float)value, out);
 }
 
-static bool is_changed(const struct settings *settings, const struct settings *defaults,
-                       const struct setting *row)
-{
-    const double a = settings_get(settings, row);
-    const double b = settings_get(defaults, row);
-    return a < b || a > b;
-}
-
 void settings_print_changes(const struct settings *settings, const char *before, FILE *out)
 {
     const struct settings defaults = settings_default();
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            if (!is_changed(settings, &defaults, row))
-                continue;
-            fprintf(out, "%s%s=", before, row->name);
-            settings_print(settings, row, out);
-            fputc('\n', out);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double a = settings_get(settings, row), b = settings_get(&defaults, row);
+        if (!(a < b || a > b))
+            continue;
+        fprintf(out, "%s%s=", before, row->name);
+        settings_print(settings, row, out);
+        fputc('\n', out);
     }
 }

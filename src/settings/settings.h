@@ -1,9 +1,9 @@
 /*
- * settings.h: values of all parameters that a user can set by name, driven by one table.
+ * settings.h: values of all parameters that can be set by name, each with its source.
  *
- * A group is a struct of parameters (often the very struct that a shader reads) with one row per
- * member: name, type, range, default, unit, help. The rows drive --set, the help, `firn list
- * settings` and the metadata of images. Techniques add their own groups.
+ * A group is a struct of parameters (often the very struct that a shader reads) with one table row
+ * per member: name, type, range, default, unit, help. The rows drive --set, the help, `firn list
+ * settings` and the metadata of images. Techniques add their own groups (root meson.build).
  *
  * Thread-safety: a struct settings may be read from many threads.
  */
@@ -17,21 +17,42 @@
 #include "src/base/status.h"
 #include "src/settings/setting.h"
 
-enum {
-    SETTINGS_SIZE = 1024
-}; /* size of all groups' structs, bytes */
-
-struct settings {
-    _Alignas(16) unsigned char values[SETTINGS_SIZE];
+/* Source of a setting's value, weakest first. A value never replaces one of a stronger source. */
+enum setting_source {
+    SETTING_DEFAULT, /* default of the table */
+    SETTING_SCENE,   /* built-in scene, bundled asset or model file */
+    SETTING_QUALITY, /* quality level */
+    SETTING_PRESET,  /* preset file, or the preset of a material */
+    SETTING_USER,    /* --set and other options, or the window */
 };
 
-/* Returns group i, in the order of help and metadata; NULL if i is out of range. */
-const struct setting_group *settings_group(size_t i);
+enum {
+    SETTINGS_FIELD_COUNT = SETTING_GROUP_COUNT * SETTING_GROUP_SIZE / sizeof(float)
+};
+
+struct settings {
+    _Alignas(16) unsigned char values[SETTING_GROUP_COUNT][SETTING_GROUP_SIZE];
+    unsigned char sources[SETTINGS_FIELD_COUNT]; /* enum setting_source */
+};
+
+/* All groups, in the order of help and metadata; ends at NULL. */
+extern const struct setting_group *const setting_groups[];
 
 struct settings settings_default(void);
 
-/* Returns a pointer to a group's values, to be cast to the group's struct type. */
-const void *settings_of(const struct settings *settings, const struct setting_group *group);
+/* Returns true if all values are equal. Sources are not compared. */
+bool settings_equal(const struct settings *a, const struct settings *b);
+
+/* Returns a pointer to the values of a group, to be cast to its struct type. */
+static inline const void *settings_of(const struct settings *settings,
+                                      const struct setting_group *group)
+{
+    return settings->values[group->index];
+}
+
+/* Returns the setting that follows `row` in the order of groups, or the first one if `row` is NULL.
+ * Returns NULL after the last one. */
+const struct setting *settings_next(const struct setting *row);
 
 /* Returns the setting of a group that describes the struct member at `offset` bytes. */
 const struct setting *settings_row(const struct setting_group *group, size_t offset);
@@ -39,37 +60,37 @@ const struct setting *settings_row(const struct setting_group *group, size_t off
 /* Returns the setting with a name from user input; NULL if it is unknown. */
 const struct setting *settings_find(const char *name);
 
-/*
- * Applies an assignment "name=value". For an unknown name, logs the nearest name. For an invalid
- * value, logs the valid range. Returns STATUS_USAGE in both cases.
- */
-MUST_USE enum status settings_set(struct settings *settings, const char *assignment);
-
-/* Source of an assignment, for error messages. */
-struct settings_source {
+/* Place of an assignment in a file, for error messages. */
+struct settings_location {
     const char *path; /* path of the file */
     uint32_t line;    /* from 1; 0 if none */
 };
 
 /*
- * Applies an assignment from a file, or from the command line if `source` is NULL. Sets *row to the
- * setting. If the assignment is invalid, logs its source, sets *row to NULL, and returns
- * STATUS_DATA (file) or STATUS_USAGE (command line).
+ * Applies an assignment "name=value" from a file, or from the command line if `location` is NULL.
+ * The value is put with `source` (settings_put()). Logs an error if the name is unknown or the
+ * value is invalid, and returns STATUS_DATA (file) or STATUS_USAGE (command line).
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
-                                     const struct settings_source *source,
-                                     const struct setting **row);
+                                     enum setting_source source,
+                                     const struct settings_location *location);
 
-enum {
-    SETTINGS_FIELD_COUNT = SETTINGS_SIZE / sizeof(float)
-};
+/* Sets a value and its source unless the present value has a stronger source. Returns true if the
+ * value is set. Does not check the range. */
+bool settings_put(struct settings *settings, const struct setting *row, double value,
+                  enum setting_source source);
 
-/* Returns an index below SETTINGS_FIELD_COUNT that is unique to the setting. */
-size_t settings_index(const struct setting *row);
-
-/* Sets a setting's value as a number, without a range check; settings_get() returns it. */
+/* Sets a value regardless of its source, which is kept. Does not check the range. */
 void settings_set_value(struct settings *settings, const struct setting *row, double value);
+
+/* Gives all values the same source. */
+void settings_set_sources(struct settings *settings, enum setting_source source);
+
+/* Copies one value and its source. */
+void settings_copy(struct settings *to, const struct setting *row, const struct settings *from);
+
 double settings_get(const struct settings *settings, const struct setting *row);
+enum setting_source settings_source(const struct settings *settings, const struct setting *row);
 
 /* Returns the greatest effect of all changes from `before` to `after`. */
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after);

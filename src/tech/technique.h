@@ -161,13 +161,12 @@ struct technique_inputs {
 
 enum {
     TECHNIQUE_PASS_GROUP_COUNT = 4,
-    TECHNIQUE_GROUP_COUNT = 2,
 };
 
 struct technique {
     const char *name;
-    const char *help; /* one line, no full stop */
-    const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
+    const char *help;                     /* one line, no full stop */
+    const struct setting_group *settings; /* main group; may be NULL */
     /* Returns true if the technique is on, false if its first setting is 0. NULL if always on. */
     bool (*is_on)(const struct settings *settings);
     bool is_traced;   /* the CPU reference models the feature */

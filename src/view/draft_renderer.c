@@ -28,25 +28,13 @@ static const struct {
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
 static const double budget_seconds = 0.016; /* at half size, for 30 fps */
 
-/* Returns true if a setting's value equals its value at one of the quality levels. */
-static bool is_of_level(const struct settings *settings, const struct quality_row *row)
-{
-    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
-        struct settings copy = *settings;
-        quality_apply_row(&copy, row, level);
-        if (!memcmp(&copy, settings, sizeof(copy)))
-            return true;
-    }
-    return false;
-}
-
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level)
 {
     struct settings draft = *settings;
     for (const struct quality_row *row = quality_rows; row->setting; row++) {
-        if (is_of_level(settings, row))
-            quality_apply_row(&draft, row, 0);
+        if (quality_is_of_level(settings, row))
+            settings_set_value(&draft, settings_find(row->setting), quality_value(row, 0));
     }
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
         const struct setting *row = settings_find(rows[i].setting);

@@ -188,15 +188,15 @@ static bool parse_own(struct session_file *s, const char *name, char *value, con
 static enum status parse_line(struct session_file *s, struct preset_line *line, const char *path)
 {
     char *equals = strchr(line->assignment, '=');
-    const struct settings_source source = { path, line->number };
-    const struct setting *row;
+    const struct settings_location location = { path, line->number };
     const char *expected;
     const bool is_right =
         !strncmp(line->assignment, "b.", 2) && strncmp(line->assignment, "b.rung=", 7) != 0;
     if (is_right)
-        return settings_assign(&s->state.right_settings, line->assignment + 2, &source, &row);
+        return settings_assign(&s->state.right_settings, line->assignment + 2, SETTING_USER,
+                               &location);
     if (!equals)
-        return settings_assign(&s->state.settings, line->assignment, &source, &row);
+        return settings_assign(&s->state.settings, line->assignment, SETTING_USER, &location);
     *equals = '\0';
     const bool is_own = parse_own(s, line->assignment, equals + 1, &expected);
     if (is_own && expected)
@@ -205,7 +205,7 @@ static enum status parse_line(struct session_file *s, struct preset_line *line, 
     if (is_own)
         return expected ? STATUS_DATA : STATUS_OK;
     *equals = '=';
-    return settings_assign(&s->state.settings, line->assignment, &source, &row);
+    return settings_assign(&s->state.settings, line->assignment, SETTING_USER, &location);
 }
 
 /* Checks that the session names a scene and all refraction models that are required. */
@@ -237,7 +237,7 @@ enum status session_file_parse(struct session_file *s, struct preset *lines, con
     if (status != STATUS_OK)
         session_file_finish(s);
     else if (s->state.side_b != VIEW_SIDE_B_STATE)
-        s->state.right_settings = (struct settings){ .values = { 0 } };
+        s->state.right_settings = (struct settings){ 0 };
     if (status == STATUS_OK && s->state.side_b == VIEW_SIDE_B_NONE)
         s->state.split = NULL;
     return status;

@@ -11,10 +11,8 @@ static bool differ(float a, float b)
 bool undo_stack_same_state(const struct view_state *a, const struct view_state *b)
 {
     return a->scene == b->scene && a->refraction == b->refraction && a->side_b == b->side_b &&
-           a->split == b->split &&
-           !memcmp(&a->right_settings, &b->right_settings, sizeof(a->right_settings)) &&
-           !differ(a->env_rotate, b->env_rotate) &&
-           !memcmp(&a->settings, &b->settings, sizeof(a->settings));
+           a->split == b->split && settings_equal(&a->right_settings, &b->right_settings) &&
+           !differ(a->env_rotate, b->env_rotate) && settings_equal(&a->settings, &b->settings);
 }
 
 void undo_stack_push(struct undo_stack *h, const struct view_state *state, uint32_t gesture)
@@ -64,20 +62,16 @@ static const char *name_side_b(const struct view_state *state)
 static uint32_t name_settings(const struct view_state *before, const struct view_state *after,
                               FILE *out)
 {
-    const struct setting_group *group;
     uint32_t count = 0;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const double a = settings_get(&before->settings, row);
-            const double b = settings_get(&after->settings, row);
-            if (!(a < b || a > b) || count++)
-                continue;
-            fprintf(out, "%s ", row->label);
-            settings_print(&before->settings, row, out);
-            fputs(" -> ", out);
-            settings_print(&after->settings, row, out);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double a = settings_get(&before->settings, row);
+        const double b = settings_get(&after->settings, row);
+        if (!(a < b || a > b) || count++)
+            continue;
+        fprintf(out, "%s ", row->label);
+        settings_print(&before->settings, row, out);
+        fputs(" -> ", out);
+        settings_print(&after->settings, row, out);
     }
     return count;
 }

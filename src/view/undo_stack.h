@@ -28,8 +28,7 @@ enum view_side_b {
 struct view_state {
     uint32_t scene; /* scene number; each opened scene or environment gets a new one */
     struct settings settings;
-    struct settings user_settings;     /* without the scene's own settings */
-    bool is_set[SETTINGS_FIELD_COUNT]; /* set by user or options */
+    struct settings user_settings; /* without the scene's own settings */
     const struct technique *refraction;
     enum view_side_b side_b;
     const struct technique *split;  /* model of side B, or NULL */

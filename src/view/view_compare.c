@@ -53,7 +53,7 @@ void view_compare_choose(struct view *v, struct view_state *state, enum view_sid
     const struct view_compare *c = &v->compare;
     state->side_b = other == VIEW_SIDE_B_STATE && !c->has_stored ? VIEW_SIDE_B_MODEL : other;
     state->split = NULL;
-    state->right_settings = (struct settings){ .values = { 0 } };
+    state->right_settings = (struct settings){ 0 };
     if (state->side_b == VIEW_SIDE_B_MODEL)
         state->split = side_b_refraction(v);
     if (state->side_b != VIEW_SIDE_B_STATE)

@@ -27,11 +27,10 @@ struct view_state view_state_now(const struct view *v)
         .refraction = p->refraction,
         .side_b = v->compare.side_b,
         .split = p->split,
-        .right_settings = v->viewport->has_right_settings ? v->viewport->right_settings
-                                                          : (struct settings){ .values = { 0 } },
         .env_rotate = p->scene.env_rotate,
     };
-    memcpy(state.is_set, p->scene.is_set, sizeof(state.is_set));
+    if (v->viewport->has_right_settings)
+        state.right_settings = v->viewport->right_settings;
     return state;
 }
 
@@ -40,7 +39,6 @@ struct settings view_scene_settings(const struct view *v)
     const struct app_scene *given = &v->options->image.scene;
     struct app_scene own = v->viewport->state.scene;
     own.settings = given->settings;
-    memcpy(own.is_set, given->is_set, sizeof(own.is_set));
     app_apply_scene_settings(&own, &v->viewport->scene);
     return frame_settings(&own.settings, &v->viewport->scene);
 }
@@ -54,7 +52,6 @@ static void assign_settings(struct app_scene *scene, const struct view_state *st
 {
     scene->settings = state->settings;
     scene->user_settings = state->user_settings;
-    memcpy(scene->is_set, state->is_set, sizeof(scene->is_set));
 }
 
 static enum status change_viewport(void *user)
@@ -75,7 +72,7 @@ static bool is_other_side_b(const struct view *v, const struct view_state *state
 {
     const struct view_state now = view_state_now(v);
     return state->side_b != now.side_b || state->split != now.split ||
-           memcmp(&state->right_settings, &now.right_settings, sizeof(now.right_settings)) != 0;
+           !settings_equal(&state->right_settings, &now.right_settings);
 }
 
 /* ---- other scenes ---- */
@@ -170,27 +167,26 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-/* Marks the settings that the user has set. These are the settings in `marked` (may be NULL) and
- * the settings that differ from both `before` and the scene's value. */
-static void state_settings(const struct view *v, struct view_state *state,
-                           const struct settings *before, const bool *marked)
+/* Finds out which of the settings that differ from `before` the user has set: those that do not
+ * have the scene's value. The others keep following the scene. */
+static void update_sources(const struct view *v, struct view_state *state,
+                           const struct settings *before)
 {
-    const struct app_scene *given = &v->options->image.scene;
-    const struct settings scene_settings = view_scene_settings(v);
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const double value = settings_get(&state->settings, row);
-            const double old = settings_get(before, row);
-            const double own = settings_get(&scene_settings, row);
-            const size_t index = settings_index(row);
-            const bool is_marked = marked && marked[index];
-            if (!(value < old || value > old) && !is_marked)
-                continue;
-            state->is_set[index] = is_marked || given->is_set[index] || value < own || value > own;
-            settings_set_value(&state->user_settings, row,
-                               state->is_set[index] ? value : settings_get(&given->settings, row));
+    const struct settings *given = &v->options->image.scene.settings;
+    const struct settings own = view_scene_settings(v);
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double value = settings_get(&state->settings, row);
+        const double old = settings_get(before, row);
+        const double scene_value = settings_get(&own, row);
+        if (!(value < old || value > old))
+            continue;
+        if (value < scene_value || value > scene_value ||
+            settings_source(given, row) == SETTING_USER) {
+            settings_put(&state->settings, row, value, SETTING_USER);
+            settings_put(&state->user_settings, row, value, SETTING_USER);
+        } else {
+            settings_copy(&state->settings, row, &own);
+            settings_copy(&state->user_settings, row, given);
         }
     }
 }
@@ -205,7 +201,7 @@ bool view_edit(struct view *v, const struct view_state *requested, uint32_t gest
     struct view_state state = *requested;
     if (!v->undo_stack.count)
         undo_stack_push(&v->undo_stack, &before, 0);
-    state_settings(v, &state, &before.settings, NULL);
+    update_sources(v, &state, &before.settings);
     if (!view_apply_state(v, &state))
         return false;
     const struct view_state now = view_state_now(v);
@@ -255,17 +251,20 @@ void view_load_preset(struct view *v, const char *path)
     char words[TEXT_SIZE];
     struct app_scene scene = v->viewport->state.scene;
     struct view_state state = view_state_now(v);
-    scene.settings = state.settings;
+    scene.settings = settings_default();
     scene.preset = path;
-    memset(scene.is_set, 0, sizeof(scene.is_set)); /* a preset may change every setting */
-    memset(scene.is_preset, 0, sizeof(scene.is_preset));
     view_clear_errors(v);
     if (option_preset_read(&scene) != STATUS_OK) {
         view_fail(v, "the preset was not loaded");
         return;
     }
-    state.settings = scene.settings;
-    state_settings(v, &state, &state.settings, scene.is_preset);
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double value = settings_get(&scene.settings, row);
+        if (settings_source(&scene.settings, row) == SETTING_PRESET) {
+            settings_put(&state.settings, row, value, SETTING_USER);
+            settings_put(&state.user_settings, row, value, SETTING_USER);
+        }
+    }
     if (!view_edit(v, &state, 0))
         return;
     snprintf(words, sizeof(words), "settings loaded from %s", path);
@@ -277,20 +276,16 @@ static void print_defaults(const struct view *v, const struct view_state *state,
 {
     const struct settings scene_settings = view_scene_settings(v);
     const struct settings defaults = settings_default();
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const double value = settings_get(&state->settings, row);
-            const double default_value = settings_get(&defaults, row);
-            const double own = settings_get(&scene_settings, row);
-            if (value < default_value || value > default_value ||
-                !(own < default_value || own > default_value))
-                continue;
-            fprintf(out, "%s=", row->name);
-            settings_print(&state->settings, row, out);
-            fputc('\n', out);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double value = settings_get(&state->settings, row);
+        const double default_value = settings_get(&defaults, row);
+        const double own = settings_get(&scene_settings, row);
+        if (value < default_value || value > default_value ||
+            !(own < default_value || own > default_value))
+            continue;
+        fprintf(out, "%s=", row->name);
+        settings_print(&state->settings, row, out);
+        fputc('\n', out);
     }
 }
 

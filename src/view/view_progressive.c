@@ -42,7 +42,7 @@ bool view_progressive_is_same(const struct view_identity *a, const struct view_i
 {
     const struct settings settings = viewport_with_exposure(&a->settings, &b->settings);
     return a->renderer_version == b->renderer_version && is_same_camera(&a->camera, &b->camera) &&
-           !differ(a->time, b->time) && !memcmp(&settings, &b->settings, sizeof(settings));
+           !differ(a->time, b->time) && settings_equal(&settings, &b->settings);
 }
 
 /* Returns true if the view is unchanged except for the exposure. */
@@ -53,8 +53,7 @@ static bool is_same(const struct view *v, const struct view_identity *now)
 
 static bool has_other_exposure(const struct view *v)
 {
-    return memcmp(&v->progressive.identity.settings, &v->viewport->state.scene.settings,
-                  sizeof(struct settings)) != 0;
+    return !settings_equal(&v->progressive.identity.settings, &v->viewport->state.scene.settings);
 }
 
 static bool has_current_samples(const struct view *v)

@@ -140,7 +140,7 @@ static enum status make_right_scene(struct viewport *p)
         return log_out_of_memory(NULL);
     given.settings = p->right_settings;
     given.quiet = true;
-    memset(given.is_set, true, sizeof(given.is_set)); /* all settings come from B */
+    settings_set_sources(&given.settings, SETTING_USER); /* all settings come from B */
     if (p->scene.is_animated)
         settings_set_value(&given.settings, settings_find("motion.time"), (double)p->scene.time);
     enum status status = app_load_scene(&made->scene, &given);
@@ -522,7 +522,7 @@ static bool same_frame(const struct viewport *p, const struct app_image *a,
         a->refraction != b->refraction)
         return false;
     const struct settings other = viewport_with_exposure(&a->scene.settings, &b->scene.settings);
-    if (!memcmp(&other, &b->scene.settings, sizeof(other)))
+    if (settings_equal(&other, &b->scene.settings))
         return true;
     /* an environment cube that is not redrawn has the old lighting */
     return frame_draws_cube(&a->scene.settings, &p->scene) &&

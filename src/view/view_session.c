@@ -35,8 +35,8 @@ void view_apply_session(const struct session_file *session, struct app_image *st
     scene->env_rotate = session->environment ? session->state.env_rotate : 0.0f;
     scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
     scene->settings = session->state.settings;
+    settings_set_sources(&scene->settings, SETTING_USER); /* all come from the session */
     scene->user_settings = scene->settings;
-    memset(scene->is_set, true, sizeof(scene->is_set)); /* all come from the session */
     scene->has_default_environment = false;
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
@@ -49,24 +49,21 @@ void view_apply_session(const struct session_file *session, struct app_image *st
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
 }
 
-/* Clears is_set of settings that have the scene's own value. Another scene can then change them. */
+/* Resets the source of settings with the scene's value, so that another scene can change them. */
 static void unmark_scene_settings(struct view *v)
 {
-    const struct app_scene *given = &v->options->image.scene;
+    const struct settings *given = &v->options->image.scene.settings;
     struct app_scene *scene = &v->viewport->state.scene;
     const struct asset *environment = app_default_environment(scene->name);
     const struct settings own = view_scene_settings(v);
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const double value = settings_get(&scene->settings, row);
-            const double scene_value = settings_get(&own, row);
-            if (value < scene_value || value > scene_value || given->is_set[settings_index(row)])
-                continue;
-            scene->is_set[settings_index(row)] = false;
-            settings_set_value(&scene->user_settings, row, settings_get(&given->settings, row));
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const double value = settings_get(&scene->settings, row);
+        const double scene_value = settings_get(&own, row);
+        if (value < scene_value || value > scene_value ||
+            settings_source(given, row) == SETTING_USER)
+            continue;
+        settings_copy(&scene->settings, row, &own);
+        settings_copy(&scene->user_settings, row, given);
     }
     scene->has_default_environment =
         environment && scene->environment && !strcmp(scene->environment, environment->name);

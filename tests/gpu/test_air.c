@@ -230,7 +230,7 @@ static void strengths(void **state)
     assert_true(shares[1] > 0.05 && shares[1] < 0.95);
     assert_true(shares[2] > 1.1);
     struct settings none = picture_settings("air.strength=0");
-    assert_int_equal(settings_set(&none, "air.haze=0"), STATUS_OK);
+    assert_int_equal(settings_assign(&none, "air.haze=0", SETTING_USER, NULL), STATUS_OK);
     assert_true(check_light(*state, &scene, &none, gray) <= 0.0);
     scene_finish(&scene);
 }

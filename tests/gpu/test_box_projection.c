@@ -53,7 +53,7 @@ static struct settings set_all(const char *const *assignments)
 {
     struct settings settings = picture_settings("light.count=0");
     for (; *assignments; assignments++)
-        assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, *assignments, SETTING_USER, NULL), STATUS_OK);
     return settings;
 }
 

@@ -27,8 +27,8 @@ struct bump_picture {
 static struct settings settings_of_bumps(const char *strength, const char *mapping)
 {
     struct settings settings = picture_settings(strength);
-    assert_int_equal(settings_set(&settings, mapping), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "motion.ice=30"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, mapping, SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "motion.ice=30", SETTING_USER, NULL), STATUS_OK);
     return settings;
 }
 

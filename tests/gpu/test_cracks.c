@@ -33,7 +33,7 @@ static struct settings settings_with(const char *const *assignments)
 {
     struct settings settings = settings_default();
     for (size_t i = 0; assignments[i]; i++)
-        assert_int_equal(settings_set(&settings, assignments[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, assignments[i], SETTING_USER, NULL), STATUS_OK);
     return settings;
 }
 

@@ -50,7 +50,7 @@ static struct vec see(struct gpu *gpu, const struct sheet *sheets, uint32_t coun
                                         "cracks.clip=precut" };
     struct settings settings = picture_settings(setting);
     for (size_t i = 0; i < sizeof(gaps) / sizeof(gaps[0]); i++)
-        assert_int_equal(settings_set(&settings, gaps[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, gaps[i], SETTING_USER, NULL), STATUS_OK);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
     picture_use_directions(&scene, 1024);
     add_sheets(&scene, sheets, count);
@@ -146,8 +146,10 @@ static void even_light(void **state)
         struct scene scene = { .background = SCENE_COLOR,
                                .background_color = { { 0.25f, 0.25f, 0.25f } } };
         const struct scene_cracks cracks = { .count = 5, .seed = 4, .size = 1 };
-        assert_int_equal(settings_set(&settings, "refract_bounce.inclusions=all"), STATUS_OK);
-        assert_int_equal(settings_set(&settings, ways[way]), STATUS_OK);
+        assert_int_equal(
+            settings_assign(&settings, "refract_bounce.inclusions=all", SETTING_USER, NULL),
+            STATUS_OK);
+        assert_int_equal(settings_assign(&settings, ways[way], SETTING_USER, NULL), STATUS_OK);
         assert_true(generate_ice_cube(&scene.model.object, GENERATE_ICE_CUBE_TRIANGLES));
         scene.box = mesh_box(&scene.model.object);
         assert_int_equal(scene_generate_cracks(&scene, &cracks), STATUS_OK);

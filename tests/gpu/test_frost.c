@@ -40,8 +40,8 @@ static struct frost_picture draw(struct gpu *gpu, const struct scene *scene, con
             .layers = picture_layer_bit("exit") | picture_layer_bit("N"),
         },
     };
-    assert_int_equal(settings_set(&p.settings, roughness), STATUS_OK);
-    assert_int_equal(settings_set(&p.settings, "bump.scale=1"), STATUS_OK);
+    assert_int_equal(settings_assign(&p.settings, roughness, SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&p.settings, "bump.scale=1", SETTING_USER, NULL), STATUS_OK);
     p.request.settings = &p.settings;
     p.result = picture_render(gpu, &p.request);
     p.beauty = picture_layer(&p.result.image, "");

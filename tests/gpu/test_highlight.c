@@ -46,9 +46,10 @@ static struct surface_picture draw(struct gpu *gpu, const char *const *assignmen
     p.scene.background_color = (vec3s){ { (float)gray, (float)gray, (float)gray } };
     if (bumps)
         bump_reference_make_constant(&p.scene, bumps->slope_u, bumps->slope_v, 0, 0);
-    assert_int_equal(settings_set(&p.settings, "highlight.shininess=300"), STATUS_OK);
+    assert_int_equal(settings_assign(&p.settings, "highlight.shininess=300", SETTING_USER, NULL),
+                     STATUS_OK);
     for (; *assignments; assignments++)
-        assert_int_equal(settings_set(&p.settings, *assignments), STATUS_OK);
+        assert_int_equal(settings_assign(&p.settings, *assignments, SETTING_USER, NULL), STATUS_OK);
     p.request.scene = &p.scene;
     p.request.settings = &p.settings;
     p.result = picture_render(gpu, &p.request);

@@ -41,9 +41,10 @@ struct lit_floor {
 static struct settings settings_with(const char *const *assignments)
 {
     struct settings settings = picture_settings("ice_caustics.light=sun");
-    assert_int_equal(settings_set(&settings, "caustics.sun=0.01"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "caustics.sun=0.01", SETTING_USER, NULL),
+                     STATUS_OK);
     for (; *assignments; assignments++)
-        assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, *assignments, SETTING_USER, NULL), STATUS_OK);
     return settings;
 }
 

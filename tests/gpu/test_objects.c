@@ -116,7 +116,7 @@ static struct render_result draw(struct gpu *gpu, const char *refraction, uint32
     struct scene scene = scene_of(balls, count);
     struct settings settings = picture_settings("light.count=0");
     for (size_t i = 0; i < 3 && !layers; i++)
-        assert_int_equal(settings_set(&settings, inside[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, inside[i], SETTING_USER, NULL), STATUS_OK);
     struct render_result result = picture_render(gpu, &(struct picture_request){
                                                           .scene = &scene,
                                                           .settings = &settings,

@@ -262,7 +262,8 @@ static void up_is_up_and_right_is_right(void **state)
 static void sky_is_above_and_sun_where_it_is_set(void **state)
 {
     struct settings settings = picture_settings("sky.sun_azimuth=140");
-    assert_int_equal(settings_set(&settings, "sky.sun_elevation=20"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "sky.sun_elevation=20", SETTING_USER, NULL),
+                     STATUS_OK);
     const vec3s eye = { { 0, 40, 0 } };
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 20);
     const struct picture_request request = {
@@ -554,8 +555,10 @@ static void display_is_the_mean_tonemapped(void **state)
     load(&scene, "sphere", NULL);
     for (size_t k = 0; k < sizeof(changes) / sizeof(changes[0]); k++) {
         struct settings settings = picture_settings(changes[k]);
-        assert_int_equal(settings_set(&settings, "sky.sun_azimuth=180"), STATUS_OK);
-        assert_int_equal(settings_set(&settings, "env_cube.dynamic=off"), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, "sky.sun_azimuth=180", SETTING_USER, NULL),
+                         STATUS_OK);
+        assert_int_equal(settings_assign(&settings, "env_cube.dynamic=off", SETTING_USER, NULL),
+                         STATUS_OK);
         for (uint32_t samples = 1; samples <= 4; samples += 3) {
             const struct picture_request request = {
                 .scene = &scene,

@@ -102,9 +102,11 @@ static void sky_landscape_and_movers(void **state)
 {
     struct scene scene;
     struct settings settings = picture_settings("sky.sun_azimuth=200");
-    assert_int_equal(settings_set(&settings, "sky.sun_elevation=12"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "sky.strength=0.7"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "sky.sun_strength=1.4"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "sky.sun_elevation=12", SETTING_USER, NULL),
+                     STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "sky.strength=0.7", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "sky.sun_strength=1.4", SETTING_USER, NULL),
+                     STATUS_OK);
     assert_int_equal(
         scene_load(&scene, &(struct scene_params){ .name = "valley", .orbiting_ball_count = 7 }),
         STATUS_OK);

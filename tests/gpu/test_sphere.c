@@ -291,7 +291,7 @@ static void second_exit_has_the_rest(void **state)
     static const char *const all[] = { "absorb.red=0.3", "refract.fresnel=crossfade",
                                        "refract.crossfade=1" };
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
-        assert_int_equal(settings_set(&settings, all[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, all[i], SETTING_USER, NULL), STATUS_OK);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 1, 1, 1 } };
@@ -347,7 +347,7 @@ static double ball_error(struct gpu *gpu, const char *lookup)
     const vec3s center = { { -0.5F, 0.1F, -2.6F } };
     struct settings settings = picture_settings("light.count=0");
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
-        assert_int_equal(settings_set(&settings, all[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, all[i], SETTING_USER, NULL), STATUS_OK);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 1, 1, 1 } };

@@ -144,7 +144,8 @@ static void unlit_colors_are_exact(void **state)
 static struct settings sun_at(const char *azimuth)
 {
     struct settings settings = picture_settings(azimuth);
-    assert_int_equal(settings_set(&settings, "sky.sun_elevation=0"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "sky.sun_elevation=0", SETTING_USER, NULL),
+                     STATUS_OK);
     return settings;
 }
 

@@ -52,7 +52,7 @@ static const char *const level[] = {
 static void set_all(struct settings *settings, const char *const *assignments)
 {
     for (size_t i = 0; assignments[i]; i++)
-        assert_int_equal(settings_set(settings, assignments[i]), STATUS_OK);
+        assert_int_equal(settings_assign(settings, assignments[i], SETTING_USER, NULL), STATUS_OK);
 }
 
 static struct scene load(float background, float ice)

@@ -41,9 +41,10 @@ static struct settings settings_of_params(const struct caustic_map_params *param
     struct settings settings = settings_default();
     char method[64];
     (void)snprintf(method, sizeof(method), "caustics.method=%s", params->method);
-    assert_int_equal(settings_set(&settings, method), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, method, SETTING_USER, NULL), STATUS_OK);
     for (size_t i = 0; params->assignments[i]; i++)
-        assert_int_equal(settings_set(&settings, params->assignments[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, params->assignments[i], SETTING_USER, NULL),
+                         STATUS_OK);
     return settings;
 }
 

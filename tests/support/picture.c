@@ -118,12 +118,15 @@ uint32_t picture_layer_bit(const char *name)
 struct settings picture_settings(const char *assignment)
 {
     struct settings settings = settings_default();
-    assert_int_equal(settings_set(&settings, "bump.strength=0"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "light.count=0"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "env_cube.size=128"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "refract.fresnel=paper"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "refract.lookup=infinite"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "bump.strength=0", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "light.count=0", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "env_cube.size=128", SETTING_USER, NULL),
+                     STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "refract.fresnel=paper", SETTING_USER, NULL),
+                     STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "refract.lookup=infinite", SETTING_USER, NULL),
+                     STATUS_OK);
+    assert_int_equal(settings_assign(&settings, assignment, SETTING_USER, NULL), STATUS_OK);
     return settings;
 }
 

@@ -9,7 +9,7 @@ struct settings reference_ray_settings(const char *const *assignments)
 {
     struct settings settings = settings_default();
     for (; *assignments; assignments++)
-        assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, *assignments, SETTING_USER, NULL), STATUS_OK);
     return settings;
 }
 

@@ -122,17 +122,15 @@ static const char *const states[] = { "tonemap.exposure=0", "frost.amount=1",
 
 static void test_rows_say_what_they_affect(void **state)
 {
-    const struct setting_group *group;
     (void)state;
     for (size_t s = 0; s < sizeof(states) / sizeof(states[0]); s++) {
         struct start before = { .settings = settings_default() };
-        assert_int_equal(settings_set(&before.settings, states[s]), STATUS_OK);
+        assert_int_equal(settings_assign(&before.settings, states[s], SETTING_USER, NULL),
+                         STATUS_OK);
         for (int pool = 0; pool < 2; pool++)
             before.plans[pool] = describe_plan(&before.settings, pool);
-        for (size_t g = 0; (group = settings_group(g)); g++) {
-            for (size_t r = 0; r < group->row_count; r++)
-                check_row(&group->rows[r], &before);
-        }
+        for (const struct setting *row = settings_next(NULL); row; row = settings_next(row))
+            check_row(row, &before);
         free(before.plans[0]);
         free(before.plans[1]);
     }
@@ -145,11 +143,11 @@ static void test_no_row_says_too_much(void **state)
     struct settings before = settings_default(), after = before;
     (void)state;
     assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_NOTHING);
-    assert_int_equal(settings_set(&after, "bump.strength=0.5"), STATUS_OK);
+    assert_int_equal(settings_assign(&after, "bump.strength=0.5", SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_FRAME);
-    assert_int_equal(settings_set(&after, "tonemap.curve=clip"), STATUS_OK);
+    assert_int_equal(settings_assign(&after, "tonemap.curve=clip", SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_PLAN);
-    assert_int_equal(settings_set(&after, "bump.strength=0"), STATUS_OK);
+    assert_int_equal(settings_assign(&after, "bump.strength=0", SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(settings_changed(&before, &after), SETTING_AFFECTS_SCENE);
 }
 

@@ -90,8 +90,7 @@ static void movements_are_drafts(void **state)
     struct settings settings = settings_default();
     (void)state;
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
-        for (const struct quality_row *row = quality_rows; row->setting; row++)
-            quality_apply_row(&settings, row, level);
+        quality_apply(&settings, level, SETTING_QUALITY);
         struct settings quick = draft_renderer_settings(&settings, DRAFT_RENDERER_COARSE_MESH);
         assert_int_equal(quality_find(&quick), 0);
         assert_true(value_of(&quick, "ground.shading") == (double)GROUND_VERTICES);

@@ -15,7 +15,7 @@ struct fixture {
 
 static void change(struct fixture *f, const char *assignment)
 {
-    assert_int_equal(settings_set(&f->settings, assignment), STATUS_OK);
+    assert_int_equal(settings_assign(&f->settings, assignment, SETTING_USER, NULL), STATUS_OK);
 }
 
 static int setup(void **state)

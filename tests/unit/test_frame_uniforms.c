@@ -366,12 +366,15 @@ static void test_faces_by_height(void **state)
         assert_int_equal(frame_face_size(&settings, sizes[i][0]), sizes[i][1]);
     const struct settings settled = frame_resolve_settings(&settings, NULL, 768);
     assert_int_equal(frame_face_size(&settled, 1), 1024);
-    assert_int_equal(settings_set(&settings, "env_cube.size=64"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "env_cube.size=64", SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(frame_face_size(&settings, 768), 64);
-    assert_int_equal(settings_set(&settings, "env_cube.size=auto"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "env_cube.size=auto", SETTING_USER, NULL),
+                     STATUS_OK);
     assert_int_equal(frame_face_size(&settings, 768), 1024);
-    assert_int_equal(settings_set(&settings, "env_cube.size=15"), STATUS_USAGE);
-    assert_int_equal(settings_set(&settings, "env_cube.faces=auto"), STATUS_USAGE);
+    assert_int_equal(settings_assign(&settings, "env_cube.size=15", SETTING_USER, NULL),
+                     STATUS_USAGE);
+    assert_int_equal(settings_assign(&settings, "env_cube.faces=auto", SETTING_USER, NULL),
+                     STATUS_USAGE);
 }
 
 /* Every sample sees the point that is in focus at the same place, from another point of the lens;
@@ -382,8 +385,8 @@ static void test_lens_keeps_the_focus(void **state)
     struct settings settings = settings_default();
     struct scene scene = { .box = { { { -1.0f, -1.0f, -1.0f } }, { { 1.0f, 1.0f, 1.0f } } } };
     float widest = 0.0f;
-    assert_int_equal(settings_set(&settings, "lens.f_stop=4"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "lens.focus=3"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "lens.f_stop=4", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "lens.focus=3", SETTING_USER, NULL), STATUS_OK);
     for (uint32_t sample = 0; sample < 64; sample++) {
         struct frame_view view = { .scene = &scene,
                                    .settings = &settings,

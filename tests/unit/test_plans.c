@@ -73,11 +73,12 @@ static struct frame_request request_of(const struct golden *golden, struct setti
     };
 
     *settings = settings_default();
-    assert_int_equal(settings_set(settings, "env_cube.size=512"), STATUS_OK);
+    assert_int_equal(settings_assign(settings, "env_cube.size=512", SETTING_USER, NULL), STATUS_OK);
     if (golden->static_cube)
-        assert_int_equal(settings_set(settings, "env_cube.dynamic=off"), STATUS_OK);
+        assert_int_equal(settings_assign(settings, "env_cube.dynamic=off", SETTING_USER, NULL),
+                         STATUS_OK);
     if (golden->setting)
-        assert_int_equal(settings_set(settings, golden->setting), STATUS_OK);
+        assert_int_equal(settings_assign(settings, golden->setting, SETTING_USER, NULL), STATUS_OK);
     return (struct frame_request){
         .config = {
             .settings = settings,
@@ -231,9 +232,9 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
     static const char *const nothing[] = { "air.count=0", "bubbles.count=0", "cracks.count=0" };
     struct settings settings = settings_default();
     for (size_t i = 0; i < 3; i++)
-        assert_int_equal(settings_set(&settings, nothing[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, nothing[i], SETTING_USER, NULL), STATUS_OK);
     for (; *assignments; assignments++)
-        assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, *assignments, SETTING_USER, NULL), STATUS_OK);
     const struct technique *refraction;
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
         if (!refraction->refraction.shaders->bump_frag && !refraction->refraction.shades_fullscreen)
@@ -284,7 +285,7 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
     struct settings settings;
     struct frame_request request = request_of(&paper, &settings);
     struct frame_plan plan;
-    assert_int_equal(settings_set(&settings, setting), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, setting, SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     assert_true(has_pass_of(plan.plan, "air") == air_is_on);
     assert_true(has_image(plan.plan, "frame.air") == air_is_on);
@@ -324,9 +325,9 @@ static struct objects_cost cost_of(const char *refraction, uint32_t objects)
     struct settings settings;
     struct frame_request request = request_of(&golden, &settings);
     struct frame_plan plan;
-    assert_int_equal(settings_set(&settings, "air.count=0"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "bubbles.count=0"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "cracks.count=0"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "air.count=0", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "bubbles.count=0", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "cracks.count=0", SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
     struct objects_cost cost = { .memory = plan.plan->memory_used };
     for (uint32_t i = 0; i < plan.plan->pass_count; i++)
@@ -362,7 +363,7 @@ static void test_no_cracks_no_passes(void **state)
     for (size_t i = 0; i < 3; i++) {
         struct settings settings = settings_default();
         struct frame_plan plan;
-        assert_int_equal(settings_set(&settings, switches[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, switches[i], SETTING_USER, NULL), STATUS_OK);
         const struct frame_request request = {
             .config = { .settings = &settings,
                         .refraction = techniques_refraction(0),

@@ -190,7 +190,8 @@ static void test_error(void **state)
     struct render_result results[SAMPLES];
     f->scene.background = SCENE_COLOR;
     f->scene.background_color = (vec3s){ { 0.2F, 0.6F, 3 } };
-    assert_int_equal(settings_set(&f->settings, "absorb.green=3"), STATUS_OK);
+    assert_int_equal(settings_assign(&f->settings, "absorb.green=3", SETTING_USER, NULL),
+                     STATUS_OK);
     double noise = 0;
     struct reference_outcome outcome = { 0 };
     for (uint32_t s = 0; s < SAMPLES; s++) {
@@ -228,7 +229,8 @@ static void test_remaining(void **state)
     struct render_result result = { 0 };
     assert_true(go_on(&f->request, &result).pixels_beyond < 10); /* trapped at the silhouette */
     render_result_finish(&result);
-    assert_int_equal(settings_set(&f->settings, "reference.cutoff=0.1"), STATUS_OK);
+    assert_int_equal(settings_assign(&f->settings, "reference.cutoff=0.1", SETTING_USER, NULL),
+                     STATUS_OK);
     const struct reference_outcome outcome = go_on(&f->request, &result);
     const char *const planes[] = { "remaining.R", "remaining.G", "remaining.B" };
     uint64_t count = 0;
@@ -412,10 +414,10 @@ static void test_what_is_left_out(void **state)
     (void)state;
     struct settings settings = settings_default();
     char names[REFERENCE_NAMES_SIZE];
-    assert_int_equal(settings_set(&settings, "frost.amount=0.5"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "frost.amount=0.5", SETTING_USER, NULL), STATUS_OK);
     assert_true(reference_unsupported(&settings, names, sizeof(names)));
     assert_string_equal(names, "highlights");
-    assert_int_equal(settings_set(&settings, "light.count=0"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "light.count=0", SETTING_USER, NULL), STATUS_OK);
     assert_false(reference_unsupported(&settings, names, sizeof(names)));
 }
 

@@ -14,24 +14,22 @@ typedef void row_fn(const struct setting_group *group, const struct setting *row
 
 static void for_each_row(row_fn *check)
 {
-    size_t rows = 0;
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++, rows++)
-            check(group, &group->rows[r]);
+    const struct setting *row = settings_next(NULL);
+    for (size_t g = 0; setting_groups[g]; g++) {
+        for (size_t r = 0; r < setting_groups[g]->row_count; r++, row = settings_next(row)) {
+            assert_ptr_equal(row, &setting_groups[g]->rows[r]);
+            check(setting_groups[g], row);
+        }
     }
-    assert_true(rows > 0);
+    assert_null(row);
 }
 
 /* The first row of a type, from any group. */
 static const struct setting *row_of(enum setting_type type)
 {
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            if (group->rows[r].type == type)
-                return &group->rows[r];
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        if (row->type == type)
+            return row;
     }
     fail_msg("no row of type %d", (int)type);
     return NULL;
@@ -42,7 +40,7 @@ static const struct setting *row_of(enum setting_type type)
 static void check_words(const struct setting_group *group, const struct setting *row)
 {
     size_t prefix = strlen(group->name);
-    assert_true(strlen(row->name) < 64); /* what settings_set() takes */
+    assert_true(strlen(row->name) < 64); /* what settings_assign() takes */
     assert_memory_equal(row->name, group->name, prefix);
     assert_int_equal(row->name[prefix], '.');
     assert_true(row->name[prefix + 1] != '\0');
@@ -91,33 +89,16 @@ static void test_every_row(void **state)
     for_each_row(check_range);
 }
 
-static bool is_listed(const struct setting_group *group)
-{
-    const struct setting_group *listed;
-    for (size_t g = 0; (listed = settings_group(g)); g++) {
-        if (listed == group)
-            return true;
-    }
-    return false;
-}
-
 static void test_groups(void **state)
 {
     (void)state;
     const struct settings settings = settings_default();
-    const unsigned char *end = settings.values;
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        const unsigned char *params = settings_of(&settings, group);
-        assert_int_equal((uintptr_t)params % 16, 0);
-        assert_true(params >= end); /* of the group before */
-        end = params + group->params_size;
-        assert_true(end <= settings.values + SETTINGS_SIZE);
+    for (size_t g = 0; setting_groups[g]; g++) {
+        assert_int_equal(setting_groups[g]->index, g);
+        assert_int_equal((uintptr_t)settings_of(&settings, setting_groups[g]) % 16, 0);
     }
-    for (const struct technique *const *technique = techniques; *technique; technique++) {
-        for (size_t g = 0; g < TECHNIQUE_GROUP_COUNT && (*technique)->settings[g]; g++)
-            assert_true(is_listed((*technique)->settings[g]));
-    }
+    for (const struct technique *const *t = techniques; *t; t++)
+        assert_true(!(*t)->settings || setting_groups[(*t)->settings->index] == (*t)->settings);
 }
 
 /* What can be switched off is off where the first of its settings is 0. */
@@ -177,8 +158,8 @@ static void check_round_trip(const struct setting *row, double value)
     print(&before, row, text, sizeof(text));
     settings_set_value(&after, row, value > row->min ? row->min : row->max);
     snprintf(assignment, sizeof(assignment), "%s=%s", row->name, text);
-    assert_int_equal(settings_set(&after, assignment), STATUS_OK);
-    assert_memory_equal(&before, &after, sizeof(before)); /* and no other value has changed */
+    assert_int_equal(settings_assign(&after, assignment, SETTING_USER, NULL), STATUS_OK);
+    assert_true(settings_equal(&before, &after)); /* and no other value has changed */
 }
 
 static void check_round_trips(const struct setting_group *group, const struct setting *row)
@@ -210,7 +191,7 @@ static void check_printed(const char *name, const char *value)
     char assignment[64], text[32];
     struct settings settings = settings_default();
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
-    assert_int_equal(settings_set(&settings, assignment), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, assignment, SETTING_USER, NULL), STATUS_OK);
     print(&settings, settings_find(name), text, sizeof(text));
     assert_string_equal(text, value);
 }
@@ -239,7 +220,7 @@ static enum status set(struct settings *settings, const char *assignment, char *
     fflush(stderr);
     int kept = dup(STDERR_FILENO);
     assert_true(kept >= 0 && dup2(fileno(file), STDERR_FILENO) >= 0);
-    enum status status = settings_set(settings, assignment);
+    enum status status = settings_assign(settings, assignment, SETTING_USER, NULL);
     fflush(stderr);
     assert_true(dup2(kept, STDERR_FILENO) >= 0);
     close(kept);
@@ -377,7 +358,8 @@ static void test_unusual_numbers(void **state)
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
         struct settings settings = settings_default();
-        assert_int_equal(settings_set(&settings, cases[i].assignment), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, cases[i].assignment, SETTING_USER, NULL),
+                         STATUS_OK);
         double value = settings_get(&settings, settings_find(cases[i].name));
         CHECK_NEAR(value, cases[i].value, 0.0);
     }
@@ -389,13 +371,35 @@ static void test_setting_again(void **state)
     (void)state;
     struct settings settings = settings_default();
     const struct setting *row = settings_find("refract.ior");
-    assert_int_equal(settings_set(&settings, "refract.ior=1.5"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "tonemap.exposure=1"), STATUS_OK);
-    assert_int_equal(settings_set(&settings, "refract.ior=2"), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "refract.ior=1.5", SETTING_USER, NULL), STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "tonemap.exposure=1", SETTING_USER, NULL),
+                     STATUS_OK);
+    assert_int_equal(settings_assign(&settings, "refract.ior=2", SETTING_USER, NULL), STATUS_OK);
     CHECK_NEAR(settings_get(&settings, row), 2.0, 0.0);
     CHECK_NEAR(settings_get(&settings, settings_find("tonemap.exposure")), 1.0, 0.0);
     assert_null(settings_find("refract.io"));
     assert_null(settings_find(""));
+}
+
+/* A value never replaces one of a stronger source, whatever the order in which they come. */
+static void test_precedence(void **state)
+{
+    static const enum setting_source sources[] = { SETTING_USER, SETTING_PRESET, SETTING_QUALITY,
+                                                   SETTING_SCENE, SETTING_DEFAULT };
+    const struct setting *row = settings_find("refract.ior");
+    (void)state;
+    for (size_t strongest = 0; strongest < 5; strongest++) {
+        struct settings up = settings_default(), down = up;
+        for (size_t i = strongest; i < 5; i++) {
+            const size_t from_weakest = 4 + strongest - i;
+            settings_put(&down, row, 1.0 + 0.1 * (double)i, sources[i]);
+            settings_put(&up, row, 1.0 + 0.1 * (double)from_weakest, sources[from_weakest]);
+        }
+        CHECK_NEAR(settings_get(&down, row), 1.0 + 0.1 * (double)strongest, 1e-6);
+        CHECK_NEAR(settings_get(&up, row), 1.0 + 0.1 * (double)strongest, 1e-6);
+        assert_int_equal(settings_source(&down, row), sources[strongest]);
+        assert_true(settings_equal(&up, &down));
+    }
 }
 
 static void test_levels_of_quality(void **state)
@@ -403,11 +407,12 @@ static void test_levels_of_quality(void **state)
     (void)state;
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
         struct settings settings = settings_default();
-        assert_int_equal(settings_set(&settings, "refract.ior=1.5"), STATUS_OK);
-        for (const struct quality_row *row = quality_rows; row->setting; row++)
-            quality_apply_row(&settings, row, level);
+        assert_int_equal(settings_assign(&settings, "refract.ior=1.5", SETTING_USER, NULL),
+                         STATUS_OK);
+        quality_apply(&settings, level, SETTING_QUALITY);
         assert_int_equal(quality_find(&settings), level);
-        assert_int_equal(settings_set(&settings, "trace.min_branch=0.123"), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, "trace.min_branch=0.123", SETTING_USER, NULL),
+                         STATUS_OK);
         assert_int_equal(quality_find(&settings), QUALITY_COUNT);
     }
     const struct settings defaults = settings_default();
@@ -417,6 +422,7 @@ static void test_levels_of_quality(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_precedence),
         cmocka_unit_test(test_every_row),
         cmocka_unit_test(test_groups),
         cmocka_unit_test(test_techniques_are_switched_off),

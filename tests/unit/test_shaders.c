@@ -211,7 +211,7 @@ enum {
 static bool is_switch(const struct setting *row)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->is_on && row == &(*t)->settings[0]->rows[0])
+        if ((*t)->is_on && row == &(*t)->settings->rows[0])
             return true;
     }
     return false;
@@ -219,20 +219,16 @@ static bool is_switch(const struct setting *row)
 
 static size_t find_changes(struct change changes[static CHANGE_MAX])
 {
-    const struct setting_group *group;
     size_t count = 0;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            const bool is_list = row->type == SETTING_CHOICE || row->type == SETTING_SWITCH;
-            const double step = is_list || row->max - row->min < 1 ? 1 : row->max - row->min;
-            if (row->affects < SETTING_AFFECTS_PLAN && row->switches < SETTING_AFFECTS_PLAN &&
-                !is_switch(row))
-                continue;
-            for (double value = row->min; value <= row->max; value += step) {
-                assert_true(count < CHANGE_MAX);
-                changes[count++] = (struct change){ row, value };
-            }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        const bool is_list = row->type == SETTING_CHOICE || row->type == SETTING_SWITCH;
+        const double step = is_list || row->max - row->min < 1 ? 1 : row->max - row->min;
+        if (row->affects < SETTING_AFFECTS_PLAN && row->switches < SETTING_AFFECTS_PLAN &&
+            !is_switch(row))
+            continue;
+        for (double value = row->min; value <= row->max; value += step) {
+            assert_true(count < CHANGE_MAX);
+            changes[count++] = (struct change){ row, value };
         }
     }
     return count;

@@ -250,12 +250,8 @@ enum status option_sandbox(const struct option *option, void *at, const char *va
 enum status option_set(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
-    const struct setting *row;
     (void)option;
-    const enum status status = settings_assign(&scene->settings, value, NULL, &row);
-    if (status == STATUS_OK)
-        scene->is_set[settings_index(row)] = true;
-    return status;
+    return settings_assign(&scene->settings, value, SETTING_USER, NULL);
 }
 
 /* Sets the tone curve, like --set tonemap.curve. */
@@ -267,8 +263,7 @@ enum status option_tone_curve(const struct option *option, void *at, const char 
     const int i = option_find_word(row->choices, (int)row->max + 1, value);
     if (i < 0)
         return option_refuse(option, value, "neutral, agx, aces, hable or clip");
-    settings_set_value(&scene->settings, row, i);
-    scene->is_set[settings_index(row)] = true;
+    settings_put(&scene->settings, row, i, SETTING_USER);
     return STATUS_OK;
 }
 

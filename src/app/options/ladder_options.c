@@ -59,20 +59,14 @@ void option_ladder_settings(struct settings *s)
                        REFRACT_LOOKUP_DISTANCE);
 }
 
-static void set_unless_given(struct app_scene *scene, const struct setting *row, double value)
-{
-    const size_t index = settings_index(row);
-    if (!scene->is_set[index] && !scene->is_preset[index])
-        settings_set_value(&scene->settings, row, value);
-}
-
 void option_ladder_whole(struct app_scene *scene)
 {
+    const struct setting *refract =
+        settings_row(&cracks_settings, offsetof(struct cracks_params, refract));
     for (const struct technique *const *t = techniques; *t; t++) {
-        const struct setting *row = (*t)->settings[0] ? &(*t)->settings[0]->rows[0] : NULL;
+        const struct setting *row = (*t)->settings ? &(*t)->settings->rows[0] : NULL;
         if ((*t)->is_ice_only && (*t)->is_traced && row)
-            set_unless_given(scene, row, row->initial);
+            settings_put(&scene->settings, row, row->initial, SETTING_DEFAULT);
     }
-    set_unless_given(scene, settings_row(&cracks_settings, offsetof(struct cracks_params, refract)),
-                     CRACKS_REFRACT_GAP);
+    settings_put(&scene->settings, refract, CRACKS_REFRACT_GAP, SETTING_DEFAULT);
 }

@@ -13,15 +13,8 @@ static const char *const paper_lines[] = {
 
 static enum status apply_line(struct app_scene *scene, const char *assignment, uint32_t number)
 {
-    const struct settings_source source = { scene->preset, number };
-    struct settings settings = scene->settings;
-    const struct setting *row;
-    const enum status status = settings_assign(&settings, assignment, &source, &row);
-    if (status != STATUS_OK || scene->is_set[settings_index(row)])
-        return status;
-    scene->settings = settings;
-    scene->is_preset[settings_index(row)] = true;
-    return STATUS_OK;
+    const struct settings_location location = { scene->preset, number };
+    return settings_assign(&scene->settings, assignment, SETTING_PRESET, &location);
 }
 
 /* Applies the built-in preset `paper`, which also replaces the scene `ice-cube` by `valley`. */

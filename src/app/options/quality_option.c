@@ -5,14 +5,9 @@
 
 static void apply_level(struct app_image *image, uint32_t level)
 {
-    struct app_scene *scene = &image->scene;
     image->level_samples = qualities[level].samples;
     image->level_has_smooth_filter = qualities[level].is_smooth;
-    for (const struct quality_row *row = quality_rows; row->setting; row++) {
-        const size_t index = settings_index(settings_find(row->setting));
-        if (!scene->is_set[index] && !scene->is_preset[index])
-            quality_apply_row(&scene->settings, row, level);
-    }
+    quality_apply(&image->scene.settings, level, SETTING_QUALITY);
 }
 
 enum status option_quality(const struct option *option, void *at, const char *value)

@@ -132,8 +132,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group ice_interval_settings =
-    SETTING_GROUP("ice_interval", rows, struct ice_interval_params);
+SETTING_GROUP(ice_interval, rows, struct ice_interval_params);
 
 uint32_t ice_interval_index(const struct settings *settings)
 {

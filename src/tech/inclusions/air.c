@@ -233,7 +233,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group air_settings = SETTING_GROUP("air", rows, struct air_params);
+SETTING_GROUP(air, rows, struct air_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -307,7 +307,7 @@ static const struct frame_layer layers[] = {
 const struct technique air = {
     .name = "air",
     .help = "milky air planes in the ice (Seipel and Nivfors 2006)",
-    .settings = { &air_settings },
+    .settings = &air_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_ice_only = true,

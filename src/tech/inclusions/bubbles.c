@@ -207,7 +207,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group bubbles_settings = SETTING_GROUP("bubbles", rows, struct bubbles_params);
+SETTING_GROUP(bubbles, rows, struct bubbles_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -220,7 +220,7 @@ static bool is_on(const struct settings *settings)
 bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
-        settings_of(config->settings, &inclusion_target_settings);
+        settings_of(config->settings, &inclusions_settings);
     return is_on(config->settings) && config->refraction &&
            config->refraction->refraction.refracts_bubbles &&
            config->refraction->refraction.refracts_bubbles(config->settings) &&
@@ -322,7 +322,7 @@ static const struct frame_layer layers[] = {
 const struct technique bubbles = {
     .name = "bubbles",
     .help = "air bubbles in the ice, with total reflection at their rims",
-    .settings = { &bubbles_settings },
+    .settings = &bubbles_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_ice_only = true,

@@ -298,7 +298,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group cracks_settings = SETTING_GROUP("cracks", rows, struct cracks_params);
+SETTING_GROUP(cracks, rows, struct cracks_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -389,7 +389,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
 const struct technique cracks = {
     .name = "cracks",
     .help = "cracks in the ice",
-    .settings = { &cracks_settings, &ice_interval_settings },
+    .settings = &cracks_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_ice_only = true,

@@ -113,7 +113,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group frost_settings = SETTING_GROUP("frost", rows, struct frost_params);
+SETTING_GROUP(frost, rows, struct frost_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -124,7 +124,7 @@ static bool is_on(const struct settings *settings)
 const struct technique frost = {
     .name = "frost",
     .help = "frost on the ice's surface",
-    .settings = { &frost_settings },
+    .settings = &frost_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_ice_only = true,

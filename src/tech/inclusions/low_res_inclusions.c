@@ -140,7 +140,7 @@ struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
                                              enum technique_phase phase, struct rg_technique *group)
 {
     const struct inclusion_target_params *params =
-        settings_of(config->settings, &inclusion_target_settings);
+        settings_of(config->settings, &inclusions_settings);
     struct rg_technique more = { 0 };
     if (params->scale >= 1.0f || config->has_pool || small->builder->failed)
         return more;

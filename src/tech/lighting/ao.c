@@ -139,7 +139,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group ao_settings = SETTING_GROUP("ao", rows, struct ao_params);
+SETTING_GROUP(ao, rows, struct ao_params);
 
 static float strength_of(const struct settings *settings)
 {
@@ -267,7 +267,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
 const struct technique ao = {
     .name = "ao",
     .help = "ambient occlusion of the objects on the surroundings",
-    .settings = { &ao_settings },
+    .settings = &ao_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_hit = true,

@@ -70,7 +70,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group bump_settings = SETTING_GROUP("bump", rows, struct bump_params);
+SETTING_GROUP(bump, rows, struct bump_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -115,7 +115,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
 const struct technique bump = {
     .name = "bump",
     .help = "bumps of the ice's surface",
-    .settings = { &bump_settings },
+    .settings = &bump_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_ice_only = true,

@@ -46,8 +46,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group highlight_settings =
-    SETTING_GROUP("highlight", rows, struct highlight_params);
+SETTING_GROUP(highlight, rows, struct highlight_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -65,7 +64,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 const struct technique highlight = {
     .name = "highlight",
     .help = "highlights of the lights on the ice's front",
-    .settings = { &highlight_settings },
+    .settings = &highlight_settings,
     .is_on = is_on,
     .title = "highlights",
     .write_globals = write_globals,

@@ -381,8 +381,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group ice_caustics_settings =
-    SETTING_GROUP("ice_caustics", rows, struct ice_caustics_params);
+SETTING_GROUP(ice_caustics, rows, struct ice_caustics_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -497,7 +496,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
 const struct technique ice_caustics = {
     .name = "ice_caustics",
     .help = "caustics and shadow of the ice in sunlight, by photon splatting",
-    .settings = { &ice_caustics_settings },
+    .settings = &ice_caustics_settings,
     .is_on = is_on,
     .is_traced = true,
     .affects_light = affects_light,

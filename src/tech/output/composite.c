@@ -53,8 +53,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
                           bool renders_media)
 {
     const bool uses_bvh = refraction && refraction->refraction.traces_bvh;
-    const struct inclusion_target_params *target =
-        settings_of(settings, &inclusion_target_settings);
+    const struct inclusion_target_params *target = settings_of(settings, &inclusions_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
     /* Traced cracks are already in the image, except for their highlights of light sources. */
     const bool is_without_cracks = cracks_are_traced(settings, refraction) && !light->count;

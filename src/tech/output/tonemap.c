@@ -74,7 +74,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group tonemap_settings = SETTING_GROUP("tonemap", rows, struct tonemap_params);
+SETTING_GROUP(tonemap, rows, struct tonemap_params);
 
 static void write_constants(const struct technique_inputs *subject, uint32_t *values)
 {
@@ -85,7 +85,7 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
 const struct technique tonemap = {
     .name = "tonemap",
     .help = "tone mapping of linear colour to 8-bit sRGB",
-    .settings = { &tonemap_settings },
+    .settings = &tonemap_settings,
     .pass_groups = { { PHASE_DISPLAY, SCENE_OF_ANY,
                        .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_RESOLVE,
                        .graph = RG_TECHNIQUE("tonemap", passes) } },

@@ -32,7 +32,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group absorb_settings = SETTING_GROUP("absorb", rows, struct absorb_params);
+SETTING_GROUP(absorb, rows, struct absorb_params);
 
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
@@ -43,6 +43,6 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 const struct technique absorption = {
     .name = "absorb",
     .help = "absorption of light in the object",
-    .settings = { &absorb_settings },
+    .settings = &absorb_settings,
     .write_globals = write_globals,
 };

@@ -19,7 +19,7 @@ static const struct setting rows[] = {
     SIDE(min_z, "back", "minimum z"),   SIDE(max_z, "front", "maximum z"),
 };
 
-const struct setting_group env_box_settings = SETTING_GROUP("env_box", rows, struct env_box_params);
+SETTING_GROUP(env_box, rows, struct env_box_params);
 
 struct box env_box_of(const struct scene *scene, const struct settings *settings)
 {
@@ -44,6 +44,6 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 const struct technique env_box = {
     .name = "env_box",
     .help = "box projection of the environment",
-    .settings = { &env_box_settings },
+    .settings = &env_box_settings,
     .write_globals = write_globals,
 };

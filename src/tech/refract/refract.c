@@ -312,7 +312,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group refract_settings = SETTING_GROUP("refract", rows, struct refract_params);
+SETTING_GROUP(refract, rows, struct refract_params);
 
 float refract_outside(const struct scene *scene, const struct settings *settings)
 {
@@ -416,7 +416,7 @@ static const struct frame_layer layers[] = {
 const struct technique refract = {
     .name = "refract",
     .help = "settings and layers shared by all refraction models",
-    .settings = { &refract_settings },
+    .settings = &refract_settings,
     .layers = layers,
     .resolve_auto = resolve_auto,
     .write_globals = write_globals,

@@ -48,8 +48,7 @@ static const struct setting rows[] = {
     },
 };
 
-static const struct setting_group refract_blend_settings =
-    SETTING_GROUP("refract_blend", rows, struct refract_blend_params);
+SETTING_GROUP(refract_blend, rows, struct refract_blend_params);
 
 static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -61,7 +60,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 const struct technique refract_blend = {
     .name = "refract_blend",
     .help = "single refraction by a blended normal that adds up the deflections of front and back",
-    .settings = { &refract_blend_settings },
+    .settings = &refract_blend_settings,
     .pass_groups = REFRACT_PASS_GROUPS,
     .refraction = { .name = "blend", .shaders = &refraction, .choose = refract_choose },
 };

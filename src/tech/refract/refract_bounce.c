@@ -214,8 +214,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group refract_bounce_settings =
-    SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
+SETTING_GROUP(refract_bounce, rows, struct refract_bounce_params);
 
 /* Minimum mesh_depth_complexity() at which all faces of an object are rendered. Below this,
  * rendering only the nearest faces causes small errors. */
@@ -281,7 +280,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 const struct technique refract_bounce = {
     .name = "refract_bounce",
     .help = "refraction with total internal reflection, ray marched between front and back faces",
-    .settings = { &refract_bounce_settings },
+    .settings = &refract_bounce_settings,
     .pass_groups = REFRACT_PASS_GROUPS,
     .write_constants = write_constants,
     .write_globals = write_globals,

@@ -57,13 +57,12 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group refract_paper_settings =
-    SETTING_GROUP("refract_paper", rows, struct refract_paper_params);
+SETTING_GROUP(refract_paper, rows, struct refract_paper_params);
 
 const struct technique refract_paper = {
     .name = "refract_paper",
     .help = "refraction by blended front and back normals (Seipel and Nivfors 2006)",
-    .settings = { &refract_paper_settings },
+    .settings = &refract_paper_settings,
     .pass_groups = REFRACT_PASS_GROUPS,
     .refraction = { .name = "paper",
                     .shaders = &refraction,

@@ -61,8 +61,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group reference_settings =
-    SETTING_GROUP("reference", rows, struct reference_params);
+SETTING_GROUP(reference, rows, struct reference_params);
 
 static const struct frame_layer layers[] = {
     {
@@ -90,7 +89,7 @@ static const struct frame_layer layers[] = {
 const struct technique refract_reference_settings = {
     .name = "refract_reference",
     .help = "reference for all refraction models, ray traced on the CPU",
-    .settings = { &reference_settings },
+    .settings = &reference_settings,
     .refraction = { .name = "reference" },
     .layers = layers,
 };

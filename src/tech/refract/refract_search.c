@@ -59,8 +59,7 @@ static const struct setting rows[] = {
     },
 };
 
-static const struct setting_group refract_search_settings =
-    SETTING_GROUP("refract_search", rows, struct refract_march);
+SETTING_GROUP(refract_search, rows, struct refract_march);
 
 static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -72,7 +71,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 const struct technique refract_search = {
     .name = "refract_search",
     .help = "two refractions; the exit point is found by ray marching the depth of back faces",
-    .settings = { &refract_search_settings },
+    .settings = &refract_search_settings,
     .pass_groups = REFRACT_PASS_GROUPS,
     .refraction = { .name = "search", .shaders = &refraction, .choose = refract_choose },
 };

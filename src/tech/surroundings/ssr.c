@@ -277,7 +277,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group ssr_settings = SETTING_GROUP("ssr", rows, struct ssr_params);
+SETTING_GROUP(ssr, rows, struct ssr_params);
 
 static bool is_on(const struct settings *settings)
 {
@@ -348,7 +348,7 @@ static struct rg_technique make_screen_passes(const struct technique_config *con
 const struct technique ssr = {
     .name = "ssr",
     .help = "screen-space reflections of the objects in glossy surroundings",
-    .settings = { &ssr_settings },
+    .settings = &ssr_settings,
     .is_on = is_on,
     .is_traced = true,
     .is_hit = true,

@@ -429,7 +429,7 @@ static const struct frame_layer layers[] = {
 const struct technique refract_trace = {
     .name = "refract_trace",
     .help = "ray-traced refraction and reflection among the triangles of all objects",
-    .settings = { &trace_settings },
+    .settings = &trace_settings,
     .pass_groups = { { PHASE_REFRACTION, .make_passes = make_color_passes },
                      { PHASE_LAYERS, .make_passes = make_layer_passes } },
     .refraction = { .name = "trace",

@@ -71,7 +71,7 @@ static const struct setting rows[] = {
     },
 };
 
-const struct setting_group trace_settings = SETTING_GROUP("trace", rows, struct trace_params);
+SETTING_GROUP(trace, rows, struct trace_params);
 
 /* Roughness below which a surface counts as smooth; src/reference/whitted.c has the same limit. */
 #define ROUGHNESS_MIN 1e-3f

@@ -275,8 +275,7 @@ static const struct setting rows[] = {
         .help = "angular radius of the sun's glow with caustics.method=backtrace"),
 };
 
-const struct setting_group caustics_settings =
-    SETTING_GROUP("caustics", rows, struct caustics_params);
+SETTING_GROUP(caustics, rows, struct caustics_params);
 
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
@@ -322,7 +321,7 @@ static const struct frame_layer layers[] = {
 const struct technique caustics = {
     .name = "caustics",
     .help = "caustics of the sun on the floor of a pool",
-    .settings = { &caustics_settings },
+    .settings = &caustics_settings,
     .pass_groups = { { PHASE_DEPTHS, SCENE_OF_POOL, .make_passes = make_passes } },
     .layers = layers,
     .write_globals = write_globals,

@@ -75,7 +75,7 @@ static const struct setting rows[] = {
           .help = "absorption coefficient of the water for blue light"),
 };
 
-const struct setting_group water_settings = SETTING_GROUP("water", rows, struct water_params);
+SETTING_GROUP(water, rows, struct water_params);
 
 #define POOL(field, ...) \
     { \
@@ -102,7 +102,7 @@ static const struct setting pool_rows[] = {
          .help = "width of the ice that floats in the pool (0 for none)"),
 };
 
-const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
+SETTING_GROUP(pool, pool_rows, struct pool_params);
 
 static void follow_scene(struct settings *settings, const struct scene *scene)
 {
@@ -113,6 +113,6 @@ static void follow_scene(struct settings *settings, const struct scene *scene)
 const struct technique pool_parameters = {
     .name = "pool",
     .help = "waves and ground of a pool",
-    .settings = { &pool_settings, &water_settings },
+    .settings = &pool_settings,
     .follow_scene = follow_scene,
 };

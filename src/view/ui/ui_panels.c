@@ -75,8 +75,7 @@ static void quality_list(struct ui_request *request)
                        "sets several settings at once: --quality") ||
         level == QUALITY_COUNT)
         return;
-    for (const struct quality_row *row = quality_rows; row->setting; row++)
-        quality_apply_row(&request->settings, row, level);
+    quality_apply(&request->settings, level, SETTING_USER);
     request->changed = true;
 }
 

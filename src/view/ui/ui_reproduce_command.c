@@ -107,7 +107,7 @@ static bool has_default_inclusions(const struct settings *settings)
 {
     const struct settings defaults = settings_default();
     for (const struct technique *const *t = techniques; *t; t++) {
-        const struct setting *row = (*t)->is_ice_only ? &(*t)->settings[0]->rows[0] : NULL;
+        const struct setting *row = (*t)->is_ice_only ? &(*t)->settings->rows[0] : NULL;
         if (row && (*t)->is_on(settings) &&
             !differ(settings_get(settings, row), settings_get(&defaults, row)))
             return true;
@@ -151,15 +151,11 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
     const struct settings scene_settings = app_scene_settings(&c->image->scene, c->scene);
     struct settings settings = frame_settings(&c->image->scene.settings, c->scene);
     settings_set_value(&settings, settings_find("motion.time"), (double)c->time);
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            const struct setting *row = &group->rows[r];
-            if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
-                (differ(settings_get(&settings, row), settings_get(&defaults, row)) ||
-                 differ(settings_get(&scene_settings, row), settings_get(&defaults, row))))
-                print_setting(out, &settings, row);
-        }
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
+            (differ(settings_get(&settings, row), settings_get(&defaults, row)) ||
+             differ(settings_get(&scene_settings, row), settings_get(&defaults, row))))
+            print_setting(out, &settings, row);
     }
 }
 

@@ -129,14 +129,10 @@ enum ui_setting_group ui_setting_groups_of(const struct setting *row)
 
 static const struct setting *expert_row(uint32_t i)
 {
-    const struct setting_group *group;
-    for (size_t g = 0; (group = settings_group(g)); g++) {
-        for (size_t r = 0; r < group->row_count; r++) {
-            if (ui_setting_groups_of(&group->rows[r]) == UI_EXPERT && !i--)
-                return &group->rows[r];
-        }
-    }
-    return NULL;
+    const struct setting *row = settings_next(NULL);
+    while (row && (ui_setting_groups_of(row) != UI_EXPERT || i--))
+        row = settings_next(row);
+    return row;
 }
 
 const struct setting *ui_setting_groups_row(enum ui_setting_group group, uint32_t i)

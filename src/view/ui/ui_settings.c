@@ -55,7 +55,7 @@ static bool is_scene_value(const struct ui_settings *settings, const struct sett
 {
     struct settings unchanged = *settings->current;
     reset(&(struct ui_settings){ &unchanged, settings->defaults }, row);
-    return !memcmp(&unchanged, settings->current, sizeof(unchanged));
+    return settings_equal(&unchanged, settings->current);
 }
 
 static const char *sign_of(const char *unit)

@@ -105,7 +105,7 @@ static double bench_scene(struct gpu *gpu, const char *name)
     struct uploaded_scene uploaded;
     struct renderer *renderer;
     for (size_t i = 0; i < sizeof(plain) / sizeof(plain[0]); i++)
-        assert_int_equal(settings_set(&settings, plain[i]), STATUS_OK);
+        assert_int_equal(settings_assign(&settings, plain[i], SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = name }), STATUS_OK);
     assert_int_equal(uploaded_scene_init(&uploaded, gpu, &scene), STATUS_OK);
     const float distance = camera_framing_distance(box_diagonal(scene.box), 45.0F, WIDTH, HEIGHT);

@@ -56,7 +56,8 @@ static void init_side(struct side *side, const struct change *change, int which,
 {
     side->settings = settings_default();
     if (which && change->setting)
-        assert_int_equal(settings_set(&side->settings, change->setting), STATUS_OK);
+        assert_int_equal(settings_assign(&side->settings, change->setting, SETTING_USER, NULL),
+                         STATUS_OK);
     const struct frame_request request = {
         .config = { .settings = &side->settings,
                     .refraction = techniques_find_refraction(change->refraction_models[which]) },
