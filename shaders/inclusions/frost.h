@@ -3,7 +3,7 @@
 #define SHADERS_INCLUSIONS_FROST_H
 #include "abi.h"
 
-#define FROST_ENV_CUBE 1 /* frost_env_cube.frag: environment cube map */
+#define FROST_ENV_CUBE 1 /* frost_env_cube_prefilter.frag: environment cube map */
 #define FROST_CUBE     1 /* frost.frag: blurred environment cube map */
 #define FROST_EXIT     2 /* frost.frag: image of the refracted rays' exit directions */
 

@@ -6,7 +6,7 @@
  */
 #ifndef REFRACT_DEPTH_MAPS_GLSL
 #define REFRACT_DEPTH_MAPS_GLSL
-#include "lib/depth_interpolate.glsl"
+#include "lib/depth_map_bilinear.glsl"
 #include "refract/refract_uniforms.glsl"
 
 layout(set = 0, binding = REFRACT_DEPTH_BACK) uniform sampler2D depth_back;

@@ -10,7 +10,7 @@
 #ifndef REFRACT_NESTED_GLSL
 #define REFRACT_NESTED_GLSL
 #include "ice/ice_nested.h"
-#include "lib/depth_interpolate.glsl"
+#include "lib/depth_map_bilinear.glsl"
 #include "refract/refract_bounce.h"
 #include "refract/refract_exit_bracket.glsl"
 

@@ -332,7 +332,7 @@ bool trace_is_split(vec3 throughput)
     return has_room && max_throughput > 0.0 && (is_first || max_throughput > min_throughput);
 }
 
-#include "trace/trace_media.glsl"
+#include "trace/trace_participating_media.glsl"
 #ifdef TRACE_RAYS
 #include "trace/trace_diffuse_light.glsl"
 #endif

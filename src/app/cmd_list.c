@@ -11,7 +11,7 @@
 #include "src/scene/bundled_assets.h"
 #include "src/scene/material.h"
 #include "src/settings/quality.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 #include "src/version.h"
 
 static void print_assets(enum asset_kind kind)
@@ -48,8 +48,7 @@ static enum status list_refraction_models(void)
     const struct technique *refraction;
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++)
         printf("  %-14s %s\n", refraction->refraction.name, refraction->help);
-    printf("  %-14s %s%s\n", refract_reference_settings.refraction.name,
-           refract_reference_settings.help,
+    printf("  %-14s %s%s\n", cpu_reference_settings.refraction.name, cpu_reference_settings.help,
            reference_is_built() ? "" : " (not available: this build has no Embree)");
     return STATUS_OK;
 }

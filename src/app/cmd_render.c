@@ -26,7 +26,7 @@
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 
 struct job {
     struct app_options o;
@@ -370,7 +370,7 @@ static enum status open_renderer(struct job *job)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_image_bit(p->show);
     params.linear = params.linear || p->is_adaptive || (job->makes_png && !p->show);
-    if (p->refraction == &refract_reference_settings)
+    if (p->refraction == &cpu_reference_settings)
         return open_reference(job, &params);
     enum status status = open_device(job);
     if (status == STATUS_OK)
@@ -492,7 +492,7 @@ static enum status run_frames(struct job *job)
     const uint32_t count = job->sequence.range.count;
     enum status first = STATUS_OK, status = STATUS_OK;
     progress_begin(&job->progress, count,
-                   job->o.image.refraction == &refract_reference_settings ? "tiles" : "samples",
+                   job->o.image.refraction == &cpu_reference_settings ? "tiles" : "samples",
                    job->o.run.quiet);
     for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
         job->progress.frame = i;

@@ -18,7 +18,7 @@
 #include "src/image/png.h"
 #include "src/reference/reference.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 #include "src/version.h"
 
 /* Maximum number of metadata texts. */
@@ -229,7 +229,7 @@ static const char *check_sizes(const struct app_image *p)
 enum status output_check_tiles(const struct app_image *p, const struct app_outputs *outputs)
 {
     const char *wrong = NULL;
-    if (p->is_adaptive && (p->columns || p->refraction == &refract_reference_settings)) {
+    if (p->is_adaptive && (p->columns || p->refraction == &cpu_reference_settings)) {
         wrong = p->columns ? "--samples auto: not available with --tiles, since it depends on the "
                              "whole image; give a number"
                            : "--samples auto: not available with --refraction reference; give "
@@ -237,7 +237,7 @@ enum status output_check_tiles(const struct app_image *p, const struct app_outpu
     } else if (!p->columns && (p->tile || p->interleaved)) {
         wrong = p->tile ? "--tile: --tiles is missing" : "--interleaved: --tiles is missing";
     } else if (p->columns) {
-        if (p->refraction == &refract_reference_settings)
+        if (p->refraction == &cpu_reference_settings)
             wrong = "--tiles: not available with --refraction reference, which needs no tiles";
         else if (p->tile > p->columns * p->rows)
             wrong = "--tile: its number exceeds the number of --tiles";

@@ -12,7 +12,7 @@
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
 #include "src/settings/quality.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 
 /* In this file, a NULL json_t means out of memory. jansson functions that are given NULL fail. */
 
@@ -58,7 +58,7 @@ static json_t *refraction_models(void)
     json_t *all = json_array();
     for (size_t r = 0; techniques_refraction(r) && all; r++)
         all = json_text_append(all, refraction_of(techniques_refraction(r), true));
-    return json_text_append(all, refraction_of(&refract_reference_settings, reference_is_built()));
+    return json_text_append(all, refraction_of(&cpu_reference_settings, reference_is_built()));
 }
 
 static json_t *materials(void)

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/profile/row_aggregation.h"
 #include "src/profile/table.h"
-#include "src/profile/table_rows.h"
 #include "src/profile/utf8_text.h"
 
 enum {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/profile/json_fields.h"
-#include "src/profile/table_rows.h"
+#include "src/profile/row_aggregation.h"
 
 enum {
     PROCESS = 1,

@@ -4,8 +4,8 @@
 #include "src/base/log.h"
 #include "src/profile/json.h"
 #include "src/profile/json_fields.h"
+#include "src/profile/row_aggregation.h"
 #include "src/profile/statistics.h"
-#include "src/profile/table_rows.h"
 #include "src/profile/utf8_text.h"
 
 /* Key, offset and size of a struct member, for initialisers of struct profile_field. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/profile/table_rows.h"
+#include "src/profile/row_aggregation.h"
 
 /* Fraction of the frame time that a row must exceed for a power-law fit. */
 static const double fit_fraction_min = 0.02;

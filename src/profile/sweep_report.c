@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/profile/json_fields.h"
+#include "src/profile/row_aggregation.h"
 #include "src/profile/sweep_power_law.h"
 #include "src/profile/table.h"
-#include "src/profile/table_rows.h"
 #include "src/profile/utf8_text.h"
 
 enum {

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
-#include "src/profile/table_rows.h"
+#include "src/profile/row_aggregation.h"
 #include "src/profile/utf8_text.h"
 
 enum {

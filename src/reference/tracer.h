@@ -5,7 +5,7 @@
 #include "src/reference/inclusion_shading.h"
 #include "src/reference/nested_media.h"
 #include "src/reference/volume_scattering.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 
 enum {
     TRACER_CHANNEL_COUNT = 3 /* red, green, blue */

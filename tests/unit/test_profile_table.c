@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/profile/baseline_comparison.h"
 #include "src/profile/table.h"
-#include "src/profile/table_rows.h"
+#include "src/profile/row_aggregation.h"
 #include "src/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"

@@ -12,7 +12,7 @@
 #include "src/render/adaptive_sampling.h"
 #include "src/scene/material.h"
 #include "src/tech/output/tonemap.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 
 /* ---- files ---- */
 
@@ -217,8 +217,8 @@ enum status option_sharing(const struct option *option, void *at, const char *va
 enum status option_refraction(const struct option *option, void *at, const char *value)
 {
     struct app_image *image = at;
-    const bool is_traced = !strcmp(value, refract_reference_settings.refraction.name);
-    image->refraction = is_traced ? &refract_reference_settings : techniques_find_refraction(value);
+    const bool is_traced = !strcmp(value, cpu_reference_settings.refraction.name);
+    image->refraction = is_traced ? &cpu_reference_settings : techniques_find_refraction(value);
     image->is_refraction_named = true;
     return image->refraction ? STATUS_OK
                              : option_refuse_name(option, OPTION_REFRACTION_MODELS_AND_REFERENCE,

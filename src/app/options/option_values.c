@@ -9,7 +9,7 @@
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/scene/material.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 #include "src/tech/techniques.h"
 
 bool option_is_optional(const struct option *option)
@@ -37,7 +37,7 @@ static void offer_names(struct suggest *suggest, enum option_names names)
          (names == OPTION_REFRACTION_MODELS || has_reference) && techniques_refraction(i); i++)
         suggest_offer(suggest, techniques_refraction(i)->refraction.name);
     if (has_reference)
-        suggest_offer(suggest, refract_reference_settings.refraction.name);
+        suggest_offer(suggest, cpu_reference_settings.refraction.name);
     for (const struct material_preset *m = material_presets; names == OPTION_MATERIALS && m->name;
          m++)
         suggest_offer(suggest, m->name);
@@ -63,8 +63,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
     snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
              word);
     offer_names(&suggest, names);
-    if (names == OPTION_REFRACTION_MODELS &&
-        !strcmp(name, refract_reference_settings.refraction.name))
+    if (names == OPTION_REFRACTION_MODELS && !strcmp(name, cpu_reference_settings.refraction.name))
         log_error("--%s: refraction model '%s' is only available with firn render --refraction",
                   option->name, name);
     else

@@ -23,9 +23,9 @@
 #include "src/reference/reference.h"
 #include "src/reference/reference_aov_table.h"
 #include "src/scene/material.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
-#include "src/tech/refract/refract_reference_settings.h"
 
 /* ---- the table ---- */
 
@@ -390,7 +390,7 @@ static enum status add_positional(struct app_options *o, enum app_command comman
 
 static enum status refuse_traced(const struct app_image *image)
 {
-    if (image->refraction != &refract_reference_settings)
+    if (image->refraction != &cpu_reference_settings)
         return STATUS_OK;
     log_error("--refraction: only firn render supports 'reference'; choose another refraction "
               "model");
@@ -403,7 +403,7 @@ static enum status check_layers(struct app_image *image)
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        const bool is_made = image->refraction == &refract_reference_settings
+        const bool is_made = image->refraction == &cpu_reference_settings
                                  ? reference_has_layer(layer)
                                  : layer->image != NULL;
         const bool is_shown = image->show == layer;

@@ -6,7 +6,7 @@
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 
 enum {
     SAMPLES_MAX = 65536 /* default sample count with a noise or time limit */
@@ -62,7 +62,7 @@ enum status option_check_reference(struct app_options *o)
         o->image.filter = PIXEL_FILTER_BLACKMAN_HARRIS;
     if (!o->image.samples)
         o->image.samples = limit ? SAMPLES_MAX : default_count;
-    if (o->image.refraction != &refract_reference_settings && (limit || render->keep_sums)) {
+    if (o->image.refraction != &cpu_reference_settings && (limit || render->keep_sums)) {
         log_error("--%s: only available with --refraction reference%s%s%s; %s",
                   limit ? limit : "keep-sums", is_named ? ", not '" : "",
                   is_named ? o->image.refraction->refraction.name : "", is_named ? "'" : "",

@@ -42,7 +42,7 @@ static const struct rg_pass passes[] = {
                                              .binding = FROST_ENV_CUBE,
                                              .sampler = &frame_linear }),
         .vert = &fullscreen_vert,
-        .frag = &frost_env_cube_frag,
+        .frag = &frost_env_cube_prefilter_frag,
         .push_size = sizeof(struct frost_cube_push),
         .record = record_cube,
     },

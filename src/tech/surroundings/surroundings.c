@@ -102,12 +102,12 @@ static const struct rg_shader *const ssr_frags[3][2] = {
 
 /* Shader variants that compute most of the lighting per vertex. */
 static const struct rg_shader *const vertices_verts[2][2] = {
-    { &surroundings_vertices_vert, &surroundings_vertices_caustics_vert },
-    { &surroundings_vertices_extra_vert, &surroundings_vertices_extra_caustics_vert },
+    { &surroundings_per_vertex_vert, &surroundings_per_vertex_caustics_vert },
+    { &surroundings_per_vertex_extra_vert, &surroundings_per_vertex_extra_caustics_vert },
 };
 static const struct rg_shader *const vertices_frags[2] = {
-    &surroundings_vertices_frag,
-    &surroundings_vertices_caustics_frag,
+    &surroundings_per_vertex_frag,
+    &surroundings_per_vertex_caustics_frag,
 };
 
 static void light_vertices(struct rg_pass *pass, struct pass_arena *builder,

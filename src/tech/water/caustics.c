@@ -106,7 +106,7 @@ static const struct rg_pass gather_passes[] = {
         .uses = RG_USES(
             FRAME_USE_GLOBALS,
             { .image = &caustics_raw, .access = RG_STORAGE_WRITE, .binding = CAUSTICS_RAW }),
-        .comp = &caustics_gather_comp,
+        .comp = &caustics_gather_rays_comp,
         PUSH,
         .record = record_map,
     },

@@ -1,4 +1,5 @@
-/* frost_env_cube.frag: fragment shader that prefilters the environment cube map for frost. */
+/* frost_env_cube_prefilter.frag: fragment shader that prefilters the environment cube map for
+ * frost. */
 #version 460
 #include "inclusions/frost.h"
 #include "lib/globals.glsl"

@@ -1,9 +1,9 @@
 /*
- * table_rows.h: lines of a profile's table. A line sums up a row's repetitions and summarises all
- * runs. Lines own their samples and borrow the profile, which must outlive them.
+ * row_aggregation.h: lines of a profile's table. A line sums up a row's repetitions and summarises
+ * all runs. Lines own their samples and borrow the profile, which must outlive them.
  */
-#ifndef FIRN_PROFILE_TABLE_ROWS_H
-#define FIRN_PROFILE_TABLE_ROWS_H
+#ifndef FIRN_PROFILE_ROW_AGGREGATION_H
+#define FIRN_PROFILE_ROW_AGGREGATION_H
 
 #include "src/profile/profile_data.h"
 #include "src/profile/statistics.h"

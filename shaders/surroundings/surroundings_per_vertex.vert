@@ -1,7 +1,7 @@
-/* surroundings_vertices.vert: vertex shader of surroundings with materials, lit per vertex without
- * normal maps. SURROUNDINGS_EXTRA adds the attributes of struct mesh_extra. SURROUNDINGS_CAUSTICS
- * adds outputs for the ice's caustics and shadow. Uniforms are passed on as flat outputs, because
- * lavapipe's fragment shaders fetch each float of a uniform separately. */
+/* surroundings_per_vertex.vert: vertex shader of surroundings with materials, lit per vertex
+ * without normal maps. SURROUNDINGS_EXTRA adds the attributes of struct mesh_extra.
+ * SURROUNDINGS_CAUSTICS adds outputs for the ice's caustics and shadow. Uniforms are passed on as
+ * flat outputs, because lavapipe's fragment shaders fetch each float of a uniform separately. */
 #version 460
 #define LIT_PER_VERTEX
 #include "lib/ao.glsl"

@@ -1,5 +1,5 @@
-/* surroundings_vertices.frag: fragment shader of surroundings lit per vertex; SURROUNDINGS_CAUSTICS
- * adds the ice's caustics and shadow. */
+/* surroundings_per_vertex.frag: fragment shader of surroundings lit per vertex;
+ * SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. */
 #version 460
 #include "lib/alpha_test.glsl"
 #include "lib/brdf_shading.glsl"

@@ -1,5 +1,5 @@
-/* table_rows.c: aggregates the rows of a profile into table lines. */
-#include "src/profile/table_rows.h"
+/* row_aggregation.c: aggregates the rows of a profile into table lines. */
+#include "src/profile/row_aggregation.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

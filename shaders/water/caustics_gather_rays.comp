@@ -1,4 +1,5 @@
-/* caustics_gather.comp: compute shader of pool caustics by many rays from each ground texel. */
+/* caustics_gather_rays.comp: compute shader of pool caustics by many rays from each ground texel.
+ */
 #version 460
 #include "water/caustics.glsl"
 

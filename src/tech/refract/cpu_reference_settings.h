@@ -1,7 +1,7 @@
-/* refract_reference_settings.h: settings of the CPU reference ray tracer, also in builds without
+/* cpu_reference_settings.h: settings of the CPU reference ray tracer, also in builds without
  * Embree. */
-#ifndef FIRN_TECH_REFRACT_REFRACT_REFERENCE_SETTINGS_H
-#define FIRN_TECH_REFRACT_REFRACT_REFERENCE_SETTINGS_H
+#ifndef FIRN_TECH_REFRACT_CPU_REFERENCE_SETTINGS_H
+#define FIRN_TECH_REFRACT_CPU_REFERENCE_SETTINGS_H
 #include "src/tech/technique.h"
 
 enum reference_normals {
@@ -21,7 +21,7 @@ struct reference_params {
     uint32_t normals;  /* of the object: enum reference_normals */
 };
 
-extern const struct technique refract_reference_settings;
+extern const struct technique cpu_reference_settings;
 extern const struct setting_group reference_settings;
 
 #endif

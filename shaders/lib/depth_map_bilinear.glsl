@@ -1,11 +1,11 @@
 /*
- * depth_interpolate.glsl: interpolation of depth maps in which 0 means no face.
+ * depth_map_bilinear.glsl: interpolation of depth maps in which 0 means no face.
  *
  * The latency of this function limits ray marching. The function therefore avoids min(), which
  * tests for NaN on CPUs, and has as few dependent additions as possible.
  */
-#ifndef DEPTH_INTERPOLATE_GLSL
-#define DEPTH_INTERPOLATE_GLSL
+#ifndef DEPTH_MAP_BILINEAR_GLSL
+#define DEPTH_MAP_BILINEAR_GLSL
 
 /* Interpolates the depths of four texels, in textureGather() order, at `fraction` from 0 to 1. If a
  * texel has no face, returns the nearest texel's depth instead. */

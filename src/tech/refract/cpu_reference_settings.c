@@ -1,6 +1,6 @@
-/* refract_reference_settings.c: settings of the CPU reference, a refraction model without passes.
+/* cpu_reference_settings.c: settings of the CPU reference, a refraction model without passes.
  */
-#include "src/tech/refract/refract_reference_settings.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 
 static const char *const normals[] = {
     [REFERENCE_NORMALS_INTERPOLATED] = "interpolated",
@@ -86,7 +86,7 @@ static const struct frame_layer layers[] = {
     { 0 },
 };
 
-const struct technique refract_reference_settings = {
+const struct technique cpu_reference_settings = {
     .name = "refract_reference",
     .help = "reference for all refraction models, ray traced on the CPU",
     .settings = &reference_settings,

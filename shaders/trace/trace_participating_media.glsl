@@ -1,7 +1,7 @@
-/* trace_media.glsl: Beer-Lambert absorption, extinction and in-scattered light of participating
- * media along path segments. The phase function is in medium_light.glsl. */
-#ifndef TRACE_MEDIA_GLSL
-#define TRACE_MEDIA_GLSL
+/* trace_participating_media.glsl: Beer-Lambert absorption, extinction and in-scattered light of
+ * participating media along path segments. The phase function is in medium_light.glsl. */
+#ifndef TRACE_PARTICIPATING_MEDIA_GLSL
+#define TRACE_PARTICIPATING_MEDIA_GLSL
 
 /* Returns the path throughput after absorption along a segment of length `t`. */
 vec3 trace_absorb(trace_path path, float t)
