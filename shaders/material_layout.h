@@ -1,5 +1,5 @@
-/* material_layout.h: layout of the material texture, which src/scene/material_table.c writes: one
- * row per material, four floats per texel. Row 0 is for vertices without material. */
+/* material_layout.h: layout of the material texture, which src/scene/gpu_material_table.c writes:
+ * one row per material, four floats per texel. Row 0 is for vertices without material. */
 #ifndef SHADERS_MATERIAL_LAYOUT_H
 #define SHADERS_MATERIAL_LAYOUT_H
 

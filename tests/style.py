@@ -62,7 +62,7 @@ MAY_INCLUDE = {
     'src/reader/': ('src/reader/', 'src/image/', 'src/base/'),
     'src/tech/': ('src/tech/', 'src/settings/', 'src/scene/camera.h', 'src/scene/geometry/mesh.h',
                   'src/scene/scene.h', 'src/scene/ao_occluder_transmission.h',
-                  'src/scene/material_table.h',
+                  'src/scene/gpu_material_table.h',
                   'src/scene/environment/image_based_lighting.h', 'shaders/', 'graph/rg.h',
                   'graph/rg_cmd.h'),
     'src/frame/': ('src/frame/', *OF_ALL_TECHNIQUES, 'src/scene/', 'src/settings/', 'src/base/',

@@ -39,7 +39,7 @@ struct exec_pass {
     VkPipeline pipeline;
     bool first; /* this pass created the pipeline */
     VkRenderPass render_pass;
-    uint32_t coverage; /* COVER_... flags (render_region.c) */
+    uint32_t coverage; /* COVER_... flags (region_of_interest.c) */
 };
 
 /* Placeholder image that a use samples if no pass and no import provides its image. */
@@ -259,7 +259,7 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
 void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn);
 VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_start);
 
-/* render_region.c */
+/* region_of_interest.c */
 VkResult rg_exec_make_coverage(struct rg_exec *exec);
 /* Returns true if the current region restricts what a pass draws or copies. */
 bool rg_exec_is_limited(const struct rg_cmd *cmd);

@@ -4,7 +4,7 @@
 #include "lib/globals.glsl"
 #include "lib/procedural_sky.glsl"
 #include "lib/specialization_constants.glsl"
-#include "lighting/bump_map.glsl"
+#include "lighting/bump_map_sampling.glsl"
 #include "refract/refract.h"
 
 layout(push_constant, scalar) uniform Push

@@ -1,7 +1,7 @@
 /* bump_fragment_normal.glsl: bump-mapped normal of the ice's surface at a fragment. */
 #ifndef BUMP_FRAGMENT_NORMAL_GLSL
 #define BUMP_FRAGMENT_NORMAL_GLSL
-#include "lighting/bump_map.glsl"
+#include "lighting/bump_map_sampling.glsl"
 
 layout(location = REFRACT_BUMP_SLOPE) flat in float bump_slope; /* factor on the map's slopes */
 

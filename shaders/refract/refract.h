@@ -26,7 +26,7 @@
 #define REFRACT_EYE_TO_POINT           0
 #define REFRACT_NORMAL                 1
 #define REFRACT_FRESNEL                2
-#define REFRACT_BUMP_AT                3 /* texture coordinates (bump_map.glsl) */
+#define REFRACT_BUMP_AT                3 /* texture coordinates (bump_map_sampling.glsl) */
 #define REFRACT_BUMP_WORLD_FROM_OBJECT 4 /* matrix, locations 4 to 6 */
 #define REFRACT_BUMP_SLOPE             7 /* bump strength */
 #define REFRACT_REFLECTED              3 /* reflected direction */

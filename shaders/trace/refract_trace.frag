@@ -140,7 +140,7 @@ struct trace_crossing {
     vec3 d_origin, d_n;       /* ray differentials of the hit point and of `n` */
 };
 
-#include "trace/trace_bvh_select.glsl"
+#include "trace/trace_candidate_bvhs.glsl"
 #include "trace/trace_inclusions.glsl"
 #include "trace/trace_ray_differentials.glsl"
 

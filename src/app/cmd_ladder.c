@@ -15,7 +15,7 @@
 #include "src/profile/utf8_text.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_aov_table.h"
-#include "src/scene/material_table.h"
+#include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/inclusions/air.h"
 

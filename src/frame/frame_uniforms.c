@@ -5,7 +5,7 @@
 #include <string.h>
 #include "shaders/brdf.h"
 #include "shaders/surroundings/sky.h"
-#include "src/scene/material_table.h"
+#include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/inclusions/medium_density_lookup.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/profile/json.h"
-#include "src/profile/page/page.h"
+#include "src/profile/page/embedded_page.h"
 
 static size_t data_size(const char *json)
 {

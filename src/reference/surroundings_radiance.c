@@ -9,7 +9,7 @@
 #include "src/image/half_float.h"
 #include "src/image/srgb.h"
 #include "src/reference/linear_texture_filter.h"
-#include "src/scene/material_table.h"
+#include "src/scene/gpu_material_table.h"
 
 #define TILES_WIDTH ABI_VEC2(1e-4f, 1e-4f) /* texture filter width of procedural tiles */
 #define COSINE_MIN  0.05f                  /* lower clamp of a cosine divisor */

@@ -2,7 +2,7 @@
 #include "src/render/make_frame_request.h"
 #include "src/frame/frame_uniforms.h"
 #include "src/render/denoise.h"
-#include "src/scene/material_table.h"
+#include "src/scene/gpu_material_table.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"

@@ -11,7 +11,7 @@
 #include "src/scene/environment/image_based_lighting.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/geometry/mesh_depth_complexity.h"
-#include "src/scene/material_table.h"
+#include "src/scene/gpu_material_table.h"
 
 const struct scene_builtin scene_builtins[] = {
     {

@@ -37,7 +37,8 @@ struct scene {
     vec4s *material_table; /* GPU table of materials; NULL if no material needs one */
     /* GPU table of punctual lights; NULL if no surface is lit by one */
     vec4s *punctual_light_table;
-    vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
+    /* GPU table of vertex extras (gpu_material_table.h); NULL for none */
+    vec4s *vertex_extra_table;
     /* GGX split-sum table (image_based_lighting.h); NULL if material_table is NULL */
     uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */

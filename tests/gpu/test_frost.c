@@ -138,7 +138,7 @@ static void halve_mask(struct scene *scene)
         TEXELS = 64
     };
 
-    const double middle = 0.71; /* where shaders/lighting/bump_map.glsl puts it */
+    const double middle = 0.71; /* where shaders/lighting/bump_map_sampling.glsl puts it */
     const struct mip_levels mip_levels = { .side = TEXELS, .layers = 1, .channels = 4 };
     struct bump_maps *maps = &scene->bump;
     *maps = (struct bump_maps){

@@ -1,7 +1,7 @@
 """embed.py: embeds the HTML page of a profile, with its style and scripts, in one C file.
 
 Usage: embed.py OUTPUT.c PAGE.html STYLE.css SCRIPT.js...
-The C file defines `const struct page_part page_parts[]` (page.h): the text before, between and
+The C file defines `const struct page_part page_parts[]` (embedded_page.h): the text before, between and
 after the two placeholders for JSON data.
 """
 import pathlib
@@ -31,7 +31,7 @@ def main(output, page, style, *scripts):
             sys.exit(f'{page}: {place} is missing')
         parts.append(part)
     parts.append(text)
-    source = '#include "src/profile/page/page.h"\n\n'
+    source = '#include "src/profile/page/embedded_page.h"\n\n'
     source += '\n'.join(array(f'part_{i}', part) for i, part in enumerate(parts))
     source += '\nconst struct page_part page_parts[PAGE_PART_COUNT] = {\n'
     source += ''.join(f'    {{ part_{i}, sizeof(part_{i}) }},\n' for i in range(len(parts)))

@@ -97,7 +97,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &air_color, RG_LOAD_DISCARD }),
         .uses = layer_uses,
         .vert = &composite_vert,
-        .frag = &air_aov_frag,
+        .frag = &milky_air_aov_frag,
         .record = frame_draw_screen,
     },
 };

@@ -2,7 +2,7 @@
 #include "src/tech/trace/trace_settings.h"
 #include <math.h>
 #include "shaders/trace/refract_trace.h"
-#include "src/scene/material_table.h"
+#include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/inclusions/medium_density_lookup.h"

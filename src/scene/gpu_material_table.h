@@ -1,6 +1,6 @@
-/* material_table.h: GPU table of a scene's materials (shaders/material_layout.h). */
-#ifndef FIRN_SCENE_MATERIAL_TABLE_H
-#define FIRN_SCENE_MATERIAL_TABLE_H
+/* gpu_material_table.h: GPU table of a scene's materials (shaders/material_layout.h). */
+#ifndef FIRN_SCENE_GPU_MATERIAL_TABLE_H
+#define FIRN_SCENE_GPU_MATERIAL_TABLE_H
 
 #include "src/scene/import/model.h"
 

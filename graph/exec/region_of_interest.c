@@ -1,4 +1,5 @@
-/* render_region.c: finds which part of the view each pass must draw to produce a given region. */
+/* region_of_interest.c: finds which part of the view each pass must draw to produce a given region.
+ */
 #include <assert.h>
 #include "graph/exec/executor_internal.h"
 

@@ -1,6 +1,6 @@
-/* trace_bvh_select.glsl: selects the BVHs that a path segment may hit. */
-#ifndef TRACE_BVH_SELECT_GLSL
-#define TRACE_BVH_SELECT_GLSL
+/* trace_candidate_bvhs.glsl: selects the BVHs that a path segment may hit. */
+#ifndef TRACE_CANDIDATE_BVHS_GLSL
+#define TRACE_CANDIDATE_BVHS_GLSL
 
 /* Returns true if a path that has left a surface cannot hit an object again. */
 bool trace_has_escaped(trace_path path)

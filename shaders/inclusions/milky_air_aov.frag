@@ -1,4 +1,4 @@
-/* air_aov.frag: fragment shader that writes milky air's radiance times its opacity (AOV). */
+/* milky_air_aov.frag: fragment shader that writes milky air's radiance times its opacity (AOV). */
 #version 460
 #include "output/composite.h"
 

@@ -1,7 +1,7 @@
-/* bump_map.glsl: samples the ice's bump map, either at the mesh's uv or by triplanar mapping, which
- * blends three projections along the axes of object space. */
-#ifndef BUMP_MAP_GLSL
-#define BUMP_MAP_GLSL
+/* bump_map_sampling.glsl: samples the ice's bump map, either at the mesh's uv or by triplanar
+ * mapping, which blends three projections along the axes of object space. */
+#ifndef BUMP_MAP_SAMPLING_GLSL
+#define BUMP_MAP_SAMPLING_GLSL
 #include "lib/globals.glsl"
 #include "lib/specialization_constants.glsl"
 #include "lighting/bump.h"

@@ -1,6 +1,7 @@
-/* page.h: the HTML page of a profile as C arrays, which embed.py generates from this folder. */
-#ifndef FIRN_PROFILE_PAGE_H
-#define FIRN_PROFILE_PAGE_H
+/* embedded_page.h: the HTML page of a profile as C arrays, which embed.py generates from this
+ * folder. */
+#ifndef FIRN_PROFILE_PAGE_EMBEDDED_PAGE_H
+#define FIRN_PROFILE_PAGE_EMBEDDED_PAGE_H
 
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
-/* material_table.c: GPU table of materials, with one row of texels per material. */
-#include "src/scene/material_table.h"
+/* gpu_material_table.c: GPU table of materials, with one row of texels per material. */
+#include "src/scene/gpu_material_table.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
