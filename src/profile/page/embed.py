@@ -1,9 +1,8 @@
 """embed.py: embeds the HTML page of a profile, with its style and scripts, in one C file.
 
 Usage: embed.py OUTPUT.c PAGE.html STYLE.css SCRIPT.js...
-The C file defines `const struct page_part page_parts[]` (embedded_page.h): the text before, between and
-after the two placeholders for JSON data.
-"""
+The C file defines `const struct page_part page_parts[]` (embedded_page.h): the text before,
+between and after the two placeholders for JSON data."""
 import pathlib
 import sys
 
