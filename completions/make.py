@@ -16,7 +16,7 @@ NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'mater
          'show': 'layers', 'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'refractions', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'),
-         'present': ('auto', 'fifo', 'mailbox', 'immediate'),
+         'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),

@@ -50,7 +50,6 @@ struct gpu {
     VkCommandPool pool;      /* for uploads */
     bool portability_subset; /* VK_KHR_portability_subset must be enabled */
     float max_anisotropy;    /* of samplers; 0 if not supported */
-    bool has_host_memory;    /* CPU: can render to host memory */
     bool has_rays;           /* supports acceleration structures and ray queries */
     bool has_statistics;     /* pipeline statistics, exact occlusion queries */
     bool validated;          /* the validation layer is enabled */

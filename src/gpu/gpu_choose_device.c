@@ -143,8 +143,6 @@ VkResult gpu_device_extensions_find(VkPhysicalDevice physical, struct gpu_device
     if (result == VK_SUCCESS) {
         offer->portability_subset = gpu_has_extension(list, count, "VK_KHR_portability_subset");
         offer->swapchain = gpu_has_extension(list, count, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-        offer->host_memory =
-            gpu_has_extension(list, count, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
         offer->rays = true;
         for (int i = 0; i < GPU_RAY_EXTENSION_COUNT; i++)
             offer->rays = offer->rays && gpu_has_extension(list, count, gpu_ray_extensions[i]);

@@ -63,14 +63,12 @@ static VkResult create_device(const struct gpu *gpu, const struct gpu_features *
                               VkDevice *device)
 {
     const float priority = 1.0F;
-    const char *extensions[3 + GPU_RAY_EXTENSION_COUNT];
+    const char *extensions[2 + GPU_RAY_EXTENSION_COUNT];
     uint32_t extension_count = 0;
     if (gpu->portability_subset) /* if offered, it must be enabled */
         extensions[extension_count++] = "VK_KHR_portability_subset";
     if (gpu->windows)
         extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-    if (gpu->has_host_memory)
-        extensions[extension_count++] = VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME;
     for (int i = 0; i < GPU_RAY_EXTENSION_COUNT && features->rays; i++)
         extensions[extension_count++] = gpu_ray_extensions[i];
     const VkDeviceQueueCreateInfo queue = {
@@ -101,8 +99,6 @@ static enum status open_device(struct gpu *gpu)
     /* required features were checked when the device was chosen */
     (void)gpu_features_choose(gpu->physical, offer.rays, &features);
     gpu->portability_subset = offer.portability_subset;
-    gpu->has_host_memory = gpu->windows && offer.host_memory &&
-                           gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     result = create_device(gpu, &features, &gpu->device);
     if (result != VK_SUCCESS) {
         gpu->device = VK_NULL_HANDLE;

@@ -42,8 +42,7 @@ uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physica
 /* Extensions that firn uses if a device has them. */
 struct gpu_device_extensions {
     bool portability_subset, swapchain;
-    bool host_memory; /* VK_EXT_external_memory_host: images in host memory */
-    bool rays;        /* all of gpu_ray_extensions */
+    bool rays; /* all of gpu_ray_extensions */
 };
 
 /* Extensions needed for acceleration structures and ray queries. */

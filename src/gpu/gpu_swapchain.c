@@ -21,7 +21,6 @@ static const struct {
     VkPresentModeKHR mode;
     const char *name;
 } modes[] = {
-    { GPU_SWAPCHAIN_ANY, "auto" },
     { VK_PRESENT_MODE_FIFO_KHR, "fifo" },
     { VK_PRESENT_MODE_MAILBOX_KHR, "mailbox" },
     { VK_PRESENT_MODE_IMMEDIATE_KHR, "immediate" },
@@ -86,8 +85,6 @@ static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
     if (result != VK_SUCCESS && result != VK_INCOMPLETE)
         return gpu_failed("vkGetPhysicalDeviceSurfacePresentModesKHR", result);
     s->mode = VK_PRESENT_MODE_FIFO_KHR;
-    if (requested == GPU_SWAPCHAIN_ANY)
-        return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
         if (available[i] == requested)
             s->mode = requested;
@@ -119,12 +116,10 @@ static VkSemaphore make_semaphore(const struct gpu *gpu, VkResult *result)
 }
 
 enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s, VkSurfaceKHR surface,
-                               VkPresentModeKHR mode, const struct gpu_shared_window *canvas)
+                               VkPresentModeKHR mode)
 {
     *s = (struct gpu_swapchain){ .surface = surface, .stale = true };
     enum status status = choose_format(gpu, s);
-    if (mode == GPU_SWAPCHAIN_ANY && gpu->has_host_memory && s->format == VK_FORMAT_B8G8R8A8_UNORM)
-        s->canvas = canvas;
     if (status == STATUS_OK)
         status = choose_mode(gpu, s, mode);
     if (status == STATUS_OK)
@@ -140,23 +135,11 @@ static void free_images(const struct gpu *gpu, struct gpu_swapchain *s)
         vkDestroySemaphore(gpu->device, s->acquired[i], NULL);
         s->acquired[i] = VK_NULL_HANDLE;
     }
-    if (s->canvas)
-        gpu_shared_window_destroy_images(gpu, s->canvas, s->canvas_images);
     free(s->drawn);
     free(s->images);
     s->drawn = NULL;
     s->images = NULL;
     s->image_count = 0;
-}
-
-static enum status allocate_images(struct gpu_swapchain *s, uint32_t count)
-{
-    s->images = calloc(count, sizeof(*s->images));
-    s->drawn = calloc(count, sizeof(*s->drawn));
-    if (!s->images || !s->drawn)
-        return gpu_failed("calloc", VK_ERROR_OUT_OF_HOST_MEMORY);
-    s->image_count = count;
-    return STATUS_OK;
 }
 
 static enum status find_images(struct gpu *gpu, struct gpu_swapchain *s)
@@ -165,9 +148,11 @@ static enum status find_images(struct gpu *gpu, struct gpu_swapchain *s)
     VkResult result = vkGetSwapchainImagesKHR(gpu->device, s->swapchain, &count, NULL);
     if (result != VK_SUCCESS)
         return gpu_failed("vkGetSwapchainImagesKHR", result);
-    const enum status status = allocate_images(s, count);
-    if (status != STATUS_OK)
-        return status;
+    s->images = calloc(count, sizeof(*s->images));
+    s->drawn = calloc(count, sizeof(*s->drawn));
+    if (!s->images || !s->drawn)
+        return gpu_failed("calloc", VK_ERROR_OUT_OF_HOST_MEMORY);
+    s->image_count = count;
     for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT; i++)
         s->acquired[i] = make_semaphore(gpu, &result);
     if (result != VK_SUCCESS)
@@ -245,14 +230,6 @@ static enum status create(struct gpu *gpu, struct gpu_swapchain *s,
     return find_images(gpu, s);
 }
 
-static enum status use_canvas_images(struct gpu_swapchain *s)
-{
-    const enum status status = allocate_images(s, GPU_SHARED_WINDOW_IMAGE_COUNT);
-    for (uint32_t i = 0; i < s->image_count; i++)
-        s->images[i] = s->canvas_images[i].image;
-    return status;
-}
-
 enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *s, VkExtent2D size)
 {
     VkSurfaceCapabilitiesKHR has;
@@ -265,10 +242,6 @@ enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *s, VkE
         return gpu_failed("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", result);
     s->extent = choose_extent(&has, size);
     s->stale = s->extent.width == 0 || s->extent.height == 0;
-    if (!s->stale && s->canvas &&
-        gpu_shared_window_create_images(gpu, s->canvas, s->extent, s->canvas_images))
-        return use_canvas_images(s);
-    s->canvas = s->stale ? s->canvas : NULL;
     if (!s->stale)
         return create(gpu, s, &has);
     vkDestroySwapchainKHR(gpu->device, s->swapchain, NULL);
@@ -290,11 +263,6 @@ void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *s)
 enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint32_t slot,
                                   uint32_t *index)
 {
-    if (s->canvas) {
-        *index = (s->shown + 1) % GPU_SHARED_WINDOW_IMAGE_COUNT;
-        s->canvas->wait(s->canvas->user, *index);
-        return STATUS_OK;
-    }
     const VkResult result = vkAcquireNextImageKHR(gpu->device, s->swapchain, UINT64_MAX,
                                                   s->acquired[slot], VK_NULL_HANDLE, index);
     if (result == VK_SUCCESS)
@@ -307,21 +275,8 @@ enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint
                                               : gpu_failed("vkAcquireNextImageKHR", result);
 }
 
-/* Waits for the queue, then presents an image whose memory is shared with the window server. */
-static enum status show(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
-{
-    const VkResult result = vkQueueWaitIdle(gpu->queue);
-    if (result != VK_SUCCESS)
-        return gpu_failed("vkQueueWaitIdle", result);
-    s->canvas->show(s->canvas->user, index, s->extent, s->canvas_images[index].row_size);
-    s->shown = index;
-    return STATUS_OK;
-}
-
 enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
 {
-    if (s->canvas)
-        return show(gpu, s, index);
     const VkPresentInfoKHR info = {
         .sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR,
         .waitSemaphoreCount = 1,

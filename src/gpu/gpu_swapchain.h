@@ -13,10 +13,7 @@
  *
  * A slot is a frame in flight; a caller reuses a slot only after its frame has finished.
  *
- * With a canvas (gpu_shared_window.h) the canvas owns the images instead of the driver. There
- * are no semaphores then, and presenting waits for the queue.
- *
- * Ownership: the caller owns surface and canvas, which must outlive the swapchain.
+ * Ownership: the caller owns the surface, which must outlive the swapchain.
  * Errors:    logged once; as in gpu.h. A surface of zero size (a minimised window) is not an error:
  *            then there is no VkSwapchainKHR, and `stale` stays true.
  */
@@ -24,7 +21,6 @@
 #define FIRN_GPU_SWAPCHAIN_H
 
 #include "src/gpu/gpu.h"
-#include "src/gpu/gpu_shared_window.h"
 
 enum {
     GPU_SWAPCHAIN_SLOT_COUNT = 2, /* frames in flight */
@@ -32,15 +28,9 @@ enum {
 
 #define GPU_SWAPCHAIN_NONE UINT32_MAX /* no image */
 
-/* Pseudo present mode that selects images in shared memory (canvas) if possible, else FIFO. */
-#define GPU_SWAPCHAIN_ANY VK_PRESENT_MODE_MAX_ENUM_KHR
-
 struct gpu_swapchain {
     VkSurfaceKHR surface;
-    VkSwapchainKHR swapchain;               /* VK_NULL_HANDLE without size, with canvas */
-    const struct gpu_shared_window *canvas; /* NULL: the driver owns the images */
-    struct gpu_shared_window_image canvas_images[GPU_SHARED_WINDOW_IMAGE_COUNT];
-    uint32_t shown; /* index of the displayed canvas image */
+    VkSwapchainKHR swapchain; /* VK_NULL_HANDLE without size */
     VkFormat format;
     bool encodes; /* colours are sRGB-encoded on writing */
     bool copies;  /* usable as transfer destinations */
@@ -54,10 +44,9 @@ struct gpu_swapchain {
 };
 
 /* Chooses a format with 8 bits per channel, preferably without sRGB encoding. Warns and uses FIFO
- * if `mode` is not available. Sets `stale`, because no images are created. `canvas` may be NULL. */
+ * if `mode` is not available. Sets `stale`, because no images are created. */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
-                                        VkSurfaceKHR surface, VkPresentModeKHR mode,
-                                        const struct gpu_shared_window *canvas);
+                                        VkSurfaceKHR surface, VkPresentModeKHR mode);
 
 /* Waits for the device and recreates the images. If the surface lets the program choose the image
  * size, uses `size`, the window's size in pixels. */
@@ -75,7 +64,7 @@ MUST_USE enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain
 /* Waits for the device and frees everything. *swapchain may be zeroed or partly created. */
 void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *swapchain);
 
-/* Returns "auto", "fifo", "mailbox" or "immediate" for a present mode, or NULL for other modes. */
+/* Returns "fifo", "mailbox" or "immediate" for a present mode, or NULL for other modes. */
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode);
 /* Finds the present mode that gpu_swapchain_mode_name() calls `name`, or returns false. */
 bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode);

@@ -35,13 +35,6 @@ static Display *find(struct GLFWwindow *window, Window *id)
     return display;
 }
 
-uint32_t window_x11_id(struct GLFWwindow *window)
-{
-    Window id;
-    (void)find(window, &id);
-    return (uint32_t)id;
-}
-
 void window_x11_background(struct GLFWwindow *window, uint32_t color)
 {
     void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
@@ -75,12 +68,6 @@ void window_x11_ignore_errors(void)
         dlclose(x11);
 }
 #else
-uint32_t window_x11_id(struct GLFWwindow *window)
-{
-    (void)window;
-    return 0;
-}
-
 void window_x11_background(struct GLFWwindow *window, uint32_t color)
 {
     (void)window;

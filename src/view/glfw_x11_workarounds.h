@@ -6,9 +6,6 @@
 
 struct GLFWwindow;
 
-/* Returns the X11 id of a window; 0 without X11. */
-uint32_t window_x11_id(struct GLFWwindow *window);
-
 /* Sets the colour of newly exposed areas, 0xRRGGBB. Also keeps the old contents in place while the
  * window is resized. */
 void window_x11_background(struct GLFWwindow *window, uint32_t color);

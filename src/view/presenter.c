@@ -16,10 +16,10 @@ enum {
 };
 
 enum status presenter_init(struct presenter *s, struct gpu *gpu, VkSurfaceKHR surface,
-                           VkPresentModeKHR mode, const struct gpu_shared_window *canvas)
+                           VkPresentModeKHR mode)
 {
     *s = (struct presenter){ .gpu = gpu };
-    const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode, canvas);
+    const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode);
     present_tables_init(&s->tables, s->swapchain.format);
     overlay_tables_init(&s->overlay, &s->tables.window, s->swapchain.copies);
     return status;

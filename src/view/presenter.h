@@ -41,9 +41,9 @@ struct presenter {
     double wait_seconds;  /* seconds the host waited to acquire and present this frame's image */
 };
 
-/* Initialises a presenter, which must not be moved. Borrows `surface` and a non-NULL `canvas`. */
+/* Initialises a presenter, which must not be moved. Borrows `surface`. */
 MUST_USE enum status presenter_init(struct presenter *s, struct gpu *gpu, VkSurfaceKHR surface,
-                                    VkPresentModeKHR mode, const struct gpu_shared_window *canvas);
+                                    VkPresentModeKHR mode);
 void presenter_finish(struct presenter *s); /* {0} and half-built are fine */
 
 /* Recreates the swapchain if it is stale or `size` has changed. *remade is then true, and

@@ -30,7 +30,6 @@ struct view {
     struct signals signals;
     struct stderr_capture stderr_capture;
     struct window window;
-    struct window_x11_shm *shm_window; /* MIT-SHM; NULL if the driver presents */
     struct gpu_window_system system;
     struct gpu gpu;
     VkSurfaceKHR surface;

@@ -9,7 +9,6 @@
 #include "src/view/recent_files.h"
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
-#include "src/view/window_x11_shm.h"
 #include "src/view/worker_thread.h"
 
 /* time without size changes before the renderer is resized, seconds */
@@ -87,10 +86,7 @@ static enum status open_device(void *user)
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
     if (status == STATUS_OK)
-        v->shm_window = window_x11_shm_open(v->window.handle);
-    if (status == STATUS_OK)
-        status = presenter_init(&v->presenter, &v->gpu, v->surface, v->options->view.present,
-                                window_x11_shm_canvas(v->shm_window));
+        status = presenter_init(&v->presenter, &v->gpu, v->surface, v->options->view.present);
     return status;
 }
 
@@ -146,8 +142,6 @@ static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
     presenter_finish(&v->presenter);
-    window_x11_shm_close(v->shm_window);
-    v->shm_window = NULL;
     view_compare_stop(v);
     if (v->gpu.device) {
         pixel_inspector_finish(&v->inspector, &v->gpu);

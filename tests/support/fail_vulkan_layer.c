@@ -66,8 +66,6 @@
     row(EndCommandBuffer, (VkCommandBuffer c), (c), ) \
     row(FlushMappedMemoryRanges, (VkDevice d, uint32_t n, const VkMappedMemoryRange *r), \
         (d, n, r), ) \
-    row(GetMemoryHostPointerPropertiesEXT, (VkDevice d, VkExternalMemoryHandleTypeFlagBits h, \
-        const void *m, VkMemoryHostPointerPropertiesEXT *out), (d, h, m, out), CLOBBER(out)) \
     row(GetPipelineCacheData, (VkDevice d, VkPipelineCache c, size_t *n, void *out), \
         (d, c, n, out), CLOBBER(n)) \
     row(GetQueryPoolResults, (VkDevice d, VkQueryPool p, uint32_t f, uint32_t n, size_t s, \
@@ -81,7 +79,6 @@
         VkMemoryMapFlags f, void **out), (d, m, o, s, f, out), CLOBBER(out)) \
     row(QueuePresentKHR, (VkQueue q, const VkPresentInfoKHR *i), (q, i), ) \
     row(QueueSubmit2, (VkQueue q, uint32_t n, const VkSubmitInfo2 *i, VkFence f), (q, n, i, f), ) \
-    row(QueueWaitIdle, (VkQueue q), (q), ) \
     row(ResetFences, (VkDevice d, uint32_t n, const VkFence *f), (d, n, f), ) \
     row(SetDebugUtilsObjectNameEXT, (VkDevice d, const VkDebugUtilsObjectNameInfoEXT *i), \
         (d, i), ) \
@@ -97,8 +94,6 @@
     row(GetPhysicalDeviceImageFormatProperties, (VkPhysicalDevice p, VkFormat f, VkImageType t, \
         VkImageTiling l, VkImageUsageFlags u, VkImageCreateFlags g, \
         VkImageFormatProperties *out), (p, f, t, l, u, g, out), CLOBBER(out)) \
-    row(GetPhysicalDeviceImageFormatProperties2, (VkPhysicalDevice p, \
-        const VkPhysicalDeviceImageFormatInfo2 *i, VkImageFormatProperties2 *out), (p, i, out), ) \
     row(GetPhysicalDeviceSurfaceCapabilitiesKHR, (VkPhysicalDevice p, VkSurfaceKHR s, \
         VkSurfaceCapabilitiesKHR *out), (p, s, out), CLOBBER(out)) \
     row(GetPhysicalDeviceSurfaceFormatsKHR, (VkPhysicalDevice p, VkSurfaceKHR s, uint32_t *n, \
@@ -152,8 +147,7 @@ static bool reports_lost(enum call call)
 {
     return call == CALL_AcquireNextImageKHR || call == CALL_CreateSwapchainKHR ||
            call == CALL_DeviceWaitIdle || call == CALL_GetQueryPoolResults ||
-           call == CALL_QueuePresentKHR || call == CALL_QueueSubmit2 ||
-           call == CALL_QueueWaitIdle || call == CALL_WaitForFences;
+           call == CALL_QueuePresentKHR || call == CALL_QueueSubmit2 || call == CALL_WaitForFences;
 }
 
 /* Counts a call. Returns the error that it must return, or VK_SUCCESS to call the next layer. */

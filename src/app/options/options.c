@@ -115,7 +115,7 @@ static const struct option options[] = {
     { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
       "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
-      "present mode: auto, fifo, mailbox, immediate (default: auto, shared memory)" },
+      "present mode: fifo, mailbox, immediate (default: fifo)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(view.fps_limit),
       "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
@@ -478,7 +478,7 @@ static void init_defaults(struct app_options *o, enum app_command command)
             .height = 768,
             .samples = 1,
         },
-        .view = { .present = GPU_SWAPCHAIN_ANY },
+        .view = { .present = VK_PRESENT_MODE_FIFO_KHR },
         .profile = { .warmup = 5, .run_count = 30 },
         .ladder = { .run_count = 10 },
     };

@@ -10,7 +10,7 @@ enum status option_present(const struct option *option, void *at, const char *va
     struct app_view *view = at;
     return gpu_swapchain_mode_find(value, &view->present)
                ? STATUS_OK
-               : option_refuse(option, value, "auto, fifo, mailbox or immediate");
+               : option_refuse(option, value, "fifo, mailbox or immediate");
 }
 
 enum status option_split(const struct option *option, void *at, const char *value)
