@@ -34,12 +34,6 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Estimates the ice's width in metres as the side of the bounding sphere's inscribed cube. */
-float refract_width()
-{
-    return 2.0 * refract_frame.radius * inversesqrt(3.0);
-}
-
 vec3 refract_transmitted(refract_path path)
 {
     return refract_environment(path.point, path.dir) * exp(-refract_frame.absorb * path.path);

@@ -1,13 +1,32 @@
 /* refract_wyman.frag: fragment shader of the refraction model of Wyman 2005. */
 #version 460
 #include "refract/refract_main.glsl"
-#include "refract/refract_thickness.glsl"
+#include "refract/refract_depth_maps.glsl"
+
+/* Estimates the ice's width in metres as the side of the bounding sphere's inscribed cube. */
+float bounding_cube_side()
+{
+    return 2.0 * refract_frame.radius * inversesqrt(3.0);
+}
+
+/* Returns the ice's thickness along the unrefracted ray in metres; 0 without a back face. Distance
+ * is proportional to 1 / depth in perspective views, and linear in depth in orthographic views. */
+float thickness_along_ray()
+{
+    float back = texelFetch(depth_back, ivec2(gl_FragCoord.xy), 0).r;
+    if (constant_orthographic != 0u)
+        return back > 0.0 ? max(view_depth(refract_frame.clip_from_world, back) -
+                                    view_depth(refract_frame.clip_from_world, gl_FragCoord.z),
+                                0.0)
+                          : 0.0;
+    return back > 0.0 ? length(eye_to_point) * max(gl_FragCoord.z / back - 1.0, 0.0) : 0.0;
+}
 
 /* Returns the ice's thickness along the front normal. Looks for the back face at a guessed
- * thickness, initially refract_width(). Halves the guess while no back face is found. */
-float thickness_along(vec3 point, vec3 n_f)
+ * thickness, initially bounding_cube_side(). Halves the guess while no back face is found. */
+float thickness_along_normal(vec3 point, vec3 n_f)
 {
-    float guess = refract_width();
+    float guess = bounding_cube_side();
     for (int i = 0; i < 4; i++) {
         vec3 end = point - guess * n_f;
         vec4 clip = refract_clip(end);
@@ -35,8 +54,8 @@ refract_path refract_follow(vec3 e, vec3 n_f, int channel)
     float si = sqrt(1.0 - ci * ci);
     /* eta is over 1 if the ice's index is the lower one */
     float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
-    float ray_thickness = refract_thickness();
-    float path_length = mix(thickness_along(point, n_f), ray_thickness, ratio);
+    float ray_thickness = thickness_along_ray();
+    float path_length = mix(thickness_along_normal(point, n_f), ray_thickness, ratio);
     point += path_length * inside;
     vec3 n_b = refract_normal_at(normal_back, refract_uv(refract_clip(point)));
     if (n_b == vec3(0.0)) /* the path ends outside the silhouette */

@@ -9,7 +9,7 @@ FLOAT_MAX = 3.4028234663852886e38
 COLORS = (0, 1e-45, 1e-38, 0.5, 1, 1, 1, 1e3, 65504, 65536, 1e30, FLOAT_MAX, -1, -1e30)
 TEXELS = (0, 1e-45, 6e-8, 0.5, 1, 100, 65504, 65519, 65536, 1e30, FLOAT_MAX, -1, float('nan'),
           float('inf'))
-RUNGS = ('paper', 'bounce', 'one-sided', 'slab', 'sphere', 'blend', 'wyman', 'search')
+RUNGS = ('paper', 'bounce', 'one-sided', 'wyman', 'search')
 TRIANGLES = 24
 EXTENSIONS = ['KHR_materials_transmission', 'KHR_materials_ior', 'KHR_materials_unlit']
 

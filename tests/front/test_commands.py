@@ -57,6 +57,7 @@ class CommandLine(Case):
         self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--aov', 'N,depht', names=['depht'])
         self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--refraction', 'papre',
                     names=['papre', "'paper'?"])
+        self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '-r', 'slab', names=['use one-sided'])
         self.refuse(USAGE, 'graph', 'sphere', '-m', 'glas', names=['glas', "'glass'?"])
         self.assertNotIn(b'did you mean', self.firn('nosuch').stderr)
 

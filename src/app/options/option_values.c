@@ -45,6 +45,12 @@ static void offer_names(struct suggest *suggest, enum option_names names)
         suggest_offer(suggest, techniques_layer(i)->name);
 }
 
+/* Returns true for the names of refraction models of earlier versions. */
+static bool is_removed_model(const char *name)
+{
+    return !strcmp(name, "slab") || !strcmp(name, "sphere") || !strcmp(name, "blend");
+}
+
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length)
 {
@@ -63,7 +69,10 @@ enum status option_refuse_name(const struct option *option, enum option_names na
     snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
              word);
     offer_names(&suggest, names);
-    if (names == OPTION_REFRACTION_MODELS && !strcmp(name, cpu_reference_settings.refraction.name))
+    if (names != OPTION_MATERIALS && names != OPTION_LAYERS && is_removed_model(name))
+        log_error("--%s %s: removed; use one-sided", option->name, name);
+    else if (names == OPTION_REFRACTION_MODELS &&
+             !strcmp(name, cpu_reference_settings.refraction.name))
         log_error("--%s: refraction model '%s' is only available with firn render --refraction",
                   option->name, name);
     else
