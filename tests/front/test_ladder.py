@@ -209,7 +209,7 @@ class Pictures(LadderCase):
         sheet = Png((self.folder / 'sheet.png').read_bytes())
         one = Png((self.folder / 'one.png').read_bytes())
         cell, row = 330 + 16, HEIGHT + 16 + 8
-        left, top = 8 + cell, 8 + 2 * row + 16
+        left, top = 8, 8 + 3 * row + 16
         self.assertEqual((sheet.width, sheet.height), (2 * cell, 4 * row + 8))
         for y in range(0, HEIGHT, 7):
             for x in range(0, WIDTH, 7):
