@@ -7,7 +7,7 @@ layout(set = 0, binding = TONEMAP_COLOR) uniform sampler2D linear_color;
 
 layout(push_constant, scalar) uniform Push
 {
-    tonemap_push push;
+    tonemap_params push;
 };
 
 layout(location = 0) out vec4 encoded;
@@ -15,5 +15,7 @@ layout(location = 0) out vec4 encoded;
 void main()
 {
     vec3 c = texelFetch(linear_color, ivec2(gl_FragCoord.xy), 0).rgb;
-    encoded = vec4(tonemap_encode(c, push.gain, constant_tonemap_curve), 1.0);
+    tonemap_params params = push;
+    params.curve = constant_tonemap_curve; /* removes the other curves from the compiled shader */
+    encoded = vec4(tonemap_encode(c, params), 1.0);
 }

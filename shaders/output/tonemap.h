@@ -12,8 +12,11 @@
 #define TONEMAP_HABLE   4
 #define TONEMAP_LAST    TONEMAP_HABLE
 
-struct tonemap_push {
-    float gain; /* exp2(exposure) */
+/* Parameters of tone mapping, the same for tonemap.frag and for all callers in C. What tone mapping
+ * does must depend on nothing else. */
+struct tonemap_params {
+    float gain;     /* exp2(exposure) */
+    uint32_t curve; /* TONEMAP_NEUTRAL, ... */
 };
 
 /* Applies Khronos PBR Neutral. Base colours up to 0.8 are unchanged; highlights fade to white. */
@@ -109,25 +112,25 @@ ABI_FUNCTION float tonemap_srgb(float linear)
 }
 
 /* Returns the tone-mapped colour of linear radiance, before clamping and encoding. */
-ABI_FUNCTION vec3s tonemap_apply(vec3s radiance, float gain, uint32_t curve)
+ABI_FUNCTION vec3s tonemap_apply(vec3s radiance, ABI_STRUCT(tonemap_params) params)
 {
-    vec3s c = ABI_VEC3(fmaxf(radiance.x * gain, 0.0f), fmaxf(radiance.y * gain, 0.0f),
-                       fmaxf(radiance.z * gain, 0.0f));
-    if (curve == TONEMAP_NEUTRAL)
+    vec3s c = ABI_VEC3(fmaxf(radiance.x * params.gain, 0.0f), fmaxf(radiance.y * params.gain, 0.0f),
+                       fmaxf(radiance.z * params.gain, 0.0f));
+    if (params.curve == TONEMAP_NEUTRAL)
         c = tonemap_neutral(c);
-    else if (curve == TONEMAP_AGX)
+    else if (params.curve == TONEMAP_AGX)
         c = tonemap_agx(c);
-    else if (curve == TONEMAP_ACES)
+    else if (params.curve == TONEMAP_ACES)
         c = tonemap_aces(c);
-    else if (curve == TONEMAP_HABLE)
+    else if (params.curve == TONEMAP_HABLE)
         c = tonemap_hable(c);
     return c;
 }
 
 /* Returns linear radiance after tone mapping and sRGB encoding, each channel from 0 to 1. */
-ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
+ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, ABI_STRUCT(tonemap_params) params)
 {
-    vec3s c = tonemap_apply(radiance, gain, curve);
+    vec3s c = tonemap_apply(radiance, params);
     return ABI_VEC3(tonemap_srgb(c.x), tonemap_srgb(c.y), tonemap_srgb(c.z));
 }
 

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "shaders/output/tonemap.h"
 #include "src/base/log.h"
 #include "src/image/srgb.h"
 #include "src/tech/output/tonemap.h"
@@ -154,14 +153,14 @@ uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_laye
 }
 
 /* Tone-maps a pixel of the layer `beauty`. The result has straight (unpremultiplied) alpha. */
-static void show_beauty(const float *const planes[static 4], size_t i,
-                        const struct tonemap_params *params, float rgba[static 4])
+static void show_beauty(const float *const planes[static 4], size_t i, struct tonemap_params params,
+                        float rgba[static 4])
 {
     const float alpha = planes[3][i];
     const float unpremultiply = alpha > 0.0f && alpha < 1.0f ? 1.0f / alpha : 1.0f;
     const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
-    const vec3s shown =
-        tonemap_apply(radiance, unpremultiply * exp2f(params->exposure), params->curve);
+    params.gain *= unpremultiply;
+    const vec3s shown = tonemap_apply(radiance, params);
     for (size_t c = 0; c < 3; c++)
         rgba[c] = srgb_encode(shown.raw[c]);
     rgba[3] = alpha;
@@ -188,14 +187,14 @@ static float dither_value(float x, size_t i, uint32_t channel)
 
 bool layer_image_is_dithered(const struct settings *settings)
 {
-    const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
-    return params->dither;
+    const struct tonemap_values *values = settings_of(settings, &tonemap_settings);
+    return values->dither;
 }
 
 bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
                         uint16_t **rgba_16)
 {
-    const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
+    const struct tonemap_params params = tonemap_params_of(settings);
     const size_t pixels = (size_t)image->width * image->height;
     const float *planes[4];
     float shown[4];
@@ -206,7 +205,7 @@ bool layer_image_beauty(const struct image *image, const struct settings *settin
     for (size_t i = 0; i < pixels && (bytes || pixels_16); i++) {
         show_beauty(planes, i, params, shown);
         for (size_t c = 0; c < 4; c++) {
-            const bool is_dithered = params->dither && c < 3;
+            const bool is_dithered = c < 3 && layer_image_is_dithered(settings);
             if (bytes)
                 bytes[i * 4 + c] =
                     quantise(is_dithered ? dither_value(shown[c], i, (uint32_t)c) : shown[c]);

@@ -9,7 +9,6 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#include "shaders/output/tonemap.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/frame/frame_uniforms.h"
@@ -497,9 +496,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
 /* Returns the tone-mapped image as RGBA, or NULL when out of memory. */
 static uint8_t *make_display(const struct job *job, const struct image *image)
 {
-    const struct tonemap_params *params =
-        settings_of(job->reference->request.settings, &tonemap_settings);
-    const float gain = exp2f(params->exposure);
+    const struct tonemap_params params = tonemap_params_of(job->reference->request.settings);
     const size_t count = (size_t)image->width * image->height;
     const float *planes[3];
     for (int c = 0; c < 3; c++)
@@ -507,7 +504,7 @@ static uint8_t *make_display(const struct job *job, const struct image *image)
     uint8_t *rgba = malloc(count * 4);
     for (size_t i = 0; rgba && i < count; i++) {
         const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
-        const vec3s encoded = tonemap_encode(radiance, gain, params->curve);
+        const vec3s encoded = tonemap_encode(radiance, params);
         for (int c = 0; c < 3; c++)
             rgba[i * 4 + (size_t)c] = (uint8_t)lrintf(encoded.raw[c] * 255.0f);
         rgba[i * 4 + 3] = 255;

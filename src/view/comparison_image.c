@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "shaders/output/tonemap.h"
+#include <string.h>
 #include "src/base/log.h"
 
 void comparison_image_leave_device(struct comparison_image *s, struct gpu *gpu)
@@ -29,6 +29,8 @@ static uint8_t *encode(const struct comparison_image *s)
     static const char *const names[] = { "R", "G", "B" };
     const size_t size = (size_t)s->linear.width * s->linear.height;
     uint8_t *rgba = malloc(size * 4);
+    const struct tonemap_params encode_only = { 1.0f, TONEMAP_CLIP };
+    const struct tonemap_params params = s->is_tone_mapped ? encode_only : s->tonemap;
     const float *planes[3];
     for (size_t c = 0; c < 3; c++)
         planes[c] = image_find(&s->linear, names[c]);
@@ -36,8 +38,7 @@ static uint8_t *encode(const struct comparison_image *s)
         vec3s linear = { { 0 } };
         for (size_t c = 0; c < 3; c++)
             linear.raw[c] = planes[c] ? planes[c][i] : 0.0f;
-        const vec3s shown = tonemap_encode(linear, s->is_tone_mapped ? 1.0f : s->gain,
-                                           s->is_tone_mapped ? TONEMAP_CLIP : s->curve);
+        const vec3s shown = tonemap_encode(linear, params);
         for (size_t c = 0; c < 3; c++)
             rgba[i * 4 + c] = to_byte(shown.raw[c]);
         rgba[i * 4 + 3] = 255;
@@ -66,14 +67,12 @@ enum status comparison_image_upload(struct comparison_image *s, struct gpu *gpu,
     return status;
 }
 
-enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu, float gain,
-                                  uint32_t curve)
+enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu,
+                                  const struct tonemap_params *tonemap)
 {
-    const bool same = !(gain < s->gain || gain > s->gain) && curve == s->curve;
-    if (s->is_current && (same || s->is_tone_mapped))
+    if (s->is_current && (s->is_tone_mapped || !memcmp(&s->tonemap, tonemap, sizeof(*tonemap))))
         return STATUS_OK;
-    s->gain = gain;
-    s->curve = curve;
+    s->tonemap = *tonemap;
     uint8_t *rgba = encode(s);
     if (!rgba)
         return log_out_of_memory(NULL);

@@ -3,6 +3,7 @@
 #ifndef FIRN_VIEW_COMPARISON_IMAGE_H
 #define FIRN_VIEW_COMPARISON_IMAGE_H
 
+#include "shaders/output/tonemap.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
 
@@ -12,13 +13,12 @@ struct comparison_image {
     struct gpu_image image;    /* displayed pixels; {0} if not uploaded */
     struct gpu_image previous; /* previous image, perhaps still in use */
     bool is_current;           /* `image` is up to date */
-    float gain;
-    uint32_t curve;
+    struct tonemap_params tonemap;
 };
 
 /* If `image` is outdated, tone-maps `linear` with tonemap_encode() and uploads the result. */
-MUST_USE enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu, float gain,
-                                           uint32_t curve);
+MUST_USE enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu,
+                                           const struct tonemap_params *tonemap);
 
 /* Uploads sRGB-encoded pixels to `image` if it is outdated. */
 MUST_USE enum status comparison_image_upload(struct comparison_image *s, struct gpu *gpu,

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "shaders/output/tonemap.h"
 #include "src/metric/flip.h"
 #include "src/metric/heat_map.h"
 #include "src/metric/quantile.h"
@@ -51,7 +50,7 @@ static void show(struct flip_error_map *map, size_t side)
     float *p = map->planes[side];
     for (size_t i = 0; i < size && !map->is_tone_mapped[side]; i++) {
         const vec3s linear = { { p[i], p[size + i], p[2 * size + i] } };
-        const vec3s shown = tonemap_apply(linear, map->gain, map->curve);
+        const vec3s shown = tonemap_apply(linear, map->tonemap);
         for (size_t c = 0; c < 3; c++)
             p[c * size + i] = shown.raw[c];
     }
@@ -93,14 +92,11 @@ static void *run(void *user)
 }
 
 bool flip_error_map_begin(struct flip_error_map *map,
-                          const struct flip_error_map_image sides[static 2], float gain,
-                          uint32_t curve)
+                          const struct flip_error_map_image sides[static 2])
 {
     forget(map);
     map->width = sides[0].image->width;
     map->height = sides[0].image->height;
-    map->gain = gain;
-    map->curve = curve;
     map->failed = false;
     atomic_store(&map->done, false);
     if (copy(map, 0, &sides[0]) && copy(map, 1, &sides[1]))

@@ -8,6 +8,7 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include "shaders/output/tonemap.h"
 #include "src/image/image.h"
 
 /* One of the compared images: planes R, G and B. */
@@ -24,22 +25,20 @@ struct flip_error_map {
     uint32_t width, height;
     float *planes[2]; /* per image: R, G, B */
     bool is_tone_mapped[2];
-    float gain;
-    uint32_t curve;
-    float *errors;              /* FLIP error of each pixel, 0 to 1 */
-    uint8_t *rgba;              /* errors in false colours (heat_map.h) */
-    bool failed;                /* out of memory */
-    double mean, percentile_95; /* of the errors */
+    struct tonemap_params tonemap; /* set by the caller before flip_error_map_begin() */
+    float *errors;                 /* FLIP error of each pixel, 0 to 1 */
+    uint8_t *rgba;                 /* errors in false colours (heat_map.h) */
+    bool failed;                   /* out of memory */
+    double mean, percentile_95;    /* of the errors */
 };
 
 void flip_error_map_finish(struct flip_error_map *map); /* waits for the thread; {0} works */
 
 /* Starts to compute the error of the first image relative to the second. Copies the images, which
- * must have the same size. `gain` and `curve` are parameters of tonemap_apply(). Must not be called
+ * must have the same size. Must not be called
  * while a computation is running. Returns false if out of memory. */
 bool flip_error_map_begin(struct flip_error_map *map,
-                          const struct flip_error_map_image sides[static 2], float gain,
-                          uint32_t curve);
+                          const struct flip_error_map_image sides[static 2]);
 
 /* Returns true once after each computation. The results are valid unless map->failed is set. */
 bool flip_error_map_take(struct flip_error_map *map);

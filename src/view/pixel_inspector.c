@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "shaders/output/tonemap.h"
 #include "src/app/layer_quantize.h"
 #include "src/app/object_id_names.h"
 #include "src/base/log.h"
@@ -164,16 +163,17 @@ static uint8_t to_byte(float x)
 }
 
 static void write_color(const struct pixel_inspector *inspector, const struct planes *planes,
-                        const struct tonemap_params *tone, size_t i, uint8_t rgb[static 3])
+                        struct tonemap_params tonemap, size_t i, uint8_t rgb[static 3])
 {
     const struct pixel_inspector_choice *c = &inspector->choice;
-    const float gain = exp2f((c->layer ? 0.0f : tone->exposure) + c->stops);
-    const uint32_t curve = c->layer ? TONEMAP_CLIP : tone->curve;
     vec3s linear;
+    if (c->layer)
+        tonemap = (struct tonemap_params){ 1.0f, TONEMAP_CLIP };
+    tonemap.gain *= exp2f(c->stops);
     for (uint32_t k = 0; k < 3; k++)
         linear.raw[k] = c->channel ? one_value(planes, c->channel, i)
                                    : planes->data[k % planes->count][i] * planes->scale;
-    const vec3s shown = tonemap_encode(linear, gain, curve);
+    const vec3s shown = tonemap_encode(linear, tonemap);
     for (uint32_t k = 0; k < 3; k++)
         rgb[k] = to_byte(shown.raw[k]);
 }
@@ -203,13 +203,13 @@ static uint8_t *make_rgba(struct pixel_inspector *inspector, const struct viewpo
                           const struct planes *planes)
 {
     const struct pixel_inspector_choice *c = &inspector->choice;
-    const struct tonemap_params *tone = settings_of(&p->state.scene.settings, &tonemap_settings);
+    const struct tonemap_params tonemap = tonemap_params_of(&p->state.scene.settings);
     if (c->layer && !c->channel && !c->false_color && !shows_colors(c))
         return layer_image_rgba(&inspector->layers, pixel_inspector_layer(c->layer));
     uint8_t *rgba = malloc(planes->size * 4);
     for (size_t i = 0; i < planes->size && rgba; i++) {
         if (shows_colors(c))
-            write_color(inspector, planes, tone, i, &rgba[i * 4]);
+            write_color(inspector, planes, tonemap, i, &rgba[i * 4]);
         else
             write_value(inspector, planes, inspector->min, inspector->max, i, &rgba[i * 4]);
         rgba[i * 4 + 3] = 255;
@@ -301,9 +301,8 @@ bool pixel_inspector_values(const struct pixel_inspector *inspector, const struc
         memcpy(v->shown, &inspector->rgba[i * 4], 3);
         return true;
     }
-    const struct tonemap_params *tone = settings_of(&p->state.scene.settings, &tonemap_settings);
     const vec3s shown = tonemap_encode((vec3s){ { v->color[0], v->color[1], v->color[2] } },
-                                       exp2f(tone->exposure), tone->curve);
+                                       tonemap_params_of(&p->state.scene.settings));
     for (size_t c = 0; c < 3; c++)
         v->shown[c] = to_byte(shown.raw[c]);
     return true;

@@ -10,14 +10,9 @@
 #include "src/view/view_internal.h"
 #include "src/view/worker_thread.h"
 
-static const struct tonemap_params *tone_of(const struct view *v)
+static struct tonemap_params tone_of(const struct view *v)
 {
-    return settings_of(&v->viewport->state.scene.settings, &tonemap_settings);
-}
-
-static float gain_of(const struct view *v)
-{
-    return exp2f(tone_of(v)->exposure);
+    return tonemap_params_of(&v->viewport->state.scene.settings);
 }
 
 static struct comparison_image *side_b_image(struct view *v)
@@ -269,10 +264,10 @@ static bool find_sides(struct view *v, struct flip_error_map_image sides[static 
 static bool is_compared(const struct view *v)
 {
     const struct view_compare *c = &v->compare;
-    const float gain = gain_of(v);
+    const struct tonemap_params tonemap = tone_of(v);
     return c->flip_map_sample_count == count_of(v) &&
            view_progressive_is_same(&c->flip_map_identity, &v->progressive.identity) &&
-           !(gain < c->flip_map_gain || gain > c->flip_map_gain);
+           !memcmp(&c->flip_map.tonemap, &tonemap, sizeof(tonemap));
 }
 
 /* Returns true if the error map is outdated and the sample count is a power of 2 or the maximum. */
@@ -312,9 +307,9 @@ static void follow_errors(struct view *v)
         return;
     c->flip_map_identity = v->progressive.identity;
     c->flip_map_sample_count = count_of(v);
-    c->flip_map_gain = gain_of(v);
+    c->flip_map.tonemap = tone_of(v);
     if (find_sides(v, sides))
-        (void)flip_error_map_begin(&c->flip_map, sides, c->flip_map_gain, tone_of(v)->curve);
+        (void)flip_error_map_begin(&c->flip_map, sides);
     else if (side_b_image(v) && side_b_image(v)->linear.width)
         ui_show_message(v->ui, "the images differ in size: start with --size equal to the file's");
 }
@@ -332,12 +327,13 @@ enum status view_compare_show(struct view *v)
     struct view_compare *c = &v->compare;
     struct viewport *p = v->viewport;
     struct comparison_image *comparison = side_b_image(v);
+    const struct tonemap_params tonemap = tone_of(v);
     enum status status = STATUS_OK;
     p->comparison_image = VK_NULL_HANDLE;
     if (comparison && comparison->linear.width) {
         status = comparison->is_current ? STATUS_OK : presenter_wait(&v->presenter);
         if (status == STATUS_OK)
-            status = comparison_image_show(comparison, &v->gpu, gain_of(v), tone_of(v)->curve);
+            status = comparison_image_show(comparison, &v->gpu, &tonemap);
         p->comparison_image = comparison->image.image;
         p->comparison_extent = (VkExtent2D){ comparison->linear.width, comparison->linear.height };
     }

@@ -26,8 +26,7 @@ struct view_compare {
     struct flip_error_map flip_map;
     struct view_identity flip_map_identity; /* view of the running error map */
     uint32_t flip_map_sample_count;         /* samples of both sides */
-    float flip_map_gain;
-    struct comparison_image error_image; /* displayed error map */
+    struct comparison_image error_image;    /* displayed error map */
     struct view_identity error_image_identity;
     bool has_error_image;
 };

@@ -60,7 +60,7 @@ void view_rotate_light(struct view *v, double right, double down, bool is_sun)
 void view_add_exposure(struct view *v, double stops)
 {
     const struct setting *row =
-        settings_row(&tonemap_settings, offsetof(struct tonemap_params, exposure));
+        settings_row(&tonemap_settings, offsetof(struct tonemap_values, exposure));
     struct view_state state = view_state_now(v);
     const double exposure = settings_get(&state.settings, row) + stops;
     settings_set_value(&state.settings, row, fmin(fmax(exposure, row->min), row->max));

@@ -120,9 +120,8 @@ void view_handle_input(struct view *v)
 /* Returns the noise scaled by the exposure, as it appears on the display. */
 static double noise_of(const struct view *v)
 {
-    const struct tonemap_params *tone =
-        settings_of(&v->viewport->state.scene.settings, &tonemap_settings);
-    return noise_estimate_now(&v->progressive.noise) * exp2((double)tone->exposure);
+    const struct settings *settings = &v->viewport->state.scene.settings;
+    return noise_estimate_now(&v->progressive.noise) * (double)tonemap_params_of(settings).gain;
 }
 
 static void use_request(struct view *v, const struct ui_request *request)

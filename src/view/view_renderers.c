@@ -508,7 +508,7 @@ enum status viewport_apply_state(struct viewport **viewport, const struct app_im
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of)
 {
     const struct setting *row =
-        settings_row(&tonemap_settings, offsetof(struct tonemap_params, exposure));
+        settings_row(&tonemap_settings, offsetof(struct tonemap_values, exposure));
     struct settings other = *settings;
     settings_set_value(&other, row, settings_get(of, row));
     return other;

@@ -1,4 +1,5 @@
 """test_pixels.py: what options do to the pixels of a picture. Usage: see case.py."""
+import json
 import pathlib
 import re
 import struct
@@ -222,10 +223,18 @@ class PngBits(Pixels):
         self.succeed('render', *TINY, *arguments, '-o', 'a.png')
         return Png((self.folder / 'a.png').read_bytes())
 
+    def tonemap_settings(self):
+        """Each setting of tone mapping, except dithering, with one value or with all choices."""
+        for row in json.loads(self.succeed('list', 'settings', '--json').stdout):
+            if row['name'].startswith('tonemap.') and row['name'] != 'tonemap.dither':
+                values = row.get('choices', ['on']) if row['type'] != 'number' else [
+                    row['min'] + 9 / 16 * (row['max'] - row['min'])]
+                yield from (('--set', f'{row["name"]}={value}') for value in values)
+
     @unsanitized
     def test_16_bits_are_finer(self):
         more = [(), ('--samples', '2'), ('--tiles', '2x1'), ('--show', 'N'),
-                ('--tone-curve', 'agx')]
+                *self.tonemap_settings()]
         for words in more + [('-r', 'reference')] * HAS_REFERENCE:
             with self.subTest(words=words):
                 coarse = self.draw_png(*words)

@@ -13,7 +13,7 @@ from desktop import wait_until  # noqa: E402
 from test_view import WindowCase, png_pixels  # noqa: E402
 
 SHADERS = pathlib.Path(__file__).parents[2] / 'shaders'
-LAST = 'encoded = vec4(tonemap_encode(c, push.gain, constant_tonemap_curve), 1.0);'
+LAST = 'encoded = vec4(tonemap_encode(c, params), 1.0);'
 # Nothing moves, so that all frames before and after a change are alike, whichever is captured.
 STILL = ('--set', 'motion.ice=0', '--set', 'motion.lights=0')
 

@@ -517,7 +517,7 @@ static double srgb_byte(double x)
 static void check_curve(const uint8_t *rgba, struct vec c, uint32_t curve)
 {
     const vec3s radiance = { { (float)c.x, (float)c.y, (float)c.z } };
-    const vec3s encoded = tonemap_encode(radiance, 1.0F, curve);
+    const vec3s encoded = tonemap_encode(radiance, (struct tonemap_params){ 1.0F, curve });
     for (size_t k = 0; k < 3; k++)
         CHECK_NEAR(rgba[k], (double)encoded.raw[k] * 255, 1);
 }
@@ -525,7 +525,7 @@ static void check_curve(const uint8_t *rgba, struct vec c, uint32_t curve)
 static void check_display(struct gpu *gpu, const struct picture_request *request)
 {
     struct render_result result = picture_render(gpu, request);
-    const struct tonemap_params *params = settings_of(request->settings, &tonemap_settings);
+    const struct tonemap_values *params = settings_of(request->settings, &tonemap_settings);
     const struct picture_layer beauty = picture_layer(&result.image, "");
     double brightest = 0;
     for (size_t i = 0; i < pixel_count(request); i++) {

@@ -30,7 +30,8 @@ static void curves_are_those_of_the_papers(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-        const vec3s encoded = tonemap_encode(cases[i].radiance, 1.0F, cases[i].curve);
+        const vec3s encoded =
+            tonemap_encode(cases[i].radiance, (struct tonemap_params){ 1.0F, cases[i].curve });
         for (size_t c = 0; c < 3; c++)
             CHECK_NEAR(encoded.raw[c], cases[i].encoded[c], 2e-4);
     }
@@ -44,7 +45,8 @@ static void curves_rise(void **state)
         float before = 0.0F;
         for (int i = -200; i < 100; i++) {
             const float grey = exp2f((float)i / 15.0F); /* 1e-4 to 100 */
-            const vec3s encoded = tonemap_encode((vec3s){ { grey, grey, grey } }, 1.0F, curve);
+            const vec3s encoded = tonemap_encode((vec3s){ { grey, grey, grey } },
+                                                 (struct tonemap_params){ 1.0F, curve });
             assert_true(encoded.y >= before - 1e-3F && encoded.y < 1.0001F);
             before = encoded.y;
         }

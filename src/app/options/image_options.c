@@ -259,7 +259,7 @@ enum status option_tone_curve(const struct option *option, void *at, const char 
 {
     struct app_scene *scene = at;
     const struct setting *row =
-        settings_row(&tonemap_settings, offsetof(struct tonemap_params, curve));
+        settings_row(&tonemap_settings, offsetof(struct tonemap_values, curve));
     const int i = option_find_word(row->choices, (int)row->max + 1, value);
     if (i < 0)
         return option_refuse(option, value, "neutral, agx, aces, hable or clip");

@@ -8,7 +8,6 @@
 #include "src/tech/output/tonemap.h"
 #include <math.h>
 #include "shaders/embedded.h"
-#include "shaders/output/tonemap.h"
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
 
@@ -24,15 +23,14 @@ static const struct rg_pass passes[] = {
                           .same_texel = true }),
         .vert = &fullscreen_vert,
         .frag = &tonemap_frag,
-        .push_size = sizeof(struct tonemap_push),
+        .push_size = sizeof(struct tonemap_params),
         .record = record_screen,
     },
 };
 
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct tonemap_params *params = settings_of(frame->settings, &tonemap_settings);
-    const struct tonemap_push push = { exp2f(params->exposure) };
+    const struct tonemap_params push = tonemap_params_of(frame->settings);
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw(cmd, 3);
 }
@@ -47,7 +45,7 @@ static const struct setting rows[] = {
         .name = "tonemap.exposure",
         .label = "Exposure",
         .type = SETTING_FLOAT,
-        .offset = offsetof(struct tonemap_params, exposure),
+        .offset = offsetof(struct tonemap_values, exposure),
         .min = -16,
         .max = 16,
         .unit = "stops",
@@ -57,7 +55,7 @@ static const struct setting rows[] = {
         .name = "tonemap.curve",
         .label = "Tone curve",
         .type = SETTING_CHOICE,
-        .offset = offsetof(struct tonemap_params, curve),
+        .offset = offsetof(struct tonemap_values, curve),
         .initial = TONEMAP_NEUTRAL,
         .max = TONEMAP_LAST,
         .choices = curves,
@@ -68,18 +66,23 @@ static const struct setting rows[] = {
         .name = "tonemap.dither",
         .label = "Dither 8-bit images",
         .type = SETTING_SWITCH,
-        .offset = offsetof(struct tonemap_params, dither),
+        .offset = offsetof(struct tonemap_values, dither),
         .max = 1,
         .help = "dither 8-bit PNG files with noise of one step, which hides banding",
     },
 };
 
-SETTING_GROUP(tonemap, rows, struct tonemap_params);
+SETTING_GROUP(tonemap, rows, struct tonemap_values);
+
+struct tonemap_params tonemap_params_of(const struct settings *settings)
+{
+    const struct tonemap_values *values = settings_of(settings, &tonemap_settings);
+    return (struct tonemap_params){ .gain = exp2f(values->exposure), .curve = values->curve };
+}
 
 static void write_constants(const struct technique_inputs *subject, uint32_t *values)
 {
-    const struct tonemap_params *params = settings_of(subject->settings, &tonemap_settings);
-    values[CONSTANT_TONEMAP_CURVE] = params->curve;
+    values[CONSTANT_TONEMAP_CURVE] = tonemap_params_of(subject->settings).curve;
 }
 
 const struct technique tonemap = {

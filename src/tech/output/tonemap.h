@@ -1,14 +1,19 @@
 /* tonemap.h: tone mapping of the linear HDR image to 8-bit sRGB. */
 #ifndef FIRN_TECH_OUTPUT_TONEMAP_H
 #define FIRN_TECH_OUTPUT_TONEMAP_H
+#include "shaders/output/tonemap.h"
 #include "src/tech/technique.h"
 
-struct tonemap_params {
+struct tonemap_values {
     float exposure;  /* stops */
     uint32_t curve;  /* TONEMAP_NEUTRAL, ... */
     uint32_t dither; /* 1: dither 8-bit PNG files */
 };
 
 extern const struct setting_group tonemap_settings;
+
+/* Returns the parameters of tone mapping for the shader and for tonemap_apply(). Every caller uses
+ * them, so that no setting can work in one kind of output and be ignored in another. */
+struct tonemap_params tonemap_params_of(const struct settings *settings);
 
 #endif

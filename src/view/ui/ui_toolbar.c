@@ -49,7 +49,7 @@ static bool is_disabled(const struct ui_view *view, enum view_action action)
 static void exposure(float width, struct ui_request *request)
 {
     const struct setting *row =
-        settings_row(&tonemap_settings, offsetof(struct tonemap_params, exposure));
+        settings_row(&tonemap_settings, offsetof(struct tonemap_values, exposure));
     const struct imgui_slider_range slide = { -exposure_reach, exposure_reach, "%+.2f stops",
                                               false };
     float stops = (float)settings_get(&request->settings, row);

@@ -8,7 +8,6 @@
 
 #include "shaders/embedded.h"
 #include "shaders/globals.h"
-#include "shaders/output/tonemap.h"
 #include "shaders/refract/refract_paper.h"
 #include "src/frame/frame_uniforms.h"
 #include "src/tech/frame_resources.h"
@@ -65,7 +64,7 @@ static void fill_rows(const struct by_hand *h, struct pipeline_row rows[static P
     rows[TONEMAP] = (struct pipeline_row){
         .vert = &fullscreen_vert,
         .frag = &tonemap_frag,
-        .push_size = sizeof(struct tonemap_push),
+        .push_size = sizeof(struct tonemap_params),
         .colors = { SCREEN },
         .bindings = { { TONEMAP_COLOR, NEAREST, h->views[COLOR] } },
         .binding_count = 1,
@@ -354,8 +353,7 @@ static void draw_ice(struct by_hand *h)
 
 static void draw_screen(struct by_hand *h)
 {
-    const struct tonemap_params *params = settings_of(h->params.settings, &tonemap_settings);
-    const struct tonemap_push push = { exp2f(params->exposure) };
+    const struct tonemap_params push = tonemap_params_of(h->params.settings);
     draw_pass(h, &(struct pass){ .pipeline = TONEMAP,
                                  .size = by_hand_size(h, SCREEN),
                                  .colors = { h->views[SCREEN] },
