@@ -20,18 +20,11 @@
  * `object`; (2) the material as in mesh_layout.h; (3) the index of BVH_SURFACE_WORDS additional
  * words, or 0. These hold three vertex colours, the texture coordinates u and v of the corners, and
  * the number of the surroundings' object times 2, which is odd if BVH_EXTRA_WORDS more words
- * follow: three tangents with handedness, and the second set of texture coordinates. The bits of
- * (3) from BVH_HORIZON_SHIFT on are the triangle's horizon, an occlusion cone: BVH_HORIZON_STEPS
- * times the sine of the elevation above its outer side beyond which rays hit no object, or
- * BVH_HORIZON_UNKNOWN (src/scene/bvh/triangle_horizon.h).
+ * follow: three tangents with handedness, and the second set of texture coordinates.
  *
  * Corners of a crack store the opening there (cracks.h) as a half float in the upper half of the
  * fourth number; the lower half is 0. A bubble is stored as a triangle whose rows are: centre and
  * `stretch` (src/scene/bubble_intersect.h); axis and 1 for a capsule; (0, 0, 0, radius).
- *
- * For a single object with horizons, BVH_HORIZON_GRID_WORDS words after the corners divide its
- * bounding box into BVH_HORIZON_GRID cells per axis, x first, 8 cells in a number. A cell holds the
- * greatest horizon of its triangles, valid for every interpolated normal.
  *
  * If a scene has more than BVH_MASK_OBJECTS_MAX objects, one word per medium priority follows the
  * corners, starting with priority 0, the outside. Its first number is the object's medium, from 1.
@@ -39,32 +32,26 @@
 #ifndef SHADERS_TRACE_BVH_LAYOUT_H
 #define SHADERS_TRACE_BVH_LAYOUT_H
 
-#define BVH_NODE_WORDS         2
-#define BVH_TRIANGLE_WORDS     3
-#define BVH_CORNER_WORDS       3
-#define BVH_SURFACE_WORDS      4
-#define BVH_EXTRA_WORDS        5
-#define BVH_OBJECT_NUMBER      0x10000u
-#define BVH_LEAF               0x80000000u
-#define BVH_NONE               0xffffffffu
-#define BVH_CHILD_MASK         0x87ffffffu
-#define BVH_PLANE_BITS         16
-#define BVH_CONE_SHIFT         28
-#define BVH_CONE_AXIS          7
-#define BVH_CONE_SINE_SHIFT    27
-#define BVH_CONE_OPEN          15
-#define BVH_SURFACE_MASK       0x0fffffffu
-#define BVH_HORIZON_SHIFT      28
-#define BVH_HORIZON_STEPS      14
-#define BVH_HORIZON_UNKNOWN    15
-#define BVH_HORIZON_GRID       16
-#define BVH_HORIZON_GRID_WORDS (BVH_HORIZON_GRID * BVH_HORIZON_GRID * BVH_HORIZON_GRID / 32)
-#define BVH_DEPTH_MAX          30
-#define BVH_TRIANGLES_MAX      (1u << 24)
-#define BVH_MASK_OBJECTS_MAX   32    /* maximum for sets as 32-bit masks */
-#define BVH_OBJECTS_MAX        65535 /* maximum number of objects */
-#define BVH_INTERIOR_LIST_MAX  8     /* maximum number of overlapping objects at a point */
-#define BVH_MEDIA_MAX          255   /* maximum number of media in scenes of many objects */
+#define BVH_NODE_WORDS        2
+#define BVH_TRIANGLE_WORDS    3
+#define BVH_CORNER_WORDS      3
+#define BVH_SURFACE_WORDS     4
+#define BVH_EXTRA_WORDS       5
+#define BVH_OBJECT_NUMBER     0x10000u
+#define BVH_LEAF              0x80000000u
+#define BVH_NONE              0xffffffffu
+#define BVH_CHILD_MASK        0x87ffffffu
+#define BVH_PLANE_BITS        16
+#define BVH_CONE_SHIFT        28
+#define BVH_CONE_AXIS         7
+#define BVH_CONE_SINE_SHIFT   27
+#define BVH_CONE_OPEN         15
+#define BVH_DEPTH_MAX         30
+#define BVH_TRIANGLES_MAX     (1u << 24)
+#define BVH_MASK_OBJECTS_MAX  32    /* maximum for sets as 32-bit masks */
+#define BVH_OBJECTS_MAX       65535 /* maximum number of objects */
+#define BVH_INTERIOR_LIST_MAX 8     /* maximum number of overlapping objects at a point */
+#define BVH_MEDIA_MAX         255   /* maximum number of media in scenes of many objects */
 
 /* the BVHs of a scene */
 #define BVH_OBJECTS      0

@@ -51,7 +51,6 @@ const int trace_segments_max = 40; /* maximum number of segments per path */
 /* Paths are no longer split after this number of segments in a pixel. llvmpipe terminates loops
  * after 65 535 iterations, and the light of pending paths would then be lost. */
 const int trace_split_segments_max = 256;
-const float trace_side_escaped = -2.0; /* trace_path.side of a path that cannot hit objects again */
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
 const float trace_lighting_branch = 0.1; /* minimum throughput of lighting rays */
@@ -61,7 +60,7 @@ struct trace_path {
     vec3 origin, dir, throughput;
     uvec4 medium_stack; /* objects that contain the origin */
     int from;           /* triangle on which the segment starts; below 0 if there is none */
-    float side, reach;  /* as in trace_ray; also trace_side_escaped */
+    float side, reach;  /* as in trace_ray */
     uint seed;
     float kind; /* kind of light: 1 reflected, 2 diffuse, otherwise 0 */
     int left;   /* number of segments left */
@@ -134,7 +133,6 @@ struct trace_crossing {
     bool is_entering, is_thin, is_real;
     bool is_inclusion;
     float eta;
-    float horizon;            /* sine of the elevation above which outgoing rays hit no object */
     bool is_bumpy;            /* `n` comes from a normal map */
     object_material material; /* textured surface parameters, with TRACE_HAS_TEXTURED_OBJECTS */
     vec3 d_origin, d_n;       /* ray differentials of the hit point and of `n` */
@@ -166,7 +164,6 @@ trace_crossing trace_crossing_at(trace_path path, trace_hit hit, int channel)
     c.is_thin = false;
     c.is_real = true;
     c.is_inclusion = false;
-    c.horizon = float(floatBitsToUint(n2.w) >> BVH_HORIZON_SHIFT) / float(BVH_HORIZON_STEPS);
     if (trace_has(TRACE_HAS_MEDIA)) {
         uint below = trace_current_medium_without(path.medium_stack, c.rank);
         uint above = max(below, c.rank);
@@ -215,7 +212,7 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     next.dir = dir;
     differential_scatter(path, c, dir, is_through, next);
     next.from = hit.triangle;
-    next.side = is_inside ? 1.0 : outward > c.horizon ? trace_side_escaped : -1.0;
+    next.side = is_inside ? 1.0 : -1.0;
     next.reach = is_on_wrong_side || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.epsilon;
     if (trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion) {
         next.side = trace_has(TRACE_HAS_CULLING) ? path.side : 0.0;
@@ -246,7 +243,6 @@ bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_
     c.rank = depth > 0.0 ? 1u : 0u;
     c.is_hit = depth > 0.0;
     c.is_entering = true;
-    c.horizon = trace_grid_horizon(start + hit.t * e);
     return depth == 0.0 || dot(c.n, e) < -0.05;
 #endif
 }
@@ -562,7 +558,6 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
             c.rank = raster_crossing.rank;
             c.is_hit = raster_crossing.is_hit;
             c.is_entering = true;
-            c.horizon = raster_crossing.horizon;
             c.eta = refract_frame.etas[channel];
         }
         if (trace_step(hit, c))

@@ -64,18 +64,17 @@ struct trace_frame {
     ABI_STRUCT(medium_field) scattering_media[TRACE_SCATTERING_MAX];
     vec4s guide; /* guide distribution for diffuse rays (diffuse_sampling.h) */
     vec4s objects_rotation, movers_rotation; /* vertical-axis rotations, see trace_bvh_pose() */
-    vec4s grid_low, grid_scale;              /* grid of horizons; w is 0 */
     uint32_t roots[BVH_COUNT];
     uint32_t bvh_mask;                          /* bit mask of non-empty BVHs */
     uint32_t inside[BVH_INTERIOR_LIST_MAX / 2]; /* medium stack at the camera */
-    uint32_t media_at, grid_at;                 /* word offsets in the corners buffer */
-    uint32_t sample_index;                      /* index of the pixel's sample */
-    uint32_t ice;                               /* medium priority of the ice with inclusions */
-    uint32_t is_in_bubble;                      /* 1: camera inside a bubble */
-    float crack_rms_slope;                      /* crack roughness, RMS slope, or 0 */
-    float crack_gap;                            /* maximum crack gap width, micrometres */
-    float branch;                               /* minimum throughput to split a path */
-    float epsilon;                              /* rounding error of ray origins, metres */
+    uint32_t media_at;     /* start of the medium table in the corners buffer */
+    uint32_t sample_index; /* index of the pixel's sample */
+    uint32_t ice;          /* medium priority of the ice with inclusions */
+    uint32_t is_in_bubble; /* 1: camera inside a bubble */
+    float crack_rms_slope; /* crack roughness, RMS slope, or 0 */
+    float crack_gap;       /* maximum crack gap width, micrometres */
+    float branch;          /* minimum throughput to split a path */
+    float epsilon;         /* rounding error of ray origins, metres */
     uint32_t one; /* always 1; stops compilers from turning one-iteration loops into branches */
     uint32_t surroundings_are_apart; /* 1: surroundings are outside the objects' bounding box */
 };

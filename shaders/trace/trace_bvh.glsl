@@ -274,7 +274,7 @@ uint trace_object_number(int triangle)
 {
     int at = BVH_CORNER_WORDS * max(triangle, 0);
     uint number = trace_corner(at).w / BVH_OBJECT_NUMBER;
-    uint surface = trace_corner(at + 2).w & BVH_SURFACE_MASK;
+    uint surface = trace_corner(at + 2).w;
     return number != 0u ? number : trace_corner(int(surface) + 3).w / 2u;
 }
 

@@ -5,7 +5,7 @@
 /* Returns true if a path that has left a surface cannot hit an object again. */
 bool trace_has_escaped(trace_path path)
 {
-    return trace_has(TRACE_IS_CONVEX) ? !trace_is_in(path) : path.side == trace_side_escaped;
+    return trace_has(TRACE_IS_CONVEX) && !trace_is_in(path);
 }
 
 /* Returns a bit mask of the BVHs that the next segment may hit. */
@@ -24,8 +24,7 @@ uint trace_bvh_mask(trace_path path)
         !trace_camera_is_inside())
         surroundings = 0u;
 #endif
-    bool has_left =
-        trace_has(TRACE_IS_CONVEX) ? path.side < 0.0 && !is_first : path.side == trace_side_escaped;
+    bool has_left = trace_has(TRACE_IS_CONVEX) && path.side < 0.0 && !is_first;
     uint objects = has_left ? 0u : 1u << BVH_OBJECTS;
     return objects | surroundings | (hits_inclusions ? 1u << BVH_INCLUSIONS : 0u);
 }
@@ -36,20 +35,5 @@ trace_start trace_start_of(trace_path path)
     return trace_start(path.origin, path.dir, path.side, reach, path.from, path.is_in_bubble,
                        trace_bvh_mask(path));
 }
-
-#ifndef TRACE_RAYS
-/* Returns the sine of the elevation above which rays from an object's outer side hit no object.
- * Reads a grid instead of the triangle, which is unknown for a rasterised point. */
-float trace_grid_horizon(vec3 point)
-{
-    vec3 local = trace_unposed_point(point, BVH_OBJECTS);
-    vec3 cells = (local - trace.grid_low.xyz) * trace.grid_scale.xyz;
-    uvec3 cell = uvec3(clamp(cells, vec3(0.0), vec3(float(BVH_HORIZON_GRID - 1))));
-    uint at = cell.x + uint(BVH_HORIZON_GRID) * (cell.y + uint(BVH_HORIZON_GRID) * cell.z);
-    uvec4 word = trace_corner(int(trace.grid_at + at / 32u));
-    uint steps = word[at / 8u % 4u] >> 4u * (at % 8u) & 15u;
-    return trace.grid_at == 0u ? 2.0 : float(steps) / float(BVH_HORIZON_STEPS);
-}
-#endif
 
 #endif

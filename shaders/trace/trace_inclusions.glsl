@@ -91,7 +91,6 @@ trace_crossing trace_inclusion_crossing(trace_path path, trace_hit hit, vec3 n, 
     c.is_real = true;
     c.is_entering = side > 0.0;
     c.is_inclusion = true;
-    c.horizon = 2.0;
     c.is_bumpy = false;
     c.material = trace_untextured(0u);
     c.eta = path.is_in_bubble ? 1.0 / eta : eta;

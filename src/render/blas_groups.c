@@ -111,7 +111,7 @@ static uint32_t object_id_of(const struct bvh *bvh, uint32_t triangle)
 {
     const uint32_t id = vertex_data(bvh, triangle, 0)[3] / BVH_OBJECT_NUMBER;
     const uint32_t surface = vertex_data(bvh, triangle, 2)[3];
-    return id ? id : bvh->corners.all[(size_t)(surface & BVH_SURFACE_MASK) + 3][3] / 2;
+    return id ? id : bvh->corners.all[(size_t)surface + 3][3] / 2;
 }
 
 /* Visits a child node: adds a leaf's triangles to `range`, or pushes an inner node on the stack. */

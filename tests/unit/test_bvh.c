@@ -409,118 +409,6 @@ static void test_apart(void **state)
     model_finish(&model);
 }
 
-static vec3s row_of(const struct bvh *bvh, uint32_t triangle, uint32_t row)
-{
-    vec3s v;
-    memcpy(v.raw, bvh->triangles.all[(size_t)triangle * BVH_TRIANGLE_WORDS + row], sizeof(v.raw));
-    return v;
-}
-
-/* Returns the weight of the middle of a triangle by a row, less its last number. */
-static float middle_of(const struct bvh *bvh, uint32_t triangle, uint32_t row)
-{
-    float last;
-    memcpy(&last, &bvh->triangles.all[(size_t)triangle * BVH_TRIANGLE_WORDS + row][3],
-           sizeof(last));
-    return (row < 2 ? 1.0f / 3.0f : 0.0f) - last;
-}
-
-/* Returns the middle of a triangle, from its map. */
-static vec3s find_middle(const struct bvh *bvh, uint32_t triangle)
-{
-    mat3s m;
-    vec3s weights;
-    for (uint32_t row = 0; row < 3; row++) {
-        weights.raw[row] = middle_of(bvh, triangle, row);
-        for (int k = 0; k < 3; k++)
-            m.raw[k][row] = row_of(bvh, triangle, row).raw[k];
-    }
-    return glms_mat3_mulv(glms_mat3_inv(m), weights);
-}
-
-static uint32_t horizon_of(const struct bvh *bvh, uint32_t triangle)
-{
-    return bvh->corners.all[(size_t)triangle * BVH_CORNER_WORDS + 2][3] >> BVH_HORIZON_SHIFT;
-}
-
-/* Returns the horizon of the cell of the grid that a point is in. */
-static uint32_t cell_horizon(const struct bvh *bvh, vec3s point)
-{
-    uint32_t at = 0;
-    for (int k = 2; k >= 0; k--) {
-        const float place = (point.raw[k] - bvh->grid_low.raw[k]) * bvh->grid_scale.raw[k];
-        at = BVH_HORIZON_GRID * at + (uint32_t)fminf(fmaxf(place, 0.0f), BVH_HORIZON_GRID - 1);
-    }
-    return bvh->corners.all[bvh->grid + at / 32][at / 8 % 4] >> at % 8 * 4 & 15;
-}
-
-/* Checks that rays from a triangle's middle above a horizon meet nothing. Returns 0 if there are
- * none. */
-static uint32_t check_horizon(const struct bvh *bvh, uint32_t i, vec3s normal, uint32_t steps,
-                              uint32_t *seed)
-{
-    const float sine = (float)steps / (float)BVH_HORIZON_STEPS;
-    struct bvh_hit hit;
-    if (steps == BVH_HORIZON_UNKNOWN || sine > 0.99f)
-        return 0;
-    for (int turn = 0; turn < 8; turn++) {
-        const vec3s aside = glms_vec3_normalize(glms_vec3_cross(normal, pick_point(seed, 1)));
-        const vec3s dir = glms_vec3_add(glms_vec3_scale(normal, sine + 0.002f),
-                                        glms_vec3_scale(aside, sqrtf(1.0f - sine * sine)));
-        const struct bvh_ray ray = { find_middle(bvh, i), dir, 1e-5, i };
-        assert_false(bvh_intersect(bvh, BVH_OBJECTS, &ray, &hit));
-    }
-    return 1;
-}
-
-/* Returns how many horizons are known. */
-static uint32_t check_horizons(const struct bvh *bvh)
-{
-    uint32_t seed = 5, known = 0;
-    for (uint32_t i = 0; i < bvh->triangle_count; i++)
-        known += check_horizon(bvh, i, row_of(bvh, i, 2), horizon_of(bvh, i), &seed);
-    return known;
-}
-
-/* The same by cells and corners' normals. */
-static uint32_t check_grid(const struct bvh *bvh)
-{
-    uint32_t seed = 5, known = 0;
-    assert_int_equal(bvh->corners.count, bvh->grid + BVH_HORIZON_GRID_WORDS);
-    for (uint32_t i = 0; i < bvh->triangle_count; i++) {
-        const uint32_t steps = cell_horizon(bvh, find_middle(bvh, i));
-        vec3s n;
-        memcpy(n.raw, bvh->corners.all[(size_t)i * BVH_CORNER_WORDS + i % 3], sizeof(n.raw));
-        assert_true(steps >= horizon_of(bvh, i));
-        known += check_horizon(bvh, i, glms_vec3_normalize(n), steps, &seed);
-    }
-    return known;
-}
-
-/* Many triangles of a teapot see no other one straight above them, most of a ball none at all. */
-static void test_horizons(void **state)
-{
-    (void)state;
-    for (int i = 0; i < 2; i++) {
-        struct model model = { 0 };
-        struct bvh bvh;
-        assert_true((i ? generate_sphere : generate_teapot)(&model.object, i ? 960 : 3000));
-        struct bvh_params params = { .model = &model, .threads = 2 };
-        assert_int_equal(bvh_init(&bvh, &params), STATUS_OK);
-        assert_true(check_horizons(&bvh) > bvh.triangle_count * (i ? 9u : 6u) / 10);
-        assert_true(check_grid(&bvh) > bvh.triangle_count * (i ? 9u : 1u) / 10);
-        for (uint32_t k = 0; i && k < bvh.triangle_count; k++)
-            assert_true(horizon_of(&bvh, k) == 2 || horizon_of(&bvh, k) == BVH_HORIZON_UNKNOWN);
-        bvh_finish(&bvh);
-        params.rest = bvh_rest_pose_create(true); /* of what moves they are not sought */
-        assert_int_equal(bvh_init(&bvh, &params), STATUS_OK);
-        assert_int_equal(check_horizons(&bvh), 0);
-        bvh_finish(&bvh);
-        bvh_rest_pose_destroy(params.rest);
-        mesh_finish(&model.object);
-    }
-}
-
 /* A ball that has been pressed flat and, if `wildness` is not 0, torn. */
 static void deform(struct model *model, float flatness, float wildness)
 {
@@ -534,8 +422,7 @@ static void deform(struct model *model, float flatness, float wildness)
     }
 }
 
-/* The only tree of a part is kept while its triangles hardly move apart, with horizons that are
- * those of the pose. */
+/* The only tree of a part is kept while its triangles hardly move apart. */
 static void test_melted(void **state)
 {
     (void)state;
@@ -555,7 +442,6 @@ static void test_melted(void **state)
         assert_int_equal(bvh.built, torn);
         assert_int_equal(bvh.refitted, 1 - torn);
         check_rays(&bvh, &model.object, 1);
-        assert_true(check_horizons(&bvh) > bvh.triangle_count / 2 || torn);
         fresh = grow(&model, other);
         check_same_trees(&bvh, &fresh);
         bvh_finish(&fresh);
@@ -589,8 +475,7 @@ int main(void)
         cmocka_unit_test(test_depth),       cmocka_unit_test(test_shells),
         cmocka_unit_test(test_many_shells), cmocka_unit_test(test_nothing),
         cmocka_unit_test(test_poses),       cmocka_unit_test(test_deformed),
-        cmocka_unit_test(test_apart),       cmocka_unit_test(test_horizons),
-        cmocka_unit_test(test_melted),
+        cmocka_unit_test(test_apart),       cmocka_unit_test(test_melted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,6 @@
 #include "src/image/half_float.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
-#include "src/scene/bvh/triangle_horizon.h"
 
 /* Factors by which deformation may raise a BVH's SAH cost before the BVH is rebuilt. The limit is
  * lower for the BVH of a whole scene part, which all rays traverse. */
@@ -197,10 +196,8 @@ static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *p
             continue;
         }
         const bool is_shaded = has_surface(part, triangle);
-        const uint32_t horizon = hierarchy->horizons ? hierarchy->horizons[i] : BVH_HORIZON_UNKNOWN;
         const uint32_t last[3] = { rank_bits(part, triangle), material_bits(part, triangle),
-                                   (is_shaded ? bvh->corners.count : 0) |
-                                       horizon << BVH_HORIZON_SHIFT };
+                                   is_shaded ? bvh->corners.count : 0 };
         write_triangle(&bvh->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
             write_word(bvh->corners.all[word++], bvh_corner(part, triangle, k)->normal.raw,
@@ -272,16 +269,12 @@ static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
 {
     for (uint32_t i = 0; i < BVH_COUNT; i++)
         count_words(bvh, &parts[i], &hierarchies[i]);
-    const struct bvh_two_level *objects = &hierarchies[BVH_OBJECTS];
-    bvh->corners.count +=
-        media_words(bvh) + (bvh_has_horizon_grid(bvh, objects) ? BVH_HORIZON_GRID_WORDS : 0);
+    bvh->corners.count += media_words(bvh);
     if (!reserve(&bvh->nodes) || !reserve(&bvh->triangles) || !reserve(&bvh->corners))
         return false;
     bvh->corners.count = bvh->triangle_count * BVH_CORNER_WORDS;
     for (uint32_t i = 0; i < BVH_COUNT; i++)
         write_part(bvh, i, &parts[i], &hierarchies[i]);
-    if (bvh_has_horizon_grid(bvh, objects))
-        bvh_horizon_grid_write(bvh, objects, &parts[BVH_OBJECTS]);
     for (uint32_t i = 0; i < BVH_COUNT; i++)
         bvh->costs[i] =
             parts[i].count ? bvh_sah_cost(&hierarchies[i].builder, hierarchies[i].root) : 0.0;
@@ -331,9 +324,6 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
     struct bvh_two_level hierarchies[BVH_COUNT] = { 0 };
     bool done =
         bvh_parts_init(parts, params, by_objects) && build_parts(hierarchies, parts, params, &work);
-    if (done && !by_objects)
-        hierarchies[BVH_OBJECTS].horizons =
-            bvh_horizons_compute(&hierarchies[BVH_OBJECTS], &parts[BVH_OBJECTS], work.threads);
     done = done && write_all(bvh, parts, hierarchies);
     if (done && params->rest && !params->rest->is_known)
         done = keep_topologies(params->rest, hierarchies);

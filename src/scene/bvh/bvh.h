@@ -30,9 +30,7 @@ struct bvh {
     uint32_t object_count;     /* number of refractive objects, >= 1 */
     /* number of distinct media; 0 if there is no medium table */
     uint32_t medium_count;
-    uint32_t media;             /* start of the medium table in `corners`; 0 if there is none */
-    uint32_t grid;              /* start of the horizon grid in `corners`; 0 if there is none */
-    vec3s grid_low, grid_scale; /* horizon grid's minimum corner, and its cells per metre */
+    uint32_t media; /* start of the medium table in `corners`; 0 if there is none */
     /* SAH costs, in ray-triangle tests; 0 for parts without triangles */
     double costs[BVH_COUNT];
     uint32_t depth; /* maximum node depth from a root, at most BVH_DEPTH_MAX */
@@ -54,7 +52,7 @@ struct bvh_two_level;
  * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose
  * (1.1 times for a BVH of a whole part). Rigid motion and uniform scaling never cause a rebuild. */
 struct bvh_rest_pose {
-    bool by_objects;    /* true if each object has its own BVH; then, there are no horizons */
+    bool by_objects;    /* true if each object has its own BVH */
     struct model model; /* model of which only meshes, objects and surroundings_starts are set */
     struct mesh_order sorted;          /* triangle order of the surroundings */
     bool is_known;                     /* true after bvh_rest_pose_move_from() */

@@ -45,7 +45,6 @@ struct bvh_two_level {
     uint32_t node_count;         /* size of the node array */
     uint32_t root;               /* node index of the part's root */
     uint32_t depth;              /* maximum depth within a group */
-    uint8_t *horizons;           /* per-triangle horizons (triangle_horizon.h); NULL if unknown */
 };
 
 /* Returns the depth of a balanced BVH of `count` triangles. */

@@ -98,7 +98,6 @@ void bvh_two_level_finish(struct bvh_two_level *hierarchy)
     free(hierarchy->builder.order);
     free(hierarchy->builder.nodes);
     free(hierarchy->groups);
-    free(hierarchy->horizons);
     *hierarchy = (struct bvh_two_level){ 0 };
 }
 

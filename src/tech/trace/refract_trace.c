@@ -172,9 +172,6 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .crack_rms_slope = cracks_of->shading.bump,
         .crack_gap = cracks_of->shading.gap,
         .media_at = bvh->media,
-        .grid_at = bvh->grid,
-        .grid_low = glms_vec4(bvh->grid_low, 0.0f),
-        .grid_scale = glms_vec4(bvh->grid_scale, 0.0f),
         .objects_rotation = rotation_of(globals->world_from_object),
         .movers_rotation = rotation_of(globals->world_from_movers),
         .surroundings_are_apart = trace_has_motion(view->settings) ? bvh->is_disjoint_rotating
