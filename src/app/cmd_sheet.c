@@ -20,6 +20,7 @@
 enum {
     IMAGES_MAX = 64,
     GREY = 34,
+    LABEL_SIZE = 256,
 };
 
 struct job {
@@ -100,19 +101,46 @@ static enum status open_canvas(struct job *job)
     return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Draws an image and its label, such as "cracks.count=2 air.count=0", into the sheet. */
+/* Writes an image's label, such as "cracks.count=2 air.count=0". */
+static void write_label(const struct job *job, uint32_t point, char label[static LABEL_SIZE])
+{
+    size_t length = 0;
+    for (uint32_t i = 0; i < job->sweep.parameter_count && length < LABEL_SIZE; i++)
+        length += (size_t)snprintf(label + length, LABEL_SIZE - length, "%s%s=%s", i ? " " : "",
+                                   job->sweep.parameters[i].name,
+                                   profile_sweep_value(&job->sweep, point, i));
+}
+
+/* Returns the labels of all images, separated by commas, which no value contains. The caller frees
+ * them. Returns NULL when out of memory. */
+static char *list_labels(const struct job *job)
+{
+    char *labels = NULL;
+    size_t size;
+    FILE *out = open_memstream(&labels, &size);
+    if (!out)
+        return NULL;
+    for (uint32_t i = 0; i < job->sweep.point_count; i++) {
+        char label[LABEL_SIZE];
+        write_label(job, i, label);
+        fprintf(out, "%s%s", i ? "," : "", label);
+    }
+    const bool failed = ferror(out) != 0;
+    if (!fclose(out) && !failed)
+        return labels;
+    free(labels);
+    return NULL;
+}
+
+/* Draws an image and its label into the sheet. */
 static void place_image(struct job *job, uint32_t point, const struct render_result *result)
 {
     const struct canvas image = { job->o.image.width, job->o.image.height, result->rgba };
     const struct sheet_grid grid = grid_of(job);
     const uint32_t x = sheet_left(&grid, point);
     const uint32_t y = sheet_top(&grid, point);
-    char label[256];
-    size_t length = 0;
-    for (uint32_t i = 0; i < job->sweep.parameter_count && length < sizeof(label); i++)
-        length += (size_t)snprintf(label + length, sizeof(label) - length, "%s%s=%s", i ? " " : "",
-                                   job->sweep.parameters[i].name,
-                                   profile_sweep_value(&job->sweep, point, i));
+    char label[LABEL_SIZE];
+    write_label(job, point, label);
     canvas_draw_text(&job->canvas, x, y, sheet_text_scale(&grid), label);
     canvas_draw_image(&job->canvas, x, y + sheet_label_height(&grid), &image);
 }
@@ -163,10 +191,14 @@ static enum status add_image(struct job *job, uint32_t point)
 static enum status write_sheet(const struct job *job)
 {
     const char *path = job->o.run.outputs.paths[0];
+    char *labels = list_labels(job);
+    if (!labels)
+        return log_out_of_memory(path);
     const struct image_text texts[] = {
         { "firn/version", FIRN_VERSION },
         { "firn/command", job->command },
         { "firn/device", job->gpu.properties.deviceName },
+        { SHEET_LABELS, labels },
     };
     const struct png_image_source image = {
         .rgba = job->canvas.rgba,
@@ -181,6 +213,7 @@ static enum status write_sheet(const struct job *job)
     if (status == STATUS_OK)
         status = file_io_write(path, data, size);
     free(data);
+    free(labels);
     if (status == STATUS_OK && !job->o.run.quiet)
         fprintf(stderr, "%s: %u images of %ux%u\n", path, job->sweep.point_count,
                 job->o.image.width, job->o.image.height);

@@ -11,6 +11,9 @@ enum {
     SHEET_LABEL_WIDTH = 150, /* label width at scale 1, pixels */
 };
 
+/* Metadata of a sheet: the labels of its images in order, separated by commas. */
+#define SHEET_LABELS "firn/labels"
+
 /* Grid of images of equal size, each below a line of text. All lengths are in pixels. */
 struct sheet_grid {
     uint32_t columns;       /* images per row */

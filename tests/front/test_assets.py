@@ -69,18 +69,27 @@ class Generators(Case):
 class Sheets(Case):
     """Pictures for the window's buttons, of all materials and rungs."""
 
-    def words(self, name):
-        """Of the command that drew it, without the name of its file."""
+    def text(self, name, key):
+        """Of its metadata."""
         text = Png((ASSETS / f'{name}.png').read_bytes()).chunks['tEXt']
-        return shlex.split(text.partition(b'firn/command\0')[2].partition(b'firn/')[0].decode())
+        return text.partition(f'firn/{key}\0'.encode())[2].partition(b'firn/')[0].decode()
+
+    def words(self, name):
+        """Of the command that drew it; the last one is the path of its file."""
+        return shlex.split(self.text(name, 'command'))
 
     def test_they_show_all_there_is(self):
         text = (ASSETS / 'README.md').read_text(encoding='utf-8')
-        for name, what in (('materials', 'material='), ('rungs', 'refraction=')):
-            lines = self.succeed('list', name).stdout.decode().splitlines()
-            names = [line.split()[0] for line in lines if line.startswith('  ')]
+        for name, topic, what in (('materials', 'materials', 'material'),
+                                  ('rungs', 'refractions', 'refraction')):
+            rows = json.loads(self.succeed('list', topic, '--json').stdout)[topic]
+            names = [row['name'] for row in rows]
             names = [rung for rung in names if rung != 'reference']  # which no window draws with
-            self.assertIn(what + ','.join(names), self.words(name))
+            words = [f'{what}={",".join(names)}' if word.startswith(f'{what}=') else word
+                     for word in self.words(name)[:-1]] + [f'assets/{name}.png']
+            labels = self.text(name, 'labels').split(',')
+            self.assertEqual([value for value in names if f'{what}={value}' not in labels], [],
+                             f'{name}.png lacks these; draw it anew: build/{shlex.join(words)}')
             self.assertRegex(text, rf'(?m)^\| `{name}.png` \| .* \| rendered by '
                                    r'`firn sheet`; MIT \|$')
 

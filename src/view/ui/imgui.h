@@ -166,7 +166,8 @@ bool imgui_small_button(const char *label);
 bool imgui_choice_button(const char *label, bool chosen); /* one of exclusive buttons */
 bool imgui_selectable(const char *label, bool chosen);    /* row as wide as the panel */
 
-/* Draws one of several exclusive buttons, with a thumbnail above its label; `width` in pixels. */
+/* Draws one of several exclusive buttons, with a thumbnail above its label unless its index is out
+ * of range; `width` in pixels. */
 bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen);
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */

@@ -357,7 +357,8 @@ bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, 
     ImGui::PopStyleColor();
     ImGui::PopID();
     note(label);
-    draw_thumbnail(ui, thumbnail, size);
+    if (thumbnail < all.count)
+        draw_thumbnail(ui, thumbnail, size);
     const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 end = ImGui::GetItemRectMax();
     const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);

@@ -71,7 +71,7 @@ bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
     const uint32_t columns = fits > 1.0f ? (uint32_t)fits : 1;
     const float width = floorf((room + gap) / (float)columns - gap);
     bool changed = false;
-    if (g->first_thumbnail == UI_THUMBNAIL_NONE)
+    if (!g->thumbnails)
         return g->count > BUTTON_MAX
                    ? ui_named_list(g->name, g->names, g->count, index, g->heading)
                    : ui_named_buttons(g->name, g->names, g->count, index, g->heading);
@@ -83,7 +83,7 @@ bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
             imgui_same_line(0.0f);
         else
             imgui_indent(margin);
-        if (imgui_thumbnail_button(g->names[i], g->first_thumbnail + i, width, i == *index)) {
+        if (imgui_thumbnail_button(g->names[i], g->thumbnails[i], width, i == *index)) {
             changed = i != *index;
             *index = i;
         }

@@ -75,7 +75,7 @@ struct ui_gallery {
     const char *heading;
     const char *const *names;    /* labels of the values */
     const char *const *tooltips; /* tooltips of the values */
-    uint32_t first_thumbnail;    /* UI_THUMBNAIL_NONE for labels only */
+    const uint32_t *thumbnails;  /* thumbnails of the values; NULL for labels only */
     uint32_t count;
 };
 

@@ -112,12 +112,13 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-/* Returns `thumbnail`, or UI_THUMBNAIL_NONE if the panel is not high enough for thumbnails. */
-static uint32_t thumbnail_if_high(const struct ui *ui, const struct ui_view *view,
-                                  uint32_t thumbnail)
+/* Returns `thumbnails`, or NULL if none is loaded or the panel is not high enough for them. */
+static const uint32_t *thumbnails_if_high(const struct ui *ui, const struct ui_view *view,
+                                          const uint32_t *thumbnails)
 {
     const float height = (float)view->layout->panel.extent.height;
-    return height < gallery_panel * ui->scale ? UI_THUMBNAIL_NONE : thumbnail;
+    const bool is_high = height >= gallery_panel * ui->scale;
+    return is_high && ui->thumbnails->list.count ? thumbnails : NULL;
 }
 
 static void refraction_lists(const struct ui *ui, const struct ui_view *view,
@@ -134,7 +135,7 @@ static void refraction_lists(const struct ui *ui, const struct ui_view *view,
         .heading = "Refraction model",
         .names = &names[1],
         .tooltips = tips,
-        .first_thumbnail = thumbnail_if_high(ui, view, ui_thumbnails_model(ui->thumbnails, 0)),
+        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->models),
         .count = count,
     };
     if (ui_gallery(&gallery, &left)) {
@@ -167,7 +168,7 @@ static void material_buttons(const struct ui *ui, const struct ui_view *view,
         .heading = "Material",
         .names = names,
         .tooltips = tips,
-        .first_thumbnail = thumbnail_if_high(ui, view, ui_thumbnails_material(ui->thumbnails, 0)),
+        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->materials),
         .count = count,
     };
     if (ui_gallery(&gallery, &chosen)) {

@@ -8,20 +8,18 @@
 
 #define UI_THUMBNAIL_NONE UINT32_MAX
 
-/* Thumbnails of all material presets, followed by those of all refraction models. If there are no
- * thumbnails, all members are 0 and buttons show only labels. */
+/* Thumbnails of the material presets and refraction models that the sheets contain. If there are no
+ * thumbnails, `list.count` is 0 and buttons show only labels. */
 struct ui_thumbnails {
     struct imgui_thumbnails list;
     uint8_t *rgba; /* texels of `list` */
-    uint32_t material_count;
+    /* index in `list` for each preset and model, in the order of their tables; UI_THUMBNAIL_NONE if
+     * the sheet lacks its name */
+    uint32_t materials[IMGUI_THUMBNAIL_MAX], models[IMGUI_THUMBNAIL_MAX];
 };
 
-/* Reads the sheets. On failure, logs and leaves the thumbnails empty. */
+/* Reads the sheets. Logs a warning for each that cannot be used. */
 void ui_thumbnails_load(struct ui_thumbnails *p, const struct reader_params *reader);
 void ui_thumbnails_finish(struct ui_thumbnails *p); /* {0} is fine */
-
-/* Returns the thumbnail of material preset i; UI_THUMBNAIL_NONE if there is none. */
-uint32_t ui_thumbnails_material(const struct ui_thumbnails *p, uint32_t i);
-uint32_t ui_thumbnails_model(const struct ui_thumbnails *p, uint32_t i); /* of refraction model i */
 
 #endif
