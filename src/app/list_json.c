@@ -70,13 +70,23 @@ static json_t *materials(void)
     return all;
 }
 
+/* Returns the names of a layer's EXR channels. */
+static json_t *channels_of(const struct frame_layer *layer)
+{
+    json_t *all = json_array();
+    for (size_t p = 0; p < 4 && layer->planes[p] && all; p++)
+        all = json_text_append(all, json_string(layer->planes[p]));
+    return all;
+}
+
 static json_t *layers(void)
 {
     json_t *all = json_array();
     const struct frame_layer *layer;
     for (size_t i = 0; (layer = techniques_layer(i)) && all; i++)
-        all = json_text_append(all, json_pack("{s:s, s:s, s:b}", "name", layer->name, "help",
-                                              layer->help, "reference_only", (int)!layer->image));
+        all = json_text_append(all, json_pack("{s:s, s:s, s:b, s:o}", "name", layer->name, "help",
+                                              layer->help, "reference_only", (int)!layer->image,
+                                              "channels", channels_of(layer)));
     return all;
 }
 
