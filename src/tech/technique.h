@@ -2,8 +2,8 @@
  * technique.h: interface of a rendering technique: its passes, settings and uploads.
  *
  * A technique is one file of src/tech: citation, images, pass tables, record functions, settings.
- * It owns nothing and has no writable data. A new technique is added to the list in the root
- * meson.build (see techniques.h) and nowhere else.
+ * It owns nothing and has no writable data. A new technique is added to the list `techniques` in
+ * the root meson.build and nowhere else; docs/adding-a-technique.md shows how.
  */
 #ifndef FIRN_TECH_TECHNIQUE_H
 #define FIRN_TECH_TECHNIQUE_H

@@ -154,6 +154,9 @@ class Technique(Case):
         self.assertEqual(sorted(files), ['shaders/output/fog.frag', 'shaders/output/fog.h',
                                          'src/tech/output/fog.c'])
         self.assertEqual([path for path, _, _ in edits_of(self.page)], ['meson.build'])
+        command, = re.findall(r'^    (python3 man/settings.py .*)$', self.page, re.M)
+        must(command, shell=True, cwd=self.tree)
+        self.assertIn('`fog.density`', (self.tree / 'docs' / 'settings.md').read_text('utf-8'))
         must([sys.executable, self.tree / 'tests' / 'style.py', self.tree])
 
     def test_pixels_are_as_the_formula_says(self):
