@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/parallel.h"
 #include "src/gpu/gpu_capture.h"
 
 struct measure {
@@ -121,8 +121,8 @@ static void describe_host(char *text, size_t size)
     }
     if (file)
         fclose(file);
-    const long count = sysconf(_SC_NPROCESSORS_ONLN);
-    snprintf(text, size, "%s, %ld thread%s", model, count, count == 1 ? "" : "s");
+    const uint32_t count = parallel_core_count();
+    snprintf(text, size, "%s, %u thread%s", model, count, count == 1 ? "" : "s");
 }
 
 static void describe(struct profile *p, const struct profile_request *request)

@@ -2,8 +2,6 @@
 #include "src/reference/photons.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -11,8 +9,7 @@
 #include "src/reference/ray_branch.h"
 
 enum {
-    CHUNK = 4096, /* photons per task of a thread */
-    THREAD_COUNT_MAX = 256,
+    CHUNK = 4096,         /* photons per task of a thread */
     CROSSINGS_MAX = 4096, /* maximum surfaces along a shadow ray */
     POSITION_SEED = 11,   /* seed constant for emission */
     SUN_SEED,
@@ -35,7 +32,6 @@ struct job {
     float sun;
     struct stored_hits *chunks;
     uint32_t chunk_count;
-    atomic_uint next_chunk;
 };
 
 /* Samples a direction to the sun's disc. `tangent` is the tangent of the disc's angular radius. */
@@ -112,8 +108,9 @@ static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint
     }
 }
 
-static void trace_chunk(const struct job *job, uint32_t chunk)
+static void trace_chunk(void *user, uint32_t chunk)
 {
+    const struct job *job = user;
     const uint32_t end =
         job->params->count - chunk * CHUNK < CHUNK ? job->params->count : (chunk + 1) * CHUNK;
     const uint32_t channels = tracer_channel_count(job->tracing);
@@ -125,41 +122,6 @@ static void trace_chunk(const struct job *job, uint32_t chunk)
             trace_photon(&tracing, emit(job, i, of_channel), c, &job->chunks[chunk]);
         }
     }
-}
-
-/* Traces the next chunk of photons. Returns false if no chunk is left. */
-static bool trace_next_chunk(struct job *job)
-{
-    const uint32_t chunk = atomic_fetch_add(&job->next_chunk, 1);
-    if (chunk >= job->chunk_count)
-        return false;
-    trace_chunk(job, chunk);
-    return true;
-}
-
-static void *work(void *user)
-{
-    while (trace_next_chunk(user)) {
-    }
-    return NULL;
-}
-
-/* Traces all chunks on several threads. Returns false if `go_on` cancels the work. */
-static bool run(struct job *job)
-{
-    bool goes_on = true;
-    pthread_t threads[THREAD_COUNT_MAX];
-    uint32_t count = 0;
-    while (count + 1 < job->params->threads && count < THREAD_COUNT_MAX &&
-           !pthread_create(&threads[count], NULL, work, job))
-        count++;
-    while (goes_on && trace_next_chunk(job))
-        goes_on = !job->params->go_on || job->params->go_on(job->params->user);
-    if (!goes_on)
-        atomic_store(&job->next_chunk, job->chunk_count);
-    for (uint32_t i = 0; i < count; i++)
-        pthread_join(threads[i], NULL);
-    return goes_on;
 }
 
 struct cell {
@@ -233,7 +195,8 @@ enum status photons_init(struct photons *photons, const struct tracer *tracing,
     };
     job.chunks = calloc(job.chunk_count + 1, sizeof(*job.chunks));
     bool done = job.chunks != NULL;
-    const bool goes_on = !done || run(&job);
+    const bool goes_on = !done || parallel_for(job.chunk_count, params->threads, trace_chunk, &job,
+                                               params->progress, params->user);
     if (done && goes_on)
         done = sort(photons, &job);
     for (uint32_t i = 0; job.chunks && i < job.chunk_count; i++)

@@ -14,6 +14,7 @@
 #ifndef FIRN_REFERENCE_PHOTONS_H
 #define FIRN_REFERENCE_PHOTONS_H
 
+#include "src/base/parallel.h"
 #include "src/base/status.h"
 #include "src/reference/tracer.h"
 
@@ -32,20 +33,17 @@ struct photons {
     bool has_shadow;
 };
 
-/* Progress callback. Returning false cancels the tracing of photons. */
-typedef bool photons_progress_fn(void *user);
-
 struct photons_params {
-    uint32_t count;             /* number of photons to emit */
-    float sun_deg;              /* angular diameter of the sun, degrees */
-    bool has_shadow;            /* objects cast shadows in direct sunlight */
-    uint32_t threads;           /* upper limit of threads */
-    photons_progress_fn *go_on; /* polled by the caller's thread */
+    uint32_t count;                 /* number of photons to emit */
+    float sun_deg;                  /* angular diameter of the sun, degrees */
+    bool has_shadow;                /* objects cast shadows in direct sunlight */
+    uint32_t threads;               /* upper limit of threads */
+    parallel_progress_fn *progress; /* may be NULL; returning false cancels */
     void *user;
 };
 
 /* Builds the photon map, which is bit-identical for any number of threads. When out of memory logs
- * and returns STATUS_TRY_AGAIN. If `go_on` cancels, returns STATUS_FAILED without logging. */
+ * and returns STATUS_TRY_AGAIN. If `progress` cancels, returns STATUS_FAILED without logging. */
 MUST_USE enum status photons_init(struct photons *photons, const struct tracer *tracing,
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */

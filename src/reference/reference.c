@@ -2,7 +2,6 @@
 #include "src/reference/reference.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +10,7 @@
 #include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/parallel.h"
 #include "src/frame/frame_uniforms.h"
 #include "src/reference/camera_rays.h"
 #include "src/reference/microfacet.h"
@@ -29,7 +29,6 @@
 
 enum {
     TILE = 16, /* tile side in pixels */
-    THREAD_COUNT_MAX = 256,
     PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
     ROUND_MAX = 16, /* samples per pixel and round */
 };
@@ -75,7 +74,8 @@ struct job {
     uint32_t begin, end; /* sample range of the current round */
     struct tally *tallies;
     uint32_t tile_columns, tile_count;
-    atomic_uint next_tile, done_count;
+    renderer_progress_fn *progress; /* may be NULL */
+    void *user;                     /* argument of `progress` */
     atomic_bool is_stopped;
 };
 
@@ -92,6 +92,7 @@ enum status reference_create(struct reference **reference, const struct referenc
         return log_out_of_memory(NULL);
     r->request = *request;
     r->request.samples = request->samples ? request->samples : 1;
+    r->request.threads = request->threads ? request->threads : parallel_core_count();
     r->device = rtcNewDevice(NULL);
     if (!r->device) {
         const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;
@@ -177,13 +178,10 @@ static uint32_t min_u32(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* Renders the next tile. Returns false if none is left or rendering was cancelled. */
-static bool trace_tile(struct job *job)
+static void trace_tile(void *user, uint32_t tile)
 {
+    struct job *job = user;
     const struct reference_request *request = &job->reference->request;
-    const uint32_t tile = atomic_fetch_add(&job->next_tile, 1);
-    if (tile >= job->tile_count)
-        return false;
     struct tally tally = { 0 };
     const uint32_t left = tile % job->tile_columns * TILE;
     const uint32_t top = tile / job->tile_columns * TILE;
@@ -191,54 +189,23 @@ static bool trace_tile(struct job *job)
         for (uint32_t x = left; x < min_u32(left + TILE, request->width); x++)
             trace_pixel(job, x, y, &tally);
         if (atomic_load(&job->is_stopped))
-            return false;
+            return;
     }
     job->tallies[tile] = tally;
-    atomic_fetch_add(&job->done_count, 1);
-    return true;
 }
 
-static void *work(void *user)
+/* Reports the progress of all rounds as a number of tiles, from 0 to tile_count. Cancels the tiles
+ * in progress if the callback returns false. */
+static bool report_tiles(void *user, uint32_t done)
 {
-    while (trace_tile(user)) {
-    }
-    return NULL;
-}
-
-static uint32_t thread_count(const struct reference_request *request)
-{
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    const uint32_t wanted = request->threads ? request->threads : (uint32_t)(cores > 0 ? cores : 1);
-    return min_u32(wanted, THREAD_COUNT_MAX);
-}
-
-/* Returns the progress of all rounds as a number of tiles, from 0 to tile_count. */
-static uint32_t tiles_done(const struct job *job)
-{
-    const uint64_t all = job->reference->request.samples;
+    struct job *job = user;
     const uint64_t before = (uint64_t)job->begin * job->tile_count;
-    const uint64_t now = (uint64_t)(job->end - job->begin) * atomic_load(&job->done_count);
-    return (uint32_t)((before + now) / all);
-}
-
-/* Renders one round of samples for all tiles on several threads. The calling thread renders too and
- * reports progress. If threads cannot be created, fewer are used. */
-static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
-{
-    pthread_t threads[THREAD_COUNT_MAX];
-    const uint32_t wanted = thread_count(&job->reference->request) - 1;
-    uint32_t count = 0;
-    atomic_store(&job->next_tile, 0);
-    atomic_store(&job->done_count, 0);
-    while (count < wanted && !pthread_create(&threads[count], NULL, work, job))
-        count++;
-    while (trace_tile(job)) {
-        if (progress && !progress(user, tiles_done(job), job->tile_count))
-            atomic_store(&job->is_stopped, true);
-    }
-    for (uint32_t i = 0; i < count; i++)
-        pthread_join(threads[i], NULL);
-    return atomic_load(&job->is_stopped) ? STATUS_FAILED : STATUS_OK;
+    const uint64_t now = (uint64_t)(job->end - job->begin) * done;
+    const uint32_t tiles = (uint32_t)((before + now) / job->reference->request.samples);
+    const bool goes_on = !job->progress || job->progress(job->user, tiles, job->tile_count);
+    if (!goes_on)
+        atomic_store(&job->is_stopped, true);
+    return goes_on;
 }
 
 static bool has_rounds(const struct job *job)
@@ -286,18 +253,18 @@ static struct reference_outcome outcome_of(const struct job *job)
 }
 
 /* Renders until every pixel has `samples` samples, and updates the session's outcome. */
-static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
-                             void *user)
+static enum status run_until(struct job *job, uint32_t samples)
 {
     job->begin = job->sums.samples;
     job->end = samples;
-    const enum status status = run(job, progress, user);
+    const bool goes_on = parallel_for(job->tile_count, job->reference->request.threads, trace_tile,
+                                      job, report_tiles, job);
     job->sums.samples = samples;
     job->session->outcome = outcome_of(job);
-    return status;
+    return goes_on ? STATUS_OK : STATUS_FAILED;
 }
 
-static enum status run_rounds(struct job *job, renderer_progress_fn *progress, void *user)
+static enum status run_rounds(struct job *job)
 {
     const struct reference_session *session = job->session;
     const double began = clock_seconds();
@@ -305,9 +272,9 @@ static enum status run_rounds(struct job *job, renderer_progress_fn *progress, v
     if (session->load)
         status = session->load(session->user, &job->sums);
     if (status == STATUS_OK && job->sums.samples)
-        status = run_until(job, job->sums.samples, progress, user);
+        status = run_until(job, job->sums.samples);
     while (status == STATUS_OK && !is_enough(job, began)) {
-        status = run_until(job, round_end(job, job->sums.samples), progress, user);
+        status = run_until(job, round_end(job, job->sums.samples));
         if (status == STATUS_OK && session->save)
             status = session->save(session->user, &job->sums, is_enough(job, began));
     }
@@ -392,22 +359,16 @@ static struct tracer tracing_of(const struct job *job)
     return tracing;
 }
 
-/* Data of the progress callback while the photon map is built, before the first tile. */
-struct photon_progress {
-    renderer_progress_fn *progress; /* may be NULL */
-    void *user;
-    uint32_t tile_count;
-};
-
-static bool report_progress(void *user)
+/* Reports that no tile is done while the photon map is built. */
+static bool report_photons(void *user, uint32_t done)
 {
-    const struct photon_progress *photon_progress = user;
-    return !photon_progress->progress ||
-           photon_progress->progress(photon_progress->user, 0, photon_progress->tile_count);
+    const struct job *job = user;
+    (void)done;
+    return !job->progress || job->progress(job->user, 0, job->tile_count);
 }
 
 /* Builds the photon map if the rasteriser would render caustics with these settings. */
-static enum status trace_photons(struct job *job, struct photon_progress photon_progress)
+static enum status trace_photons(struct job *job)
 {
     const struct settings *settings = job->reference->request.settings;
     const struct ice_caustics_params *light = settings_of(settings, &ice_caustics_settings);
@@ -417,9 +378,9 @@ static enum status trace_photons(struct job *job, struct photon_progress photon_
         .count = job->tracing.params.photons,
         .sun_deg = pool->sun,
         .has_shadow = light->shadow || has_pool,
-        .threads = thread_count(&job->reference->request),
-        .go_on = report_progress,
-        .user = &photon_progress,
+        .threads = job->reference->request.threads,
+        .progress = report_photons,
+        .user = job,
     };
     if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
         !(glms_vec3_max(job->globals.sun_light) > 0.0f))
@@ -473,19 +434,18 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
     return true;
 }
 
-static enum status trace(struct job *job, const struct renderer_shot *shot,
-                         renderer_progress_fn *progress, void *user)
+static enum status trace(struct job *job, const struct renderer_shot *shot)
 {
     if (!prepare(job, shot))
         return log_out_of_memory("objects");
     enum status status = embree_scene_init(&job->embree_scene, job->reference->device,
                                            &job->radiance, memory_limit(&job->reference->request));
     if (status == STATUS_OK)
-        status = trace_photons(job, (struct photon_progress){ progress, user, job->tile_count });
+        status = trace_photons(job);
     if (status == STATUS_OK) {
         whitted_find_enclosing(&job->tracing, job->camera_rays.push.eye,
                                &job->tracing.camera_inside);
-        status = run_rounds(job, progress, user);
+        status = run_rounds(job);
     }
     photons_finish(&job->photons);
     nested_media_finish(&job->media);
@@ -523,10 +483,12 @@ enum status reference_continue(struct reference *r, const struct renderer_shot *
     if (job) {
         job->reference = r;
         job->session = session;
+        job->progress = progress;
+        job->user = user;
     }
     bool has_memory = job && add_layers(job, &result->image);
     if (has_memory)
-        status = trace(job, shot, progress, user);
+        status = trace(job, shot);
     if (status == STATUS_OK && r->request.display) {
         result->rgba = make_display(job, &result->image);
         has_memory = result->rgba != NULL;

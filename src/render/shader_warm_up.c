@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <unistd.h>
+#include "src/base/parallel.h"
 #include "src/frame/env_cube_updates.h"
 #include "src/gpu/gpu.h"
 #include "src/render/lavapipe_tuning.h"
@@ -25,8 +25,7 @@ struct warm_up {
     struct rg_frame frame;
     struct rg_mesh *meshes; /* meshes of the techniques */
     atomic_int next;        /* next pass; below 0: done */
-    pthread_t threads[THREAD_COUNT_MAX];
-    uint32_t thread_count;
+    struct parallel_threads threads;
 };
 
 static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_device *secondary)
@@ -102,7 +101,7 @@ struct warm_up *shader_warm_up_begin(const struct compiled_frame *compiled_frame
                                      const struct renderer_params *params)
 {
     const struct gpu *gpu = params->gpu;
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const uint32_t cores = parallel_core_count();
     if (!lavapipe_tuning_is_cpu(gpu) || gpu->validated || params->replace || !is_enabled())
         return NULL;
     struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
@@ -114,10 +113,8 @@ struct warm_up *shader_warm_up_begin(const struct compiled_frame *compiled_frame
         return NULL;
     }
     describe(warm_up, compiled_frame, params);
-    const uint32_t limit = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
-    while (warm_up->thread_count < limit &&
-           !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, run_thread, warm_up))
-        warm_up->thread_count++;
+    parallel_start(&warm_up->threads, cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : cores - 1,
+                   run_thread, warm_up);
     return warm_up;
 }
 
@@ -126,8 +123,7 @@ void shader_warm_up_end(struct warm_up *warm_up)
     if (!warm_up)
         return;
     atomic_store(&warm_up->next, -1); /* no further pass */
-    for (uint32_t i = 0; i < warm_up->thread_count; i++)
-        pthread_join(warm_up->threads[i], NULL);
+    parallel_join(&warm_up->threads);
     free(warm_up->meshes);
     free(warm_up);
 }

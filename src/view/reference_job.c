@@ -2,8 +2,8 @@
 #include "src/view/reference_job.h"
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/log.h"
+#include "src/base/parallel.h"
 #include "src/reference/reference_sample_sums.h"
 #include "src/view/window.h"
 
@@ -93,8 +93,8 @@ static void *run(void *user)
 /* Returns the number of threads for path tracing. One core is left to the window's thread. */
 static uint32_t thread_count(void)
 {
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    return cores > 2 ? (uint32_t)cores - 1 : 1;
+    const uint32_t cores = parallel_core_count();
+    return cores > 2 ? cores - 1 : 1;
 }
 
 bool reference_job_begin(struct reference_job *t, const struct reference_request *request,

@@ -4,10 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "shaders/inclusions/cracks.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/parallel.h"
 #include "src/image/half_float.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
@@ -313,11 +313,9 @@ static bool is_too_large(const struct model *model)
 /* Builds and encodes all BVHs. Returns false when out of memory. */
 static bool build(struct bvh *bvh, const struct bvh_params *params)
 {
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     const bool by_objects = params->rest && params->rest->by_objects;
-    struct bvh_build_stats work = { .threads = params->threads ? params->threads
-                                               : cores > 0     ? (uint32_t)cores
-                                                               : 1,
+    struct bvh_build_stats work = { .threads =
+                                        params->threads ? params->threads : parallel_core_count(),
                                     .cost_growth_max =
                                         by_objects ? object_growth_max : part_growth_max };
     struct bvh_part parts[BVH_COUNT] = { 0 };

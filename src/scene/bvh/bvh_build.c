@@ -8,8 +8,8 @@
 #include "src/scene/bvh/bvh_build.h"
 #include <float.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdbool.h>
+#include "src/base/parallel.h"
 
 enum {
     PARALLEL_MIN = 1 << 13, /* minimum triangle count of a subtree built by its own thread */
@@ -175,34 +175,28 @@ struct subtree {
     uint32_t forks;      /* remaining levels that may fork threads */
 };
 
-static void *build_subtree(void *user)
+/* Builds subtree `i` of an array. */
+static void build_subtree(void *user, uint32_t i)
 {
-    const struct subtree *subtree = user;
+    const struct subtree *subtree = (const struct subtree *)user + i;
     struct bvh_builder *builder = subtree->builder;
     struct bvh_node *node = &builder->nodes[subtree->at];
-    pthread_t thread;
     *node = (struct bvh_node){ empty_box(), subtree->first, subtree->count, { 0, 0 } };
-    for (uint32_t i = node->first; i < node->first + node->count; i++)
-        extend_box(&node->box, &builder->boxes[builder->order[i]]);
+    for (uint32_t k = node->first; k < node->first + node->count; k++)
+        extend_box(&node->box, &builder->boxes[builder->order[k]]);
     const uint32_t count = split_node(builder, node, subtree->depth_left);
     if (!count)
-        return NULL;
+        return;
     const uint32_t rest = node->count - count;
     const uint32_t forks = subtree->forks ? subtree->forks - 1 : 0;
     node->children[0] = subtree->at + 1;
     node->children[1] = subtree->at + 2 * count;
-    struct subtree a = { builder, node->children[0],       node->first,
-                         count,   subtree->depth_left - 1, forks };
-    struct subtree b = { builder, node->children[1],       node->first + count,
-                         rest,    subtree->depth_left - 1, forks };
-    const bool is_parallel = subtree->forks && count >= PARALLEL_MIN && rest >= PARALLEL_MIN &&
-                             !pthread_create(&thread, NULL, build_subtree, &a);
-    (void)build_subtree(&b);
-    if (is_parallel)
-        pthread_join(thread, NULL);
-    else
-        (void)build_subtree(&a);
-    return NULL;
+    struct subtree halves[2] = {
+        { builder, node->children[0], node->first, count, subtree->depth_left - 1, forks },
+        { builder, node->children[1], node->first + count, rest, subtree->depth_left - 1, forks },
+    };
+    const bool is_parallel = subtree->forks && count >= PARALLEL_MIN && rest >= PARALLEL_MIN;
+    (void)parallel_for(2, is_parallel ? 2 : 1, build_subtree, halves, NULL, NULL);
 }
 
 void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t depth_left,
@@ -211,7 +205,7 @@ void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint3
     /* number of tree levels at which new threads may start, large enough to balance the load */
     const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5;
     struct subtree all = { builder, range->root, range->first, range->count, depth_left, forks };
-    (void)build_subtree(&all);
+    build_subtree(&all, 0);
 }
 
 void bvh_refit(struct bvh_builder *builder, uint32_t at)
