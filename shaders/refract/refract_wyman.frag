@@ -1,7 +1,7 @@
 /* refract_wyman.frag: fragment shader of the refraction model of Wyman 2005. */
 #version 460
-#include "refract/refract_main.glsl"
 #include "refract/refract_depth_maps.glsl"
+#include "refract/refract_main.glsl"
 
 /* Estimates the ice's width in metres as the side of the bounding sphere's inscribed cube. */
 float bounding_cube_side()

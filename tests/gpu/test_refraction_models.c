@@ -170,10 +170,9 @@ static void pane_moves_light_aside(void **state)
     static const struct {
         const char *name;
         double tolerance;
-    } refraction_models[] = { { "wyman", 0.02 },
-                              { "search", 2e-3 },
-                              { "bounce", 2e-3 },
-                              { "trace", 2e-4 } };
+    } refraction_models[] = {
+        { "wyman", 0.02 }, { "search", 2e-3 }, { "bounce", 2e-3 }, { "trace", 2e-4 }
+    };
     struct scene scene = { .background = SCENE_COLOR };
     make_box(&scene.model.object, (vec3s){ { 1.2F, 1.2F, 0.15F } });
     scene.box = mesh_box(&scene.model.object);

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "src/scene/generate/generate.h"
-#include "src/scene/geometry/point_in_mesh.h"
 #include "src/scene/geometry/mesh_depth_complexity.h"
+#include "src/scene/geometry/point_in_mesh.h"
 #include "tests/support/assertions.h"
 
 /* Evenly spread, without end. */

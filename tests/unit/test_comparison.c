@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/metric/layer_comparison.h"
 #include "src/metric/flip_color.h"
 #include "src/metric/heat_map.h"
+#include "src/metric/layer_comparison.h"
 #include "src/metric/quantile.h"
 #include "tests/support/assertions.h"
 

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/profile/baseline_comparison.h"
-#include "src/profile/table.h"
 #include "src/profile/row_aggregation.h"
+#include "src/profile/table.h"
 #include "src/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"
