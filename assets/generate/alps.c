@@ -14,7 +14,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "src/image/exr.h"
+#include "src/file/exr.h"
 #include "src/scene/environment/atmosphere.h"
 #include "src/scene/environment/environment.h"
 

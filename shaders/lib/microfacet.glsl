@@ -1,4 +1,5 @@
-/* microfacet.glsl: GGX VNDF sampling and scrambled Sobol points (C: src/reference/microfacet.c). */
+/* microfacet.glsl: GGX VNDF sampling and scrambled Sobol points (C:
+ * src/lab/reference/microfacet.c). */
 #ifndef LIB_MICROFACET_GLSL
 #define LIB_MICROFACET_GLSL
 

@@ -1,4 +1,4 @@
-/* timestamp_check.comp: compute shader of a test load for src/profile/timestamp_check.c. */
+/* timestamp_check.comp: compute shader of a test load for src/lab/profile/timestamp_check.c. */
 #version 460
 #include "lib/gpu_busy_loop.glsl"
 #include "output/timestamp_check.h"

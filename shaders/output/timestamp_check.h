@@ -1,4 +1,4 @@
-/* timestamp_check.h: push constants of the test load of src/profile/timestamp_check.c. */
+/* timestamp_check.h: push constants of the test load of src/lab/profile/timestamp_check.c. */
 #ifndef SHADERS_OUTPUT_TIMESTAMP_CHECK_H
 #define SHADERS_OUTPUT_TIMESTAMP_CHECK_H
 #include "abi.h"

@@ -1,4 +1,5 @@
-/* trace_fresnel.glsl: Fresnel reflection and refraction (C: src/reference/dielectric_split.c). */
+/* trace_fresnel.glsl: Fresnel reflection and refraction (C: src/lab/reference/dielectric_split.c).
+ */
 #ifndef TRACE_FRESNEL_GLSL
 #define TRACE_FRESNEL_GLSL
 

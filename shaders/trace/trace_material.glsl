@@ -1,5 +1,5 @@
 /* trace_material.glsl: textured surface parameters at ray hits (C:
- * src/reference/surroundings_radiance.c). */
+ * src/lab/reference/surroundings_radiance.c). */
 #ifndef TRACE_MATERIAL_GLSL
 #define TRACE_MATERIAL_GLSL
 #include "object_material.h"

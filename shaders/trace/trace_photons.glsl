@@ -1,7 +1,7 @@
 /*
  * trace_photons.glsl: photon tracing from the sun, one photon per texel of the caustic map's light
  * space. A photon chooses reflection or refraction at random at each surface and lands on
- * surroundings; ice_caustics.c splats it. src/reference/photons.c has the equivalent C code.
+ * surroundings; ice_caustics.c splats it. src/lab/reference/photons.c has the equivalent C code.
  *
  * Scattering media deflect photons isotropically at the reduced scattering coefficient, (1 - g)
  * times extinction. Photons end at the first surface of surroundings, even in alpha-tested holes.

@@ -3,12 +3,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/app/app.h"
-#include "src/app/image_output.h"
 #include "src/base/log.h"
-#include "src/image/atomic_file.h"
-#include "src/image/exr.h"
+#include "src/file/atomic_file.h"
+#include "src/file/exr.h"
 #include "src/render/renderer.h"
 #include "src/settings/scene_settings.h"
+#include "src/setup/image_output.h"
 #include "src/version.h"
 
 struct job {
@@ -21,8 +21,8 @@ struct job {
 
 static enum status draw(struct job *job)
 {
-    struct app_image *p = &job->o.image;
-    const struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
+    struct setup_image *p = &job->o.image;
+    const struct renderer_params params = setup_renderer_params(p, &job->gpu, &job->scene);
     enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)
         status = renderer_bake(&params, job->output.shot.time, &job->strip);
@@ -72,7 +72,7 @@ static enum status load(struct job *job)
 {
     const struct motion_params *motion =
         settings_of(&job->o.image.scene.settings, &motion_settings);
-    enum status status = app_load_scene(&job->scene, &job->o.image.scene);
+    enum status status = setup_load_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK && job->scene.cube.texels) {
         log_error("--env %s: expected an equirectangular image, got a cube of firn bake",
                   job->o.image.scene.environment);
@@ -96,8 +96,8 @@ static enum status load(struct job *job)
 
 static enum status run(struct job *job)
 {
-    struct app_outputs *outputs = &job->o.run.outputs;
-    enum status status = app_require_scene(&job->o.image.scene);
+    struct setup_outputs *outputs = &job->o.run.outputs;
+    enum status status = setup_require_scene(&job->o.image.scene);
     if (status == STATUS_OK)
         status = file_io_check(outputs->paths[0]);
     if (status == STATUS_OK)

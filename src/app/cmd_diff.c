@@ -9,8 +9,8 @@
 #include "src/app/input_image.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/atomic_file.h"
-#include "src/image/exr.h"
+#include "src/file/atomic_file.h"
+#include "src/file/exr.h"
 
 struct job {
     const struct app_options *options;

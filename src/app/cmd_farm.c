@@ -31,7 +31,7 @@ static bool is_image_option(const char *word)
 /* Finds SCENE among the arguments. For firn farm status, SCENE may also be an output file. */
 static enum status parse_arguments(struct app_options *o, bool is_status)
 {
-    struct app_outputs *outputs = &o->run.outputs;
+    struct setup_outputs *outputs = &o->run.outputs;
     const char *scene = o->positionals[1];
     if (is_status && is_image_option(scene)) {
         if (outputs->count) {
@@ -44,7 +44,7 @@ static enum status parse_arguments(struct app_options *o, bool is_status)
         return STATUS_OK;
     }
     o->image.scene.name = scene;
-    return app_require_scene(&o->image.scene);
+    return setup_require_scene(&o->image.scene);
 }
 
 static enum status check_files(const struct app_options *o)

@@ -1,7 +1,7 @@
 /* cmd_graph.c: command firn graph: prints the compiled plan of a frame, without a device. */
 #include <stdio.h>
 #include "src/app/app.h"
-#include "src/frame/frame_plan.h"
+#include "src/render/frame/frame_plan.h"
 #include "src/render/make_frame_request.h"
 
 typedef void dump_fn(const struct rg_plan *plan, FILE *out);
@@ -15,20 +15,20 @@ static dump_fn *const dumps[APP_FORMAT_COUNT] = {
 
 enum status app_graph(const struct app_options *o)
 {
-    struct app_image p = o->image;
+    struct setup_image p = o->image;
     struct scene scene;
     struct frame_plan frame = { 0 };
     struct camera camera;
-    enum status status = app_begin_scene(&scene, &p.scene); /* a plan needs no texels */
+    enum status status = setup_begin_scene(&scene, &p.scene); /* a plan needs no texels */
     if (status != STATUS_OK)
         return status;
-    status = app_camera(&camera, &scene, &p);
+    status = setup_camera(&camera, &scene, &p);
     if (status != STATUS_OK) {
         scene_finish(&scene);
         return status;
     }
-    app_choose_refraction(&p, &scene, &camera);
-    struct renderer_params params = app_renderer_params(&p, NULL, &scene);
+    setup_choose_refraction(&p, &scene, &camera);
+    struct renderer_params params = setup_renderer_params(&p, NULL, &scene);
     renderer_set_camera(&params, &camera);
     params.samples = p.samples;
     params.layers = p.layers;

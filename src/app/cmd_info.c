@@ -507,16 +507,16 @@ static enum status print_json(const char *name, const struct scene *scene,
 
 enum status app_info(const struct app_options *o)
 {
-    struct app_image image = o->image;
-    struct app_scene *options = &image.scene;
+    struct setup_image image = o->image;
+    struct setup_scene *options = &image.scene;
     struct scene scene;
     options->plain = true; /* without added ice effects */
     options->background.is_given = true;
     options->quiet = true;
-    enum status status = app_load_scene(&scene, options);
+    enum status status = setup_load_scene(&scene, options);
     if (status != STATUS_OK)
         return status;
-    app_choose_refraction(&image, &scene, NULL);
+    setup_choose_refraction(&image, &scene, NULL);
     if (image.refraction->refraction.traces_bvh || !has_many_triangles(&scene.model))
         status = scene_build_bvh(&scene, !o->run.gpu.no_cache);
     if (status == STATUS_TRY_AGAIN) {

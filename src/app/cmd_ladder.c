@@ -6,15 +6,15 @@
 #include "src/app/app.h"
 #include "src/app/input_image.h"
 #include "src/app/progress.h"
-#include "src/app/shell_quote.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/atomic_file.h"
-#include "src/ladder/comparison_report.h"
-#include "src/ladder/white_furnace.h"
-#include "src/profile/utf8_text.h"
-#include "src/reference/reference.h"
-#include "src/reference/reference_aov_table.h"
+#include "src/base/shell_quote.h"
+#include "src/file/atomic_file.h"
+#include "src/lab/ladder/comparison_report.h"
+#include "src/lab/ladder/white_furnace.h"
+#include "src/lab/profile/utf8_text.h"
+#include "src/lab/reference/reference.h"
+#include "src/lab/reference/reference_aov_table.h"
 #include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/inclusions/air.h"
@@ -38,7 +38,7 @@ struct job {
 
 static enum status refuse_furnace(const struct app_options *o)
 {
-    const struct app_scene *scene = &o->image.scene;
+    const struct setup_scene *scene = &o->image.scene;
 
     const struct {
         const char *option;
@@ -66,7 +66,7 @@ static enum status refuse_furnace(const struct app_options *o)
 static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
-    struct app_scene *scene = &o->image.scene;
+    struct setup_scene *scene = &o->image.scene;
     enum status status = o->ladder.furnace ? refuse_furnace(o) : STATUS_OK;
     if (status == STATUS_OK && !reference_is_built()) {
         log_error("firn ladder: this build has no Embree; rebuild with meson setup --reconfigure "
@@ -83,7 +83,7 @@ static enum status check(struct job *job)
     if (!scene->name)
         scene->name = default_scene;
     if (o->ladder.furnace) {
-        scene->background = (struct app_vector){ true, { { 1.0f, 1.0f, 1.0f } } };
+        scene->background = (struct setup_vector){ true, { { 1.0f, 1.0f, 1.0f } } };
         o->ladder.run_count = 0;
         settings_set_value(&scene->settings, settings_find("motion.count"), 0.0);
     }
@@ -134,7 +134,7 @@ static bool show_progress(void *user, uint32_t stage, uint32_t done, uint32_t al
 static enum status measure(struct job *job)
 {
     const struct app_options *o = &job->o;
-    const struct app_image *p = &o->image;
+    const struct setup_image *p = &o->image;
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     struct ladder_params params = {
         .gpu = &job->gpu,
@@ -153,12 +153,12 @@ static enum status measure(struct job *job)
         .sharing = p->sharing,
     };
     char names[REFERENCE_NAMES_SIZE];
-    enum status status = app_camera(&params.shot.camera, &job->scene, p);
+    enum status status = setup_camera(&params.shot.camera, &job->scene, p);
     if (status == STATUS_OK)
         status = gpu_create(&job->gpu, &o->run.gpu);
     if (status != STATUS_OK)
         return status;
-    app_check_rays(&p->scene.settings, &job->gpu);
+    setup_check_rays(&p->scene.settings, &job->gpu);
     if (!o->run.quiet && reference_unsupported(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference draws the scene without %s", names);
     if (!o->run.quiet && o->ladder.furnace &&
@@ -259,7 +259,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.ladder.reference_image)
         status = read_reference(job);
     if (status == STATUS_OK)
-        status = app_load_scene(&job->scene, &job->o.image.scene);
+        status = setup_load_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK && job->scene.has_pool) {
         log_error("firn ladder: expected a scene with a refracting object, got '%s'",
                   job->o.image.scene.name);

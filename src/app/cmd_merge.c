@@ -5,9 +5,9 @@
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/base/tile.h"
-#include "src/image/atomic_file.h"
-#include "src/image/exr.h"
-#include "src/reader/image_receive.h"
+#include "src/file/atomic_file.h"
+#include "src/file/exr.h"
+#include "src/file/image_receive.h"
 
 /* An opened tile file. */
 struct input {

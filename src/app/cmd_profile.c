@@ -5,13 +5,13 @@
 #include "src/app/options/sweep_values.h"
 #include "src/app/profile_job.h"
 #include "src/base/log.h"
-#include "src/image/atomic_file.h"
-#include "src/profile/baseline_comparison.h"
-#include "src/profile/chrome_trace.h"
-#include "src/profile/csv.h"
-#include "src/profile/html_page.h"
-#include "src/profile/json.h"
-#include "src/profile/table.h"
+#include "src/file/atomic_file.h"
+#include "src/lab/profile/baseline_comparison.h"
+#include "src/lab/profile/chrome_trace.h"
+#include "src/lab/profile/csv.h"
+#include "src/lab/profile/html_page.h"
+#include "src/lab/profile/json.h"
+#include "src/lab/profile/table.h"
 
 /* ---- checks of the options ---- */
 
@@ -109,7 +109,7 @@ static enum status refuse_reports(const struct app_profile *options, const char 
 
 static enum status run_sweep(struct profile_job *job)
 {
-    struct app_image image;
+    struct setup_image image;
     enum status status = STATUS_OK;
     job->progress.frame_name = "point";
     for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {

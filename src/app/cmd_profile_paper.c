@@ -13,8 +13,8 @@
 #include <string.h>
 #include "src/app/profile_job.h"
 #include "src/base/log.h"
-#include "src/profile/statistics.h"
-#include "src/profile/utf8_text.h"
+#include "src/lab/profile/statistics.h"
+#include "src/lab/profile/utf8_text.h"
 
 enum {
     CASE_SETTINGS = 10
@@ -172,7 +172,7 @@ static const char *const paper_settings[][2] = {
     { "env_cube.size", "512" },
 };
 
-static enum status apply_paper_settings(struct app_image *image)
+static enum status apply_paper_settings(struct setup_image *image)
 {
     enum status status = STATUS_OK;
     if (!image->is_refraction_named)
@@ -187,7 +187,7 @@ static enum status apply_paper_settings(struct app_image *image)
 }
 
 static enum status case_image(const struct profile_job *job, const struct paper_case *c,
-                              struct app_image *image)
+                              struct setup_image *image)
 {
     *image = job->o.image;
     image->scene.name = c->scene;
@@ -260,7 +260,7 @@ static void print_contrasts(const struct profile_sweep *sweep)
     profile_print_wrapped(text, 0, stdout);
 }
 
-static enum status measure_cases(struct profile_job *job, struct app_image *images)
+static enum status measure_cases(struct profile_job *job, struct setup_image *images)
 {
     enum status status = images ? STATUS_OK : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < CASE_COUNT && status == STATUS_OK; i++)
@@ -282,7 +282,7 @@ enum status profile_paper(struct profile_job *job)
     job->sweep.figure_count = FIGURE_COUNT;
     if (job->o.profile.time_step <= 0)
         job->o.profile.time_step = 0.04; /* time step (seconds) that moves objects and lights */
-    struct app_image *images = calloc(CASE_COUNT, sizeof(*images));
+    struct setup_image *images = calloc(CASE_COUNT, sizeof(*images));
     status = measure_cases(job, images);
     free(images);
     if (status == STATUS_OK)

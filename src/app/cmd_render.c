@@ -6,26 +6,26 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
-#include "src/app/image_output.h"
-#include "src/app/layer_quantize.h"
 #include "src/app/options/reference_options.h"
-#include "src/app/previous_pose.h"
 #include "src/app/progress.h"
 #include "src/app/render_report.h"
 #include "src/app/sample_sums_file.h"
 #include "src/app/sequence_frame_list.h"
-#include "src/app/signals.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
+#include "src/base/signals.h"
 #include "src/base/tile.h"
-#include "src/image/atomic_file.h"
-#include "src/reader/image_receive.h"
-#include "src/reference/reference.h"
-#include "src/reference/reference_aov_table.h"
+#include "src/file/atomic_file.h"
+#include "src/file/image_receive.h"
+#include "src/lab/reference/reference.h"
+#include "src/lab/reference/reference_aov_table.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
+#include "src/setup/image_output.h"
+#include "src/setup/layer_quantize.h"
+#include "src/setup/previous_pose.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 
 struct job {
@@ -36,7 +36,7 @@ struct job {
     struct scene scene;
     bool is_opened;       /* open_renderer() has logged its warnings */
     bool is_filled;       /* textures and meshes are filled */
-    const char *missing;  /* result of app_fill_scene() */
+    const char *missing;  /* result of setup_fill_scene() */
     struct camera camera; /* camera at time 0 */
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
@@ -51,8 +51,8 @@ struct job {
 /* Description, output files and rendered image of a frame. */
 struct frame {
     struct output output;
-    char *paths[APP_OUTPUT_COUNT];
-    bool is_current[APP_OUTPUT_COUNT]; /* the file already contains the frame */
+    char *paths[SETUP_OUTPUT_COUNT];
+    bool is_current[SETUP_OUTPUT_COUNT]; /* the file already contains the frame */
     struct render_result result;
     struct reference_outcome outcome; /* result of the reference */
 };
@@ -61,7 +61,7 @@ struct frame {
 
 static void frame_finish(struct frame *frame)
 {
-    for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
+    for (uint32_t i = 0; i < SETUP_OUTPUT_COUNT; i++)
         free(frame->paths[i]);
     output_finish(&frame->output);
     render_result_finish(&frame->result);
@@ -256,7 +256,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
 }
 
 /* Converts the float image to PNG pixels, for --show, 16 bits, alpha or dithering. */
-static bool make_png(const struct app_image *p, struct render_result *result)
+static bool make_png(const struct setup_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
     if (!p->show)
@@ -285,7 +285,7 @@ static enum status draw(struct job *job, struct frame *frame)
 static void *fill_scene(void *user)
 {
     struct job *job = user;
-    job->missing = app_fill_scene(&job->scene, &job->o.image.scene);
+    job->missing = setup_fill_scene(&job->scene, &job->o.image.scene);
     return NULL;
 }
 
@@ -309,7 +309,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         fill_scene(job);
     job->is_filled = true;
     if (job->missing)
-        return app_log_fill_failure(job->missing);
+        return setup_log_fill_failure(job->missing);
     enum status status = reference_create(&job->reference, &request);
     if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
         reference_unsupported(params->settings, names, sizeof(names)))
@@ -342,16 +342,16 @@ static enum status open_device(struct job *job)
         fill_scene(job);
     job->is_filled = true;
     if (status == STATUS_OK)
-        app_check_rays(&job->o.image.scene.settings, &job->gpu);
-    return status == STATUS_OK && job->missing ? app_log_fill_failure(job->missing) : status;
+        setup_check_rays(&job->o.image.scene.settings, &job->gpu);
+    return status == STATUS_OK && job->missing ? setup_log_fill_failure(job->missing) : status;
 }
 
 /* Creates the renderer or the reference for the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
-    const struct app_image *p = &job->o.image;
-    const struct app_outputs *outputs = &job->o.run.outputs;
-    struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
+    const struct setup_image *p = &job->o.image;
+    const struct setup_outputs *outputs = &job->o.run.outputs;
+    struct renderer_params params = setup_renderer_params(p, &job->gpu, &job->scene);
     params.samples = p->samples;
     params.warm_up = true;
     renderer_set_camera(&params, &job->camera);
@@ -380,7 +380,7 @@ static enum status open_renderer(struct job *job)
 
 static void print_written(const struct job *job, const struct frame *frame, const char *path)
 {
-    const struct app_image *p = &job->o.image;
+    const struct setup_image *p = &job->o.image;
     const uint32_t samples = frame->output.samples ? frame->output.samples : p->samples;
     const char *name = strcmp(path, "-") ? path : "stdout";
     fprintf(stderr, "%s: %ux%u, ", name, p->width, p->height);
@@ -451,10 +451,10 @@ static enum status pose(struct job *job, struct frame *frame)
     enum status status =
         previous_pose_find(&previous, &shot->earlier, &job->scene, &job->o.image, shot->time);
     if (status == STATUS_OK)
-        status = app_pose_scene(&job->scene, &job->o.image.scene, shot->time, &is_changed);
+        status = setup_pose_scene(&job->scene, &job->o.image.scene, shot->time, &is_changed);
     previous_pose_move_to(&previous, &job->scene);
     job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
-    return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.image) : status;
+    return status == STATUS_OK ? setup_camera(&shot->camera, &job->scene, &job->o.image) : status;
 }
 
 static enum status run_frame(struct job *job, uint32_t index)
@@ -558,11 +558,11 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.render.json)
         status = file_io_check(job->o.render.json);
     if (status == STATUS_OK)
-        status = app_begin_scene(&job->scene, &job->o.image.scene);
+        status = setup_begin_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK)
-        status = app_camera(&job->camera, &job->scene, &job->o.image);
+        status = setup_camera(&job->camera, &job->scene, &job->o.image);
     if (status == STATUS_OK)
-        app_choose_refraction(&job->o.image, &job->scene, &job->camera);
+        setup_choose_refraction(&job->o.image, &job->scene, &job->camera);
     if (status == STATUS_OK)
         status = output_check_tiles(&job->o.image, &job->o.run.outputs);
     if (status == STATUS_OK)

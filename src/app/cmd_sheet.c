@@ -5,12 +5,12 @@
 #include "src/app/app.h"
 #include "src/app/options/sweep_values.h"
 #include "src/app/progress.h"
-#include "src/app/shell_quote.h"
 #include "src/base/log.h"
-#include "src/image/atomic_file.h"
-#include "src/image/png.h"
-#include "src/ladder/canvas.h"
-#include "src/ladder/sheet_grid.h"
+#include "src/base/shell_quote.h"
+#include "src/file/atomic_file.h"
+#include "src/file/png.h"
+#include "src/lab/ladder/canvas.h"
+#include "src/lab/ladder/sheet_grid.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
 #include "src/scene/material.h"
@@ -54,8 +54,8 @@ static enum status sweep_materials(struct job *job)
 static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
-    struct app_outputs *outputs = &o->run.outputs;
-    enum status status = app_require_scene(&o->image.scene);
+    struct setup_outputs *outputs = &o->run.outputs;
+    enum status status = setup_require_scene(&o->image.scene);
     if (status == STATUS_OK)
         status = file_io_check(outputs->paths[0]);
     if (status == STATUS_OK && !o->sweeps.count)
@@ -145,12 +145,12 @@ static void place_image(struct job *job, uint32_t point, const struct render_res
     canvas_draw_image(&job->canvas, x, y + sheet_label_height(&grid), &image);
 }
 
-static enum status draw(struct job *job, const struct app_image *p, const struct scene *scene,
+static enum status draw(struct job *job, const struct setup_image *p, const struct scene *scene,
                         const struct camera *camera, struct render_result *result)
 {
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     struct renderer_shot shot = { .camera = *camera, .time = motion->time };
-    struct renderer_params params = app_renderer_params(p, &job->gpu, scene);
+    struct renderer_params params = setup_renderer_params(p, &job->gpu, scene);
     struct renderer *renderer = NULL;
     params.samples = p->samples;
     renderer_set_camera(&params, &shot.camera);
@@ -164,21 +164,21 @@ static enum status draw(struct job *job, const struct app_image *p, const struct
 
 static enum status add_image(struct job *job, uint32_t point)
 {
-    struct app_image image;
+    struct setup_image image;
     struct scene scene = { 0 };
     struct camera camera;
     struct render_result result = { 0 };
     enum status status = sweep_values_apply(&job->sweep, point, &job->o.image, &image);
     if (status == STATUS_OK)
-        status = app_load_scene(&scene, &image.scene);
+        status = setup_load_scene(&scene, &image.scene);
     if (status == STATUS_OK)
-        status = app_camera(&camera, &scene, &image);
+        status = setup_camera(&camera, &scene, &image);
     if (status == STATUS_OK)
-        app_choose_refraction(&image, &scene, &camera);
+        setup_choose_refraction(&image, &scene, &camera);
     if (status == STATUS_OK && !job->gpu.device)
         status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK && point == 0)
-        app_check_rays(&image.scene.settings, &job->gpu);
+        setup_check_rays(&image.scene.settings, &job->gpu);
     if (status == STATUS_OK)
         status = draw(job, &image, &scene, &camera, &result);
     if (status == STATUS_OK)

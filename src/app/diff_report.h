@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 #include "src/app/app.h"
-#include "src/metric/layer_comparison.h"
+#include "src/lab/metric/layer_comparison.h"
 
 struct diff_report {
     const struct app_options *options;

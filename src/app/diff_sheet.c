@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/png.h"
-#include "src/image/srgb.h"
-#include "src/ladder/heat_map_legend.h"
-#include "src/metric/heat_map.h"
+#include "src/file/png.h"
+#include "src/file/srgb.h"
+#include "src/lab/ladder/heat_map_legend.h"
+#include "src/lab/metric/heat_map.h"
 
 enum {
     CELLS = 3,

@@ -3,7 +3,7 @@
 #define FIRN_APP_DIFF_SHEET_H
 
 #include "src/base/status.h"
-#include "src/image/image.h"
+#include "src/file/image.h"
 
 struct diff_sheet {
     const struct image *reference, *test; /* linear RGB of one size */

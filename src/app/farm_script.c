@@ -1,7 +1,7 @@
 /* farm_script.c: generates readable shell scripts for Slurm and GNU parallel. */
 #include "src/app/farm_script.h"
 #include <stdlib.h>
-#include "src/app/shell_quote.h"
+#include "src/base/shell_quote.h"
 
 /* Prints the arguments for firn render, without those that only firn farm has. */
 static void print_arguments(const struct farm_script *script, FILE *out)

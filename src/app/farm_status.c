@@ -5,9 +5,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "src/app/image_output.h"
 #include "src/base/log.h"
-#include "src/reader/image_receive.h"
+#include "src/file/image_receive.h"
+#include "src/setup/image_output.h"
 
 /* States of a file, from best to worst. A frame has the state of its worst file. */
 enum state {
@@ -28,12 +28,12 @@ static const struct {
 };
 
 struct job {
-    struct app_image image; /* scene name NULL if unknown */
-    const struct app_outputs *outputs;
+    struct setup_image image; /* scene name NULL if unknown */
+    const struct setup_outputs *outputs;
     const struct sequence *sequence;
     struct scene scene;
     struct camera camera;
-    char *newest[APP_OUTPUT_COUNT]; /* settings in each output's newest file */
+    char *newest[SETUP_OUTPUT_COUNT]; /* settings in each output's newest file */
     enum state *frames;
     uint32_t counts[STATE_COUNT];
 };
@@ -192,17 +192,17 @@ static enum status print_json(const struct job *job)
 static enum status check_frames(struct job *job)
 {
     const uint32_t count = job->sequence->range.count;
-    struct app_image *image = &job->image;
+    struct setup_image *image = &job->image;
     enum status status = STATUS_OK;
     job->frames = calloc(count, sizeof(*job->frames));
     if (!job->frames)
         return log_out_of_memory(NULL);
     if (image->scene.name) {
-        status = app_begin_scene(&job->scene, &image->scene);
+        status = setup_begin_scene(&job->scene, &image->scene);
         if (status == STATUS_OK)
-            status = app_camera(&job->camera, &job->scene, image);
+            status = setup_camera(&job->camera, &job->scene, image);
         if (status == STATUS_OK)
-            app_choose_refraction(image, &job->scene, &job->camera);
+            setup_choose_refraction(image, &job->scene, &job->camera);
         if (status == STATUS_OK)
             status = output_check_tiles(image, job->outputs);
     } else {
@@ -228,7 +228,7 @@ enum status farm_status(const struct app_options *options, const struct sequence
         print_text(&job);
     if (status == STATUS_OK && job.counts[DONE] < sequence->range.count)
         status = STATUS_FAILED;
-    for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
+    for (uint32_t i = 0; i < SETUP_OUTPUT_COUNT; i++)
         free(job.newest[i]);
     free(job.frames);
     scene_finish(&job.scene);

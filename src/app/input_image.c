@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/reader/image_receive.h"
+#include "src/file/image_receive.h"
 
 enum status input_image_read(const char *path, const struct reader_params *params,
                              struct image *image)

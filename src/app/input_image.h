@@ -3,8 +3,8 @@
 #define FIRN_APP_INPUT_IMAGE_H
 
 #include "src/base/status.h"
-#include "src/image/image.h"
-#include "src/reader/reader_process.h"
+#include "src/file/image.h"
+#include "src/file/reader_process.h"
 
 /* Reads an EXR, HDR or PNG file into *image, which must be {0}. Returns STATUS_USAGE if the file
  * name is of another type, else the status of image_reader_read(). */

@@ -5,9 +5,9 @@
 #include <string.h>
 #include "src/app/json_text.h"
 #include "src/base/log.h"
+#include "src/file/sandbox.h"
 #include "src/gpu/gpu.h"
-#include "src/reader/sandbox.h"
-#include "src/reference/reference.h"
+#include "src/lab/reference/reference.h"
 #include "src/scene/bundled_assets.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"

@@ -4,13 +4,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/shell_quote.h"
 #include "src/base/log.h"
-#include "src/frame/pass_list.h"
+#include "src/base/shell_quote.h"
+#include "src/file/atomic_file.h"
 #include "src/gpu/gpu_capture.h"
-#include "src/image/atomic_file.h"
-#include "src/profile/html_page.h"
-#include "src/profile/json.h"
+#include "src/lab/profile/html_page.h"
+#include "src/lab/profile/json.h"
+#include "src/render/frame/pass_list.h"
 #include "src/render/make_frame_request.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
@@ -66,7 +66,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
 }
 
 /* Writes the name of a material with the scene's refractive index, else the index itself. */
-static void describe_material(struct profile *p, const struct app_scene *options)
+static void describe_material(struct profile *p, const struct setup_scene *options)
 {
     const double ior = settings_get(&options->settings, settings_find("refract.ior"));
     const struct material_preset *named =
@@ -79,10 +79,10 @@ static void describe_material(struct profile *p, const struct app_scene *options
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
 }
 
-static enum status describe(struct profile *p, const struct app_image *image,
+static enum status describe(struct profile *p, const struct setup_image *image,
                             const struct scene *scene, char *const *args)
 {
-    const struct app_scene *options = &image->scene;
+    const struct setup_scene *options = &image->scene;
     const struct settings settled =
         frame_resolve_settings(&options->settings, image->refraction, image->height);
     const struct settings settings = frame_settings(&settled, scene);
@@ -97,7 +97,7 @@ static enum status describe(struct profile *p, const struct app_image *image,
 
 /* An image to be measured, and its scene. */
 struct subject {
-    struct app_image image;
+    struct setup_image image;
     struct scene scene;
 };
 
@@ -106,7 +106,7 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
                            struct profile_request *request)
 {
     const struct app_profile *o = &job->o.profile;
-    struct app_image *p = &subject->image;
+    struct setup_image *p = &subject->image;
     *request = (struct profile_request){
         .clock = &job->clock,
         .warmup = o->warmup,
@@ -114,26 +114,26 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
         .capture = o->capture ? job->capture : NULL,
         .time_step = o->time_step,
     };
-    enum status status = app_load_scene(&subject->scene, &p->scene);
+    enum status status = setup_load_scene(&subject->scene, &p->scene);
     if (status == STATUS_OK)
-        status = app_camera(&request->camera, &subject->scene, p);
+        status = setup_camera(&request->camera, &subject->scene, p);
     if (status == STATUS_OK)
-        app_choose_refraction(p, &subject->scene, &request->camera);
+        setup_choose_refraction(p, &subject->scene, &request->camera);
     const bool is_first = !job->gpu.device;
     if (status == STATUS_OK && is_first)
         status = open_device(job);
     if (status == STATUS_OK && is_first)
-        app_check_rays(&p->scene.settings, &job->gpu);
+        setup_check_rays(&p->scene.settings, &job->gpu);
     if (status == STATUS_OK) {
         const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
         request->time = (double)motion->time;
-        request->renderer = app_renderer_params(p, &job->gpu, &subject->scene);
+        request->renderer = setup_renderer_params(p, &job->gpu, &subject->scene);
         renderer_set_camera(&request->renderer, &request->camera);
     }
     return status;
 }
 
-enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
+enum status profile_job_measure(struct profile_job *job, const struct setup_image *images,
                                 struct profile *profiles, uint32_t count)
 {
     struct subject *subjects = calloc(count, sizeof(*subjects));

@@ -4,8 +4,8 @@
 
 #include "src/app/app.h"
 #include "src/app/progress.h"
-#include "src/profile/measure_frames.h"
-#include "src/profile/sweep_power_law.h"
+#include "src/lab/profile/measure_frames.h"
+#include "src/lab/profile/sweep_power_law.h"
 
 struct profile_job {
     struct app_options o;
@@ -19,7 +19,7 @@ struct profile_job {
 
 /* Measures all images in turn, several times. The profiles must be empty. The caller frees them
  * with profile_finish(), even after a failure. */
-MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
+MUST_USE enum status profile_job_measure(struct profile_job *job, const struct setup_image *images,
                                          struct profile *profiles, uint32_t count);
 
 /* Writes the sweep's report files that the options name. */

@@ -6,10 +6,10 @@
 #include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/image/atomic_file.h"
-#include "src/image/exr.h"
-#include "src/reader/image_receive.h"
-#include "src/reference/reference_sample_sums.h"
+#include "src/file/atomic_file.h"
+#include "src/file/exr.h"
+#include "src/file/image_receive.h"
+#include "src/lab/reference/reference_sample_sums.h"
 #include "src/version.h"
 
 enum {

@@ -4,9 +4,9 @@
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
-#include "src/app/image_output.h"
-#include "src/app/signals.h"
-#include "src/reference/reference.h"
+#include "src/base/signals.h"
+#include "src/lab/reference/reference.h"
+#include "src/setup/image_output.h"
 
 struct sample_sums_file {
     const char *path; /* option_sums_file() of the image */

@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/image_output.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/atomic_file.h"
+#include "src/file/atomic_file.h"
 #include "src/settings/scene_settings.h"
+#include "src/setup/image_output.h"
 
 static enum status parse_frames(struct sequence *sequence, const struct app_options *o)
 {
@@ -61,7 +61,7 @@ static enum status parse_name(struct sequence *sequence, const struct app_option
 
 static enum status parse_names(struct sequence *sequence, struct app_options *o)
 {
-    struct app_outputs *outputs = &o->run.outputs;
+    struct setup_outputs *outputs = &o->run.outputs;
     enum status status = STATUS_OK;
     bool stdout_taken = o->render.json && !strcmp(o->render.json, "-");
     bool has_png = false;

@@ -8,7 +8,7 @@
 
 struct sequence {
     struct frame_range range; /* without --frames: frame 0 */
-    struct frame_name names[APP_OUTPUT_COUNT];
+    struct frame_name names[SETUP_OUTPUT_COUNT];
 };
 
 /* Parses --frames, --chunk and the frame-number fields of output names. Adds the default output if

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 
 enum {
     CELL = ADAPTIVE_CELL,

@@ -15,8 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "src/base/tile.h"
-#include "src/frame/output_layers.h"
-#include "src/image/image.h"
+#include "src/file/image.h"
+#include "src/render/frame/output_layers.h"
 
 #define ADAPTIVE_NOISE 0.01
 

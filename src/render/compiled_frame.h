@@ -4,8 +4,8 @@
 
 #include "graph/rg_exec.h"
 #include "shaders/specialization_constants.h"
-#include "src/frame/frame_plan.h"
-#include "src/frame/frame_uniforms.h"
+#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/frame_uniforms.h"
 #include "src/render/renderer_params.h"
 
 struct compiled_frame {

@@ -12,7 +12,7 @@
 #define FIRN_RENDER_DENOISE_H
 
 #include <stdbool.h>
-#include "src/image/image.h"
+#include "src/file/image.h"
 
 enum {
     DENOISE_SAMPLES_ENOUGH = 32 /* samples per pixel from which images are not denoised */

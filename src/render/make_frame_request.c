@@ -1,7 +1,7 @@
 /* make_frame_request.c: translates renderer params into frame requests. */
 #include "src/render/make_frame_request.h"
-#include "src/frame/frame_uniforms.h"
 #include "src/render/denoise.h"
+#include "src/render/frame/frame_uniforms.h"
 #include "src/scene/gpu_material_table.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"

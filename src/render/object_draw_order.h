@@ -2,9 +2,9 @@
 #ifndef FIRN_RENDER_OBJECT_DRAW_ORDER_H
 #define FIRN_RENDER_OBJECT_DRAW_ORDER_H
 
-#include "src/frame/frame_uniforms.h"
-#include "src/frame/pass_list.h"
 #include "src/render/compiled_frame.h"
+#include "src/render/frame/frame_uniforms.h"
+#include "src/render/frame/pass_list.h"
 
 /* Objects drawn by the frames of a plan. Empty if the plan has no per-object passes. */
 struct frame_objects {

@@ -17,9 +17,9 @@
 
 #include "graph/rg_exec.h"
 #include "graph/rg_profile.h"
-#include "src/frame/output_layers.h"
+#include "src/file/image.h"
 #include "src/gpu/gpu.h"
-#include "src/image/image.h"
+#include "src/render/frame/output_layers.h"
 #include "src/render/renderer_params.h"
 #include "src/scene/scene.h"
 

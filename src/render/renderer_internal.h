@@ -3,8 +3,8 @@
 #define FIRN_RENDER_RENDERER_INTERNAL_H
 
 #include "src/base/tile.h"
-#include "src/frame/env_cube_updates.h"
 #include "src/render/compiled_frame.h"
+#include "src/render/frame/env_cube_updates.h"
 #include "src/render/object_draw_order.h"
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"

@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <math.h>
 #include <string.h>
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 
 static uint32_t plane_count(const struct frame_layer *layer)
 {

@@ -5,8 +5,8 @@
 
 #include "src/base/status.h"
 #include "src/base/tile.h"
-#include "src/frame/output_layers.h"
-#include "src/image/image.h"
+#include "src/file/image.h"
+#include "src/render/frame/output_layers.h"
 
 /* Adds zero-filled planes for a layer to the image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);

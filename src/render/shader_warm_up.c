@@ -7,8 +7,8 @@
 #include <string.h>
 #include <sys/resource.h>
 #include "src/base/parallel.h"
-#include "src/frame/env_cube_updates.h"
 #include "src/gpu/gpu.h"
+#include "src/render/frame/env_cube_updates.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/settings/settings.h"
 #include "src/tech/frame_resources.h"

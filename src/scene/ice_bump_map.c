@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 #include "src/scene/generate/noise.h"
 #include "src/scene/mip_levels.h"
 

@@ -1,7 +1,7 @@
 /* mip_levels.c: mip level generation on the CPU. */
 #include "src/scene/mip_levels.h"
 #include <math.h>
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 
 size_t mip_levels_count(const struct mip_levels *mip_levels)
 {

@@ -52,7 +52,7 @@ struct frame_object {
     VkRect2D drawn;
 };
 
-/* Cached images that a frame has to redraw (src/frame/env_cube_updates.h). */
+/* Cached images that a frame has to redraw (src/render/frame/env_cube_updates.h). */
 struct frame_updates {
     uint32_t faces; /* bit mask of cube faces */
     bool light;     /* caustic and shadow maps */

@@ -4,7 +4,7 @@
 #ifndef FIRN_VIEW_NOISE_ESTIMATE_H
 #define FIRN_VIEW_NOISE_ESTIMATE_H
 
-#include "src/image/image.h"
+#include "src/file/image.h"
 
 enum {
     NOISE_ESTIMATE_BLOCK = 8, /* width and height of a block, pixels */

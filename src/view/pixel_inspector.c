@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/layer_quantize.h"
-#include "src/app/object_id_names.h"
 #include "src/base/log.h"
-#include "src/metric/heat_map.h"
+#include "src/lab/metric/heat_map.h"
+#include "src/setup/layer_quantize.h"
+#include "src/setup/object_id_names.h"
 #include "src/tech/output/tonemap.h"
 
 static const char *const always[] = { "Z", "N", "P", "object", NULL };

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include "src/settings/scene_settings.h"
 #include "src/view/orbit_camera.h"
-#include "src/view/ui/ui_reproduce_command.h"
+#include "src/view/panels/ui_reproduce_command.h"
+#include "src/view/session/xdg_folders.h"
 #include "src/view/view_internal.h"
-#include "src/view/xdg_folders.h"
 
 static const float key_rotation_deg = 5.0f;
 static const float ui_scale_step = 0.25f;
@@ -53,7 +53,7 @@ static void open_panel(struct view *v, enum view_action action)
 static void resize_ui(struct view *v, float scale)
 {
     const bool shown = ui_is_shown(v->ui);
-    v->ui_scale = fminf(fmaxf(scale, APP_UI_SCALE_MIN), APP_UI_SCALE_MAX);
+    v->ui_scale = fminf(fmaxf(scale, SETUP_UI_SCALE_MIN), SETUP_UI_SCALE_MAX);
     presenter_set_font(&v->presenter, NULL);
     if (ui_rescale(v->ui, v->ui_scale) == STATUS_OK)
         view_show_ui(v, shown);
@@ -63,7 +63,7 @@ static void resize_ui(struct view *v, float scale)
 
 static float default_scale(const struct view *v)
 {
-    const float given = v->options->view.ui_scale;
+    const float given = v->options->window->ui_scale;
     return given > 0.0f ? given : window_scale(&v->window);
 }
 

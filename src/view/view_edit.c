@@ -2,16 +2,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/options/preset_option.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/frame/pass_list.h"
-#include "src/image/atomic_file.h"
-#include "src/view/file_kind.h"
-#include "src/view/recent_files.h"
+#include "src/file/atomic_file.h"
+#include "src/render/frame/pass_list.h"
+#include "src/setup/apply_preset.h"
+#include "src/view/session/file_kind.h"
+#include "src/view/session/recent_files.h"
+#include "src/view/session/xdg_folders.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker_thread.h"
-#include "src/view/xdg_folders.h"
+#include "src/view/window/worker_thread.h"
 
 enum {
     TEXT_SIZE = 200,
@@ -19,7 +19,7 @@ enum {
 
 struct view_state view_state_now(const struct view *v)
 {
-    const struct app_image *p = &v->viewport->state;
+    const struct setup_image *p = &v->viewport->state;
     struct view_state state = {
         .scene = v->scene,
         .settings = frame_settings(&p->scene.settings, &v->viewport->scene),
@@ -36,10 +36,10 @@ struct view_state view_state_now(const struct view *v)
 
 struct settings view_scene_settings(const struct view *v)
 {
-    const struct app_scene *given = &v->options->image.scene;
-    struct app_scene own = v->viewport->state.scene;
+    const struct setup_scene *given = &v->options->image->scene;
+    struct setup_scene own = v->viewport->state.scene;
     own.settings = given->settings;
-    app_apply_scene_settings(&own, &v->viewport->scene);
+    setup_apply_scene_settings(&own, &v->viewport->scene);
     return frame_settings(&own.settings, &v->viewport->scene);
 }
 
@@ -48,7 +48,7 @@ struct change {
     const struct view_state *state;
 };
 
-static void assign_settings(struct app_scene *scene, const struct view_state *state)
+static void assign_settings(struct setup_scene *scene, const struct view_state *state)
 {
     scene->settings = state->settings;
     scene->user_settings = state->user_settings;
@@ -59,7 +59,7 @@ static enum status change_viewport(void *user)
     const struct change *change = user;
     struct view *v = change->view;
     bool remade = false;
-    struct app_scene scene = v->viewport->state.scene;
+    struct setup_scene scene = v->viewport->state.scene;
     assign_settings(&scene, change->state);
     const enum status status =
         viewport_change(&v->viewport, &scene, change->state->refraction, &remade);
@@ -91,9 +91,9 @@ static enum status return_to_scene(void *user)
 {
     const struct change *change = user;
     struct view *v = change->view;
-    const struct app_image *now = &v->viewport->state;
+    const struct setup_image *now = &v->viewport->state;
     const struct undo_scene *to = undo_scenes_find(v->undo_scenes, change->state->scene);
-    struct app_image state = to->state;
+    struct setup_image state = to->state;
     state.width = now->width;
     state.height = now->height;
     state.split = now->split;
@@ -172,7 +172,7 @@ static void print_cost(const struct view_state *before, const struct view_state 
 static void update_sources(const struct view *v, struct view_state *state,
                            const struct settings *before)
 {
-    const struct settings *given = &v->options->image.scene.settings;
+    const struct settings *given = &v->options->image->scene.settings;
     const struct settings own = view_scene_settings(v);
     for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
         const double value = settings_get(&state->settings, row);
@@ -249,12 +249,12 @@ void view_undo_redo(struct view *v, bool again)
 void view_load_preset(struct view *v, const char *path)
 {
     char words[TEXT_SIZE];
-    struct app_scene scene = v->viewport->state.scene;
+    struct setup_scene scene = v->viewport->state.scene;
     struct view_state state = view_state_now(v);
     scene.settings = settings_default();
     scene.preset = path;
     view_clear_errors(v);
-    if (option_preset_read(&scene) != STATUS_OK) {
+    if (setup_apply_preset(&scene) != STATUS_OK) {
         view_fail(v, "the preset was not loaded");
         return;
     }

@@ -15,7 +15,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include "graph/rg_profile.h"
-#include "src/view/ui/ui_frame_bottleneck.h"
+#include "src/view/panels/ui_frame_bottleneck.h"
 
 enum {
     VIEW_TIME_COUNT = 1024, /* capacity of a ring of times */

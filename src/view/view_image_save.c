@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "shaders/output/present.h"
-#include "src/app/image_output.h"
-#include "src/app/layer_quantize.h"
-#include "src/app/signals.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/atomic_file.h"
+#include "src/base/signals.h"
+#include "src/file/atomic_file.h"
+#include "src/setup/image_output.h"
+#include "src/setup/layer_quantize.h"
 #include "src/view/view_renderers.h"
 
 enum {
@@ -19,7 +19,7 @@ enum {
 struct side {
     const char *suffix; /* suffix of EXR file names */
     bool is_right;
-    struct app_image state;
+    struct setup_image state;
     struct output output;
     struct render_result result;
 };
@@ -179,7 +179,7 @@ enum status viewport_save_drawn(struct viewport *p, float time, const char *path
                                 const struct render_result *drawn, VkExtent2D size,
                                 struct signals *stop)
 {
-    struct app_image state = p->state;
+    struct setup_image state = p->state;
     struct output output = {
         .image = &state,
         .scene = &p->scene,

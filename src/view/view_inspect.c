@@ -1,6 +1,6 @@
 /* view_inspect.c: runs the pixel inspector, and centres the camera on a double-clicked surface. */
 #include "src/view/view_internal.h"
-#include "src/view/worker_thread.h"
+#include "src/view/window/worker_thread.h"
 
 static bool is_same_choice(const struct pixel_inspector_choice *a,
                            const struct pixel_inspector_choice *b)
@@ -30,7 +30,7 @@ static void give_up(struct view *v)
 static void aim(struct view *v)
 {
     struct pixel_inspector_values at;
-    const struct app_image *p = &v->viewport->state;
+    const struct setup_image *p = &v->viewport->state;
     const double x = (v->recenter_x - v->image_area.x) * p->width / v->image_area.width;
     const double y = (v->recenter_y - v->image_area.y) * p->height / v->image_area.height;
     v->recenters = false;

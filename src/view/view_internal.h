@@ -2,20 +2,21 @@
 #ifndef FIRN_VIEW_VIEW_INTERNAL_H
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
-#include "src/app/signals.h"
+#include "src/base/signals.h"
+#include "src/view/compare/view_compare.h"
+#include "src/view/panels/ui.h"
 #include "src/view/pixel_inspector.h"
-#include "src/view/presenter.h"
-#include "src/view/session_file.h"
+#include "src/view/session/session_file.h"
+#include "src/view/session/undo_scenes.h"
+#include "src/view/session/undo_stack.h"
 #include "src/view/slow_change_log.h"
 #include "src/view/stderr_capture.h"
-#include "src/view/ui/ui.h"
-#include "src/view/undo_scenes.h"
-#include "src/view/undo_stack.h"
-#include "src/view/view_compare.h"
 #include "src/view/view_frame_stats.h"
 #include "src/view/view_progressive.h"
 #include "src/view/view_renderers.h"
-#include "src/view/window.h"
+#include "src/view/viewer.h"
+#include "src/view/window/presenter.h"
+#include "src/view/window/window.h"
 
 enum {
     VIEW_BOOKMARK_COUNT = 4,
@@ -24,9 +25,9 @@ enum {
 #define VIEW_HOLD 0x80000000u /* gesture-number bit that marks a drag of the light */
 
 struct view {
-    const struct app_options *options;
-    struct app_image initial_state; /* from the options */
-    struct session_file session;    /* from --session; .scene NULL once restored */
+    const struct viewer_params *options;
+    struct setup_image initial_state; /* from the options */
+    struct session_file session;      /* from --session; .scene NULL once restored */
     struct signals signals;
     struct stderr_capture stderr_capture;
     struct window window;
@@ -179,7 +180,7 @@ MUST_USE enum status view_read_session(struct session_file *session, const char 
 
 /* Copies scene, settings and refraction model of a session to `state`, which borrows the strings.
  * After the viewport shows `state`, view_resume_session() restores camera, time and side B. */
-void view_apply_session(const struct session_file *session, struct app_image *state);
+void view_apply_session(const struct session_file *session, struct setup_image *state);
 MUST_USE enum status view_resume_session(struct view *view, const struct session_file *session);
 
 void view_load_session(struct view *view, const char *path);

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker_thread.h"
+#include "src/view/window/worker_thread.h"
 
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
@@ -147,7 +147,7 @@ enum status view_progressive_begin(struct view *v)
 static enum status draw_full_draft(struct view *v)
 {
     const struct renderer_shot shot = current_shot(v);
-    const struct app_image *p = &v->viewport->state;
+    const struct setup_image *p = &v->viewport->state;
     enum status status = presenter_wait(&v->presenter);
     if (status == STATUS_OK)
         status = viewport_draw_interactive(v->viewport, &shot, (VkExtent2D){ p->width, p->height });

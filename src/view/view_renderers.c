@@ -7,7 +7,7 @@
 #include "shaders/output/present.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/frame/pass_list.h"
+#include "src/render/frame/pass_list.h"
 #include "src/render/make_frame_request.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/output/tonemap.h"
@@ -19,8 +19,8 @@ static char *copy(const char *text)
 }
 
 enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
-                            const struct app_image *state, struct shader_reload *reload, bool quiet,
-                            bool refines)
+                            const struct setup_image *state, struct shader_reload *reload,
+                            bool quiet, bool refines)
 {
     struct viewport *p = calloc(1, sizeof(*p));
     *viewport = NULL;
@@ -38,13 +38,13 @@ enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
     if (!p->scene_name != !state->scene.name || !p->environment_name != !state->scene.environment)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        status = app_load_scene(&p->scene, &p->state.scene);
+        status = setup_load_scene(&p->scene, &p->state.scene);
     if (status == STATUS_OK)
-        status = app_camera(&p->camera, &p->scene, &p->state);
+        status = setup_camera(&p->camera, &p->scene, &p->state);
     if (status == STATUS_OK)
-        app_choose_refraction(&p->state, &p->scene, &p->camera);
+        setup_choose_refraction(&p->state, &p->scene, &p->camera);
     if (status == STATUS_OK)
-        app_check_rays(&p->state.scene.settings, p->gpu);
+        setup_check_rays(&p->state.scene.settings, p->gpu);
     p->state.scene.quiet = true; /* log the scene's notes only once */
     p->first_camera = p->camera;
     if (status == STATUS_OK)
@@ -105,7 +105,7 @@ void viewport_destroy(struct viewport *p)
 
 struct renderer_params viewport_params(struct viewport *p)
 {
-    struct renderer_params params = app_renderer_params(&p->state, p->gpu, &p->scene);
+    struct renderer_params params = setup_renderer_params(&p->state, p->gpu, &p->scene);
     params.uploaded = &p->uploaded;
     renderer_set_camera(&params, &p->camera);
     params.replace = p->shader_reload ? shader_reload_replace : NULL;
@@ -130,7 +130,7 @@ struct renderer_params viewport_right_params(struct viewport *p)
  * Otherwise sets p->side_b_scene to NULL. The caller frees the previous scene. */
 static enum status make_right_scene(struct viewport *p)
 {
-    struct app_scene given = p->state.scene;
+    struct setup_scene given = p->state.scene;
     p->side_b_scene = NULL;
     if (!p->has_right_settings ||
         settings_changed(&given.settings, &p->right_settings) < SETTING_AFFECTS_SCENE)
@@ -143,7 +143,7 @@ static enum status make_right_scene(struct viewport *p)
     settings_set_sources(&given.settings, SETTING_USER); /* all settings come from B */
     if (p->scene.is_animated)
         settings_set_value(&given.settings, settings_find("motion.time"), (double)p->scene.time);
-    enum status status = app_load_scene(&made->scene, &given);
+    enum status status = setup_load_scene(&made->scene, &given);
     if (status == STATUS_OK)
         status = uploaded_scene_init(&made->uploaded, p->gpu, &made->scene);
     if (status == STATUS_OK)
@@ -443,7 +443,7 @@ bool viewport_is_posed(const struct viewport *p, float time)
 static enum status follow_camera(struct viewport *p)
 {
     struct camera camera;
-    const enum status status = app_camera(&camera, &p->scene, &p->state);
+    const enum status status = setup_camera(&camera, &p->scene, &p->state);
     if (status != STATUS_OK)
         return status;
     if (glms_vec3_eqv(p->camera.eye, p->first_camera.eye) &&
@@ -458,7 +458,7 @@ enum status viewport_pose(struct viewport *p, float time)
     bool is_changed;
     enum status status = p->renderer ? viewport_wait(p) : STATUS_OK;
     if (status == STATUS_OK)
-        status = app_pose_scene(&p->scene, &p->state.scene, pose_time(p, time), &is_changed);
+        status = setup_pose_scene(&p->scene, &p->state.scene, pose_time(p, time), &is_changed);
     if (status != STATUS_OK)
         return status;
     viewport_leave_device(p);
@@ -469,7 +469,7 @@ enum status viewport_pose(struct viewport *p, float time)
 /* ---- changes ---- */
 
 /* Replaces *viewport by a new one with renderers of the same size. Destroys the old viewport. */
-static enum status replace(struct viewport **viewport, const struct app_image *state,
+static enum status replace(struct viewport **viewport, const struct setup_image *state,
                            bool keep_camera)
 {
     struct viewport *next;
@@ -500,7 +500,7 @@ static enum status replace(struct viewport **viewport, const struct app_image *s
     return STATUS_OK;
 }
 
-enum status viewport_apply_state(struct viewport **viewport, const struct app_image *state)
+enum status viewport_apply_state(struct viewport **viewport, const struct setup_image *state)
 {
     return replace(viewport, state, false);
 }
@@ -515,8 +515,8 @@ struct settings viewport_with_exposure(const struct settings *settings, const st
 }
 
 /* Returns true if renderers of state `a` can also draw state `b`. */
-static bool same_frame(const struct viewport *p, const struct app_image *a,
-                       const struct app_image *b)
+static bool same_frame(const struct viewport *p, const struct setup_image *a,
+                       const struct setup_image *b)
 {
     if (settings_changed(&a->scene.settings, &b->scene.settings) >= SETTING_AFFECTS_PLAN ||
         a->refraction != b->refraction)
@@ -529,12 +529,12 @@ static bool same_frame(const struct viewport *p, const struct app_image *a,
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
 
-enum status viewport_change(struct viewport **viewport, const struct app_scene *scene,
+enum status viewport_change(struct viewport **viewport, const struct setup_scene *scene,
                             const struct technique *refraction, bool *remade)
 {
     struct viewport *p = *viewport;
-    const struct app_image before = p->state;
-    struct app_image requested = p->state;
+    const struct setup_image before = p->state;
+    struct setup_image requested = p->state;
     *remade = false;
     requested.scene = *scene;
     requested.is_refraction_named =
@@ -560,7 +560,7 @@ static bool is_environment(const char *path)
     return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || scene_is_environment(path);
 }
 
-static void leave_environment(struct app_scene *scene)
+static void leave_environment(struct setup_scene *scene)
 {
     scene->environment = NULL;
     scene->has_default_environment = false;
@@ -570,7 +570,7 @@ static void leave_environment(struct app_scene *scene)
 enum status viewport_load(struct viewport **viewport, const char *path, bool *remade)
 {
     const bool environment = is_environment(path);
-    struct app_image state = (*viewport)->state;
+    struct setup_image state = (*viewport)->state;
     state.scene.settings = state.scene.user_settings;
     if (environment) {
         state.scene.environment = path;

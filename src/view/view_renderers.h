@@ -11,9 +11,9 @@
 #ifndef FIRN_VIEW_VIEW_RENDERERS_H
 #define FIRN_VIEW_VIEW_RENDERERS_H
 
-#include "src/app/app.h"
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
+#include "src/setup/setup.h"
 #include "src/view/draft_renderer.h"
 
 /* A scene and its GPU resources. */
@@ -24,10 +24,10 @@ struct viewport_scene {
 
 struct viewport {
     struct gpu *gpu;
-    bool quiet;             /* print nothing about written files */
-    struct app_image state; /* current options and renderer size */
-    char *scene_name;       /* string of `state`, owned */
-    char *environment_name; /* string of `state`, owned, or NULL */
+    bool quiet;               /* print nothing about written files */
+    struct setup_image state; /* current options and renderer size */
+    char *scene_name;         /* string of `state`, owned */
+    char *environment_name;   /* string of `state`, owned, or NULL */
     struct scene scene;
     struct uploaded_scene uploaded;
     struct shader_reload *shader_reload; /* shader hot reload; may be NULL */
@@ -56,7 +56,7 @@ struct viewport {
 struct shader_reload;
 /* Creates a viewport and loads the scene. Borrows `reload` and the strings of `state`. */
 MUST_USE enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
-                                     const struct app_image *state, struct shader_reload *reload,
+                                     const struct setup_image *state, struct shader_reload *reload,
                                      bool quiet, bool refines);
 void viewport_destroy(struct viewport *p); /* may be NULL; waits for frames */
 
@@ -70,7 +70,7 @@ MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
 
 /* Applies settings and refraction model, and keeps the camera. *remade is true if the renderer was
  * replaced. Images from renderer_display_image() are then invalid. */
-MUST_USE enum status viewport_change(struct viewport **viewport, const struct app_scene *scene,
+MUST_USE enum status viewport_change(struct viewport **viewport, const struct setup_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
 /* Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.
@@ -81,7 +81,7 @@ MUST_USE enum status viewport_load(struct viewport **viewport, const char *path,
 
 /* Applies a whole state, including the camera, at the current size. On failure, nothing changes. */
 MUST_USE enum status viewport_apply_state(struct viewport **viewport,
-                                          const struct app_image *state);
+                                          const struct setup_image *state);
 
 /* Returns a copy of `settings` with the exposure replaced by that of `of`. */
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);

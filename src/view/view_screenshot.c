@@ -2,12 +2,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-#include "src/app/image_output.h"
 #include "src/base/clock.h"
 #include "src/base/path.h"
-#include "src/view/clipboard_copy_png.h"
-#include "src/view/ui/ui_offscreen_capture.h"
+#include "src/setup/image_output.h"
+#include "src/view/panels/ui_offscreen_capture.h"
 #include "src/view/view_internal.h"
+#include "src/view/window/clipboard_copy_png.h"
 
 enum {
     NAME_SIZE = 32,
@@ -69,7 +69,7 @@ static void copy_image_to_clipboard(struct view *v)
 /* Renders and saves the image in the requested size. By default, this is the size in the window. */
 static enum status save_screenshot(struct view *v, const char *const *paths, uint32_t path_count)
 {
-    struct app_image *state = &v->viewport->state;
+    struct setup_image *state = &v->viewport->state;
     const VkExtent2D before = { state->width, state->height };
     const VkExtent2D size = v->screenshot_size.width ? v->screenshot_size : before;
     v->screenshot_size = (VkExtent2D){ 0, 0 };
@@ -114,9 +114,9 @@ void view_take_screenshot(struct view *v)
 
 enum status view_write_outputs(struct view *v)
 {
-    const struct app_outputs *outputs = &v->options->run.outputs;
+    const struct setup_outputs *outputs = v->options->outputs;
     enum status status = STATUS_OK;
-    if (v->options->view.overlay != APP_OVERLAY_ON)
+    if (v->options->window->overlay != SETUP_OVERLAY_ON)
         return viewport_save(v->viewport, v->drawn_time, outputs->paths, outputs->count,
                              &v->signals);
     for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++)

@@ -6,10 +6,10 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/settings/scene_settings.h"
-#include "src/view/recent_files.h"
+#include "src/view/session/recent_files.h"
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
-#include "src/view/worker_thread.h"
+#include "src/view/window/worker_thread.h"
 
 /* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;
@@ -39,20 +39,20 @@ void view_fail(struct view *v, const char *what)
     ui_show_failure(v->ui, words);
 }
 
-static bool shows_panels(const struct app_options *o)
+static bool shows_panels(const struct viewer_params *o)
 {
-    const bool is_interactive = !o->view.frame_count && !o->run.outputs.count;
-    return o->view.overlay == APP_OVERLAY_ON ||
-           (is_interactive && o->view.overlay == APP_OVERLAY_AUTO);
+    const bool is_interactive = !o->window->frame_count && !o->outputs->count;
+    return o->window->overlay == SETUP_OVERLAY_ON ||
+           (is_interactive && o->window->overlay == SETUP_OVERLAY_AUTO);
 }
 
 /* Returns the window size for the image size of --size, limited to `room` if panels are shown. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;
-    const struct app_image *p = &v->options->image;
+    const struct setup_image *p = v->options->image;
     const VkExtent2D image = { p->width, p->height };
-    const float given = v->options->view.ui_scale;
+    const float given = v->options->window->ui_scale;
     v->ui_scale = given > 0.0f ? given : scale;
     if (!shows_panels(v->options))
         return image;
@@ -80,13 +80,13 @@ static enum status open_window(struct view *v)
 static enum status open_device(void *user)
 {
     struct view *v = user;
-    struct gpu_params params = v->options->run.gpu;
+    struct gpu_params params = v->options->gpu;
     params.windows = &v->system;
     enum status status = gpu_create(&v->gpu, &params);
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
     if (status == STATUS_OK)
-        status = presenter_init(&v->presenter, &v->gpu, v->surface, v->options->view.present);
+        status = presenter_init(&v->presenter, &v->gpu, v->surface, v->options->window->present);
     return status;
 }
 
@@ -95,7 +95,7 @@ void view_show_name(struct view *v)
     static const char *const other[] = {
         [VIEW_SIDE_B_FILE] = "image", [VIEW_SIDE_B_REFERENCE] = "reference"
     };
-    const struct app_image *p = &v->viewport->state;
+    const struct setup_image *p = &v->viewport->state;
     char words[200];
     if (v->compare.side_b != VIEW_SIDE_B_NONE)
         snprintf(words, sizeof(words), "%s, %s | %s%s", p->scene.name,
@@ -112,10 +112,10 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->viewport)
         return viewport_upload(v->viewport);
-    if (shows_panels(v->options) || !v->options->view.frame_count)
+    if (shows_panels(v->options) || !v->options->window->frame_count)
         ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
     return viewport_create(&v->viewport, &v->gpu, &v->initial_state, v->shader_reload,
-                           v->options->run.quiet, !v->options->view.frame_count);
+                           v->options->quiet, !v->options->window->frame_count);
 }
 
 void view_show_ui(struct view *v, bool shown)
@@ -126,13 +126,13 @@ void view_show_ui(struct view *v, bool shown)
 
 static enum status open_ui(struct view *v)
 {
-    const struct app_options *o = v->options;
+    const struct viewer_params *o = v->options;
     const enum status status =
-        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->thumbnails, o->run.quiet);
+        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->thumbnails, o->quiet);
     if (status != STATUS_OK)
         return status;
     window_set_listener(&v->window, ui_handle_event, v->ui);
-    ui_dump(v->ui, o->view.ui_dump);
+    ui_dump(v->ui, o->window->ui_dump);
     view_show_ui(v, shows_panels(o));
     return STATUS_OK;
 }
@@ -179,7 +179,7 @@ static void finish(struct view *v)
 /* Advances the scene time and waits until a frame is due. Returns false if none is due yet. */
 static bool wait_for_frame(struct view *v, VkExtent2D size)
 {
-    const struct app_view *o = &v->options->view;
+    const struct setup_window *o = v->options->window;
     const double before = v->now;
     const bool counted = o->frame_count != 0;
     v->now = clock_seconds();
@@ -213,7 +213,7 @@ static enum status fit_image(struct view *v, bool window_changed)
     const struct viewport *p = v->viewport;
     const VkExtent2D room = v->layout.image.extent;
     char words[REBUILD_LOG_SIZE];
-    const bool waits = window_changed && p->renderer && !v->options->view.frame_count;
+    const bool waits = window_changed && p->renderer && !v->options->window->frame_count;
     if (p->renderer && p->state.width == room.width && p->state.height == room.height) {
         v->resize_at = 0.0;
         return STATUS_OK;
@@ -365,7 +365,7 @@ static enum status draw(struct view *v, bool *ready)
 static void remember(const struct view *v)
 {
     const char *environment = v->initial_state.scene.environment;
-    if (v->options->view.frame_count)
+    if (v->options->window->frame_count)
         return;
     if (environment)
         recent_files_add(environment);
@@ -386,7 +386,7 @@ static void count_frame(struct view *v)
 {
     struct view_frame_stats *c = &v->frame_stats;
     const struct viewport *p = v->viewport;
-    const struct app_view *o = &v->options->view;
+    const struct setup_window *o = v->options->window;
     struct rg_times times[3] = { rg_exec_times(v->presenter.exec) };
     uint32_t count = 1;
     if (v->redrawn)
@@ -484,11 +484,10 @@ static enum status begin_device(struct view *v)
 /* Opens the window first, so that the user sees it immediately. */
 static enum status begin(struct view *v)
 {
-    const struct app_options *o = v->options;
-    enum status status =
-        viewport_can_save(o->image.split, o->run.outputs.paths, o->run.outputs.count);
-    if (status == STATUS_OK && o->view.watch)
-        status = shader_reload_create(&v->shader_reload, o->view.watch, o->run.quiet);
+    const struct viewer_params *o = v->options;
+    enum status status = viewport_can_save(o->image->split, o->outputs->paths, o->outputs->count);
+    if (status == STATUS_OK && o->window->watch)
+        status = shader_reload_create(&v->shader_reload, o->window->watch, o->quiet);
     if (status == STATUS_OK)
         status = open_window(v);
     return status == STATUS_OK ? begin_device(v) : status;
@@ -522,39 +521,39 @@ static enum status run(struct view *v)
         status = recover(v, run_frame(v));
         v->quit = v->quit || window_is_closed(&v->window);
     }
-    if (status == STATUS_OK && v->options->run.outputs.count && v->frame_stats.frame_count)
+    if (status == STATUS_OK && v->options->outputs->count && v->frame_stats.frame_count)
         status = view_write_outputs(v);
     return status;
 }
 
-enum status viewer_run(const struct app_options *options)
+enum status viewer_run(const struct viewer_params *options)
 {
     struct view *v = calloc(1, sizeof(*v));
     if (!v) {
         return log_out_of_memory(NULL);
     }
     v->options = options;
-    v->theme = options->view.theme;
-    v->initial_state = options->image;
-    const struct reader_params *reader = &options->image.scene.reader;
+    v->theme = options->window->theme;
+    v->initial_state = *options->image;
+    const struct reader_params *reader = &options->image->scene.reader;
     enum status status = STATUS_OK;
-    if (options->view.session)
-        status = view_read_session(&v->session, options->view.session, reader);
+    if (options->window->session)
+        status = view_read_session(&v->session, options->window->session, reader);
     v->initial_state.scene.user_settings = v->initial_state.scene.settings;
     if (v->session.scene)
         view_apply_session(&v->session, &v->initial_state);
     if (!v->initial_state.samples)
-        v->initial_state.samples = options->view.frame_count ? 1 : VIEW_SAMPLE_COUNT;
+        v->initial_state.samples = options->window->frame_count ? 1 : VIEW_SAMPLE_COUNT;
     v->progressive.target_count = v->initial_state.samples;
     v->compare.side_b = v->initial_state.split ? VIEW_SIDE_B_MODEL : VIEW_SIDE_B_NONE;
-    v->paused = !options->view.frame_count && !(options->view.time_step > 0.0);
+    v->paused = !options->window->frame_count && !(options->window->time_step > 0.0);
     if (status == STATUS_OK)
         status = signals_begin(&v->signals);
     stderr_capture_begin(&v->stderr_capture);
     if (status == STATUS_OK)
         status = run(v);
     stderr_capture_end(&v->stderr_capture);
-    if (status == STATUS_OK && !options->run.quiet)
+    if (status == STATUS_OK && !options->quiet)
         view_frame_stats_print(&v->frame_stats, stderr);
     finish(v);
     if (status == STATUS_OK && v->message_count)

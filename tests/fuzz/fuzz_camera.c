@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "src/app/app.h"
-#include "src/frame/frame_uniforms.h"
+#include "src/render/frame/frame_uniforms.h"
 #include "tests/fuzz/fuzz.h"
 
 enum {
@@ -27,7 +27,7 @@ static void check_matrix(mat4s matrix)
         FUZZ_CHECK(isfinite(matrix.raw[i / 4][i % 4]));
 }
 
-static void check_camera(const struct camera *camera, const struct app_image *picture)
+static void check_camera(const struct camera *camera, const struct setup_image *picture)
 {
     const struct camera_basis basis = camera_basis(camera);
     FUZZ_CHECK(is_unit(basis.right) && is_unit(basis.up) && is_unit(basis.forward));
@@ -41,7 +41,7 @@ static void check_camera(const struct camera *camera, const struct app_image *pi
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 2, 1 } } } };
-    struct app_image picture = {
+    struct setup_image picture = {
         .scene = { .settings = settings_default() },
         .refraction = techniques_refraction(0),
         .width = 64,
@@ -64,7 +64,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     free(text);
     /* what a refused option leaves is not used */
-    if (app_camera(&camera, &scene, &picture) == STATUS_OK)
+    if (setup_camera(&camera, &scene, &picture) == STATUS_OK)
         check_camera(&camera, &picture);
     return 0;
 }

@@ -6,8 +6,8 @@
 #define _GNU_SOURCE /* memmem() */
 #include <stdlib.h>
 #include <string.h>
-#include "src/image/exr.h"
-#include "src/reader/image_receive.h"
+#include "src/file/exr.h"
+#include "src/file/image_receive.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_image.h"
 #include "tests/fuzz/fuzz_scene.h"

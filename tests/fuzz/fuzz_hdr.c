@@ -1,5 +1,5 @@
 /* Bytes become a Radiance HDR file, which is read as a picture and as a panorama. */
-#include "src/image/hdr.h"
+#include "src/file/hdr.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_image.h"
 #include "tests/fuzz/fuzz_scene.h"

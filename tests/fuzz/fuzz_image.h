@@ -3,7 +3,7 @@
 #define TESTS_FUZZ_IMAGE_H
 
 #include "src/base/status.h"
-#include "src/image/image.h"
+#include "src/file/image.h"
 #include "tests/fuzz/fuzz.h"
 
 /* Aborts unless the image is within the limits of readers, or {0} where it was refused. */

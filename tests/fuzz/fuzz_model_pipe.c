@@ -4,7 +4,7 @@
  */
 #include <string.h>
 
-#include "src/reader/image_receive.h"
+#include "src/file/image_receive.h"
 #include "src/scene/import/model_pipe.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_scene.h"

@@ -4,7 +4,7 @@
  */
 #include <math.h>
 #include <string.h>
-#include "src/image/png.h"
+#include "src/file/png.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_image.h"
 

@@ -3,9 +3,9 @@
  * written of it is read and written again byte by byte.
  */
 #include <string.h>
-#include "src/profile/baseline_comparison.h"
-#include "src/profile/json.h"
-#include "src/profile/table.h"
+#include "src/lab/profile/baseline_comparison.h"
+#include "src/lab/profile/json.h"
+#include "src/lab/profile/table.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"
 

@@ -2,7 +2,7 @@
  * Bytes become a file of a session. Its lines are taken or refused as a whole, and what is taken
  * comes back the same from what it is written as.
  */
-#include "src/view/session_file.h"
+#include "src/view/session/session_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"
 

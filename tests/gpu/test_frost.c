@@ -6,7 +6,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 #include "src/scene/mip_levels.h"
 #include "tests/support/bump_reference.h"
 #include "tests/support/lavapipe.h"

@@ -7,7 +7,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/profile/measure_frames.h"
+#include "src/lab/profile/measure_frames.h"
 #include "src/render/renderer_internal.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

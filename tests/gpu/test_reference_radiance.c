@@ -8,7 +8,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/reference/reference.h"
+#include "src/lab/reference/reference.h"
 #include "src/tech/output/tonemap.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -5,7 +5,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 #include "src/scene/mip_levels.h"
 
 void bump_reference_make_constant(struct scene *scene, double slope_u, double slope_v,

@@ -1,6 +1,6 @@
 """flip.py: reference implementation of the image metric FLIP, with slow non-separable filters.
 
-An independent check of src/metric/flip.c, which uses separable filters and single precision.
+An independent check of src/lab/metric/flip.c, which uses separable filters and single precision.
 Andersson et al.: FLIP: A Difference Evaluator for Alternating Images, HPG 2020; Visualizing Errors
 in Rendered High Dynamic Range Images, Eurographics 2021. An image is a list of rows of linear
 (red, green, blue).

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-#include "src/reader/reader_process.h"
+#include "src/file/reader_process.h"
 
 static bool needs_no_device(const char *command)
 {

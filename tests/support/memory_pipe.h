@@ -1,10 +1,10 @@
-/* memory_pipe.h: in-memory pipe, a fake of the reader processes' pipe (src/reader/reader_pipe.h).
+/* memory_pipe.h: in-memory pipe, a fake of the reader processes' pipe (src/file/reader_pipe.h).
  */
 #ifndef TESTS_SUPPORT_MEMORY_PIPE_H
 #define TESTS_SUPPORT_MEMORY_PIPE_H
 
 #include <string.h>
-#include "src/reader/reader_pipe.h"
+#include "src/file/reader_pipe.h"
 
 enum {
     MEMORY_PIPE_SIZE = 4096

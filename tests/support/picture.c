@@ -8,9 +8,9 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/frame/frame_uniforms.h"
-#include "src/frame/pass_list.h"
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
+#include "src/render/frame/frame_uniforms.h"
+#include "src/render/frame/pass_list.h"
 #include "src/scene/generate/generate.h"
 #include "src/tech/inclusions/frost.h"
 #include "src/tech/lighting/bump.h"

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "src/profile/html_page.h"
-#include "src/profile/json.h"
+#include "src/lab/profile/html_page.h"
+#include "src/lab/profile/json.h"
 #include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_PROFILE_SAMPLE_H
 #define TESTS_PROFILE_SAMPLE_H
 
-#include "src/profile/profile_data.h"
+#include "src/lab/profile/profile_data.h"
 
 enum {
     SAMPLE_RUN_COUNT = 20,

@@ -1,7 +1,7 @@
 /* reference_ray.c: traces single rays with the reference renderer, as images of one pixel. */
 #include "tests/support/reference_ray.h"
 #include <math.h>
-#include "src/reference/reference_aov_table.h"
+#include "src/lab/reference/reference_aov_table.h"
 #include "tests/support/assertions.h"
 #include "tests/support/picture.h"
 

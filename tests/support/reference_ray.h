@@ -2,7 +2,7 @@
 #ifndef TESTS_SUPPORT_REFERENCE_RAY_H
 #define TESTS_SUPPORT_REFERENCE_RAY_H
 
-#include "src/reference/reference.h"
+#include "src/lab/reference/reference.h"
 #include "tests/support/vec.h"
 
 #define REFERENCE_RAY_PI 3.141592653589793

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 #include "tests/support/assertions.h"
 
 enum {

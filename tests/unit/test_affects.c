@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "src/app/app.h"
-#include "src/frame/frame_plan.h"
-#include "src/frame/frame_uniforms.h"
+#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/frame_uniforms.h"
 #include "src/scene/ice_bump_map.h"
 #include "tests/support/assertions.h"
 
@@ -19,10 +19,10 @@ enum {
 static enum setting_effect affected;
 
 /* Numbers of which a scene is made, as text. */
-static void describe_scene(const struct app_scene *o, char text[static TEXT_SIZE])
+static void describe_scene(const struct setup_scene *o, char text[static TEXT_SIZE])
 {
     struct bump_maps_params maps;
-    const struct scene_params p = app_scene_params(o, &maps);
+    const struct scene_params p = setup_scene_params(o, &maps);
     int length = snprintf(
         text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %a %d|%a %a %a",
         p.object_triangles, p.landscape_triangles, p.flat, p.orbiting_ball_count, p.air.count,
@@ -36,7 +36,7 @@ static void describe_scene(const struct app_scene *o, char text[static TEXT_SIZE
     assert_true(length < TEXT_SIZE);
 }
 
-static bool same_scene(const struct app_scene *a, const struct app_scene *b)
+static bool same_scene(const struct setup_scene *a, const struct setup_scene *b)
 {
     char before[TEXT_SIZE], after[TEXT_SIZE];
     describe_scene(a, before);
@@ -91,7 +91,7 @@ static bool same_plan(const struct start *before, const struct settings *setting
 
 static void check_change(const struct setting *row, const struct start *before, double value)
 {
-    struct app_scene a = { .settings = before->settings }, b = a;
+    struct setup_scene a = { .settings = before->settings }, b = a;
     settings_set_value(&b.settings, row, value);
     const enum setting_effect said = settings_changed(&a.settings, &b.settings);
     enum setting_effect found = SETTING_AFFECTS_FRAME;

@@ -6,7 +6,7 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 
 enum {
     SIZE = BUMP_MAPS_SIZE,

@@ -2,10 +2,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/metric/flip_color.h"
-#include "src/metric/heat_map.h"
-#include "src/metric/layer_comparison.h"
-#include "src/metric/quantile.h"
+#include "src/lab/metric/flip_color.h"
+#include "src/lab/metric/heat_map.h"
+#include "src/lab/metric/layer_comparison.h"
+#include "src/lab/metric/quantile.h"
 #include "tests/support/assertions.h"
 
 static void test_order(void **state)

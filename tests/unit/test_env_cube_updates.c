@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "shaders/mesh_layout.h"
-#include "src/frame/env_cube_updates.h"
+#include "src/render/frame/env_cube_updates.h"
 #include "tests/support/assertions.h"
 
 struct fixture {

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/image/atomic_file.h"
-#include "src/image/exr.h"
+#include "src/file/atomic_file.h"
+#include "src/file/exr.h"
 #include "tests/support/assertions.h"
 
 static char path[] = "/tmp/firn-test-exr-XXXXXX";

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/image/exr.h"
+#include "src/file/exr.h"
 #include "tests/support/assertions.h"
 
 static char path[] = "/tmp/firn-test-exr-foreign-XXXXXX";

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "src/image/atomic_file.h"
+#include "src/file/atomic_file.h"
 #include "tests/support/assertions.h"
 #include "tests/support/temporary_folder.h"
 

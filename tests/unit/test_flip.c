@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/metric/flip.h"
-#include "src/metric/flip_color.h"
-#include "src/metric/flip_filter.h"
+#include "src/lab/metric/flip.h"
+#include "src/lab/metric/flip_color.h"
+#include "src/lab/metric/flip_filter.h"
 #include "tests/support/assertions.h"
 
 static void check_color(vec3s got, double x, double y, double z, double tolerance)

@@ -4,9 +4,9 @@
 
 #include "shaders/inclusions/bubbles.h"
 #include "shaders/lighting/ice_caustics.h"
-#include "src/frame/frame_uniforms.h"
-#include "src/frame/pass_list.h"
-#include "src/frame/thin_lens.h"
+#include "src/render/frame/frame_uniforms.h"
+#include "src/render/frame/pass_list.h"
+#include "src/render/frame/thin_lens.h"
 #include "src/tech/inclusions/bubbles.h"
 #include "src/tech/lighting/ice_caustics.h"
 #include "tests/support/assertions.h"

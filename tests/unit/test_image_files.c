@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "src/image/hdr.h"
-#include "src/image/png.h"
+#include "src/file/hdr.h"
+#include "src/file/png.h"
 #include "tests/support/assertions.h"
 #include "tests/support/temporary_folder.h"
 

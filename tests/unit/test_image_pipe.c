@@ -1,6 +1,6 @@
 /* test_image_pipe.c: the head of a picture comes through the same, and nothing else does. */
 #include <math.h>
-#include "src/reader/image_receive.h"
+#include "src/file/image_receive.h"
 #include "tests/support/assertions.h"
 #include "tests/support/memory_pipe.h"
 

@@ -1,7 +1,7 @@
 /* test_mip_levels.c: means of four, level after level, and the noise that is looked up in a table.
  */
 #include <string.h>
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 #include "src/scene/generate/noise.h"
 #include "src/scene/mip_levels.h"
 #include "tests/support/assertions.h"

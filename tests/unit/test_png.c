@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/image/png.h"
+#include "src/file/png.h"
 #include "tests/support/assertions.h"
 
 enum {

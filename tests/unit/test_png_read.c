@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#include "src/image/png.h"
+#include "src/file/png.h"
 #include "tests/support/assertions.h"
 
 enum {

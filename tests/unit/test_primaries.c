@@ -1,6 +1,6 @@
 /* test_primaries.c: matrices from other primaries to those of Rec.709. */
 #include <math.h>
-#include "src/image/color_primaries.h"
+#include "src/file/color_primaries.h"
 #include "tests/support/assertions.h"
 
 static const struct primaries acescg = {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/profile/json.h"
+#include "src/lab/profile/json.h"
 #include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
 

@@ -1,7 +1,7 @@
 /* Numbers whose answers are known, or are counted here one by one. */
 #include <math.h>
 #include <stdlib.h>
-#include "src/profile/statistics.h"
+#include "src/lab/profile/statistics.h"
 #include "tests/support/assertions.h"
 
 enum {

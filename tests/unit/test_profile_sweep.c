@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/profile/sweep_power_law.h"
-#include "src/profile/utf8_text.h"
+#include "src/lab/profile/sweep_power_law.h"
+#include "src/lab/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"
 #include "tests/support/profile_sample.h"

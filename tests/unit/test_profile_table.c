@@ -2,10 +2,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/profile/baseline_comparison.h"
-#include "src/profile/row_aggregation.h"
-#include "src/profile/table.h"
-#include "src/profile/utf8_text.h"
+#include "src/lab/profile/baseline_comparison.h"
+#include "src/lab/profile/row_aggregation.h"
+#include "src/lab/profile/table.h"
+#include "src/lab/profile/utf8_text.h"
 #include "tests/support/assertions.h"
 #include "tests/support/captured_output.h"
 #include "tests/support/profile_sample.h"

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/profile/chrome_trace.h"
-#include "src/profile/csv.h"
+#include "src/lab/profile/chrome_trace.h"
+#include "src/lab/profile/csv.h"
 #include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
 

@@ -3,8 +3,8 @@
 
 #include "tests/support/assertions.h"
 
-#include "src/image/half_float.h"
-#include "src/reference/surroundings_radiance.h"
+#include "src/file/half_float.h"
+#include "src/lab/reference/surroundings_radiance.h"
 
 /* Two layers of 2 x 2; the first is black. Red: 0 1 / 0 0, alpha: 1 1 / 1 0; green: sRGB 188. */
 static uint8_t texels[2 * 2 * 2 * 4] = {

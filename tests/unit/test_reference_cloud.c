@@ -7,8 +7,8 @@
 #include <stdlib.h>
 
 #include "shaders/inclusions/medium_density.h"
-#include "src/reference/microfacet.h"
-#include "src/reference/volume_scattering.h"
+#include "src/lab/reference/microfacet.h"
+#include "src/lab/reference/volume_scattering.h"
 #include "src/scene/geometry/distance_field.h"
 #include "tests/support/assertions.h"
 #include "tests/support/picture.h"

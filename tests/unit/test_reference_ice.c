@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "shaders/lighting/bump_normal.h"
-#include "src/reference/inclusion_shading.h"
+#include "src/lab/reference/inclusion_shading.h"
 #include "src/scene/generate/generate.h"
 #include "tests/support/assertions.h"
 #include "tests/support/bump_reference.h"

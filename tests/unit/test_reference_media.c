@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/reference/microfacet.h"
-#include "src/reference/nested_media.h"
+#include "src/lab/reference/microfacet.h"
+#include "src/lab/reference/nested_media.h"
 #include "src/scene/generate/generate.h"
 #include "src/tech/refract/refract.h"
 #include "tests/support/assertions.h"

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/reference/reference.h"
-#include "src/reference/reference_aov_table.h"
-#include "src/reference/reference_sample_sums.h"
+#include "src/lab/reference/reference.h"
+#include "src/lab/reference/reference_aov_table.h"
+#include "src/lab/reference/reference_sample_sums.h"
 #include "tests/support/assertions.h"
 #include "tests/support/picture.h"
 

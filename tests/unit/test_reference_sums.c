@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "src/reference/reference_sample_sums.h"
+#include "src/lab/reference/reference_sample_sums.h"
 #include "tests/support/assertions.h"
 
 enum {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/tech/techniques.h"
-#include "src/view/session_file.h"
+#include "src/view/session/session_file.h"
 #include "tests/support/assertions.h"
 
 /* Lines as the reader of a file sends them. */

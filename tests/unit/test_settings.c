@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "src/frame/output_layers.h"
+#include "src/render/frame/output_layers.h"
 #include "src/settings/quality.h"
 #include "src/settings/settings.h"
 #include "tests/support/assertions.h"

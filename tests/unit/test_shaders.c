@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "graph/compile/spirv_reflection.h"
-#include "src/frame/pass_list.h"
+#include "src/render/frame/pass_list.h"
 #include "src/tech/techniques.h"
 #include "tests/support/assertions.h"
 #include "tests/unit/shared_headers.inc"

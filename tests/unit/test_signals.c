@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "src/app/signals.h"
+#include "src/base/signals.h"
 #include "tests/support/assertions.h"
 
 enum {

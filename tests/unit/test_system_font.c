@@ -1,7 +1,7 @@
 /* test_system_font.c: which font of the system panels are written in. */
 #include <stdlib.h>
 #include <unistd.h>
-#include "src/view/ui/system_font.h"
+#include "src/view/panels/system_font.h"
 #include "tests/support/assertions.h"
 
 /* No system has to have fonts; what is found can be read. */

@@ -1,6 +1,6 @@
 /* test_theme.c: what is written can be read. */
 #include "src/app/app.h"
-#include "src/view/ui/theme.h"
+#include "src/view/panels/theme.h"
 #include "tests/support/assertions.h"
 
 static void contrast_is_that_of_wcag(void **state)

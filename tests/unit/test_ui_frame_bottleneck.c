@@ -1,5 +1,5 @@
 /* What frames wait for, from running means. */
-#include "src/view/ui/ui_frame_bottleneck.h"
+#include "src/view/panels/ui_frame_bottleneck.h"
 #include "tests/support/assertions.h"
 
 static const char *limit_of(double device, double screen, double limit)

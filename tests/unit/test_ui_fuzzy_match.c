@@ -1,5 +1,5 @@
 /* What a person typed is found, and what is nearest comes first. */
-#include "src/view/ui/ui_fuzzy_match.h"
+#include "src/view/panels/ui_fuzzy_match.h"
 #include "tests/support/assertions.h"
 
 static void test_distances(void **state)

@@ -1,7 +1,7 @@
 /* Events come to frames in an order that panels can follow. */
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include "src/view/ui/ui_input_queue.h"
+#include "src/view/panels/ui_input_queue.h"
 #include "tests/support/assertions.h"
 
 static void move(struct ui_input_queue *input, double x)

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "graph/rg.h"
-#include "src/view/ui/ui_pass_times.h"
+#include "src/view/panels/ui_pass_times.h"
 #include "tests/support/assertions.h"
 
 /* A frame of two passes, 2 ms and `second` ms. */

@@ -2,7 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <wordexp.h>
-#include "src/view/ui/ui_reproduce_command.h"
+#include "src/app/app.h"
+#include "src/view/panels/ui_reproduce_command.h"
 #include "tests/support/assertions.h"
 
 struct fixture {
@@ -41,7 +42,7 @@ static void start(struct fixture *f, const char *words)
     f->scene.box = (struct box){ .min = { { -1, -1, -1 } }, .max = { { 1, 1, 1 } } };
     f->options.image.width = 320;
     f->options.image.height = 240;
-    assert_int_equal(app_camera(&f->camera, &f->scene, &f->options.image), STATUS_OK);
+    assert_int_equal(setup_camera(&f->camera, &f->scene, &f->options.image), STATUS_OK);
 }
 
 static void finish(struct fixture *f)
@@ -76,7 +77,7 @@ static void read_back(const struct fixture *f, struct fixture *back)
     parse(back, text, 2);
     assert_string_equal(back->words.we_wordv[0], "firn");
     assert_string_equal(back->words.we_wordv[1], "render");
-    assert_int_equal(app_camera(&back->camera, &back->scene, &back->options.image), STATUS_OK);
+    assert_int_equal(setup_camera(&back->camera, &back->scene, &back->options.image), STATUS_OK);
     free(text);
 }
 

@@ -1,6 +1,6 @@
 /* test_ui_setting_groups.c: every setting is in one group. */
 #include <string.h>
-#include "src/view/ui/ui_setting_groups.h"
+#include "src/view/panels/ui_setting_groups.h"
 #include "tests/support/assertions.h"
 
 static uint32_t count_of(const struct setting *row)

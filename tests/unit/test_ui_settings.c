@@ -1,8 +1,8 @@
 /* Every row gets a widget that can show it. */
 #include <string.h>
 #include "src/view/key_bindings.h"
-#include "src/view/ui/ui_search_synonyms.h"
-#include "src/view/ui/ui_settings.h"
+#include "src/view/panels/ui_search_synonyms.h"
+#include "src/view/panels/ui_settings.h"
 #include "tests/support/assertions.h"
 
 static enum ui_widget widget_of(const char *name)

@@ -1,6 +1,6 @@
 /* test_undo_stack.c: changes are taken back and done again. */
 #include <string.h>
-#include "src/view/undo_stack.h"
+#include "src/view/session/undo_stack.h"
 #include "tests/support/assertions.h"
 
 static struct view_state state_with(double count)

@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/scene/scene.h"
-#include "src/view/xdg_folders.h"
+#include "src/view/session/xdg_folders.h"
 #include "tests/support/assertions.h"
 
 static void touch(const char *folder, const char *name)

@@ -1,6 +1,6 @@
 /* test_window_layout.c: the picture and the panels never cover each other. */
 #include <stdlib.h>
-#include "src/view/window_layout.h"
+#include "src/view/window/window_layout.h"
 #include "tests/support/assertions.h"
 
 static bool meet(VkRect2D a, VkRect2D b)

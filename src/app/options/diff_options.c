@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/app/options/option_values.h"
 #include "src/base/path.h"
-#include "src/metric/flip_filter.h"
+#include "src/lab/metric/flip_filter.h"
 
 enum status option_exposure(const struct option *option, void *at, const char *value)
 {

@@ -3,14 +3,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "src/app/layer_quantize.h"
 #include "src/app/options/node_material_option.h"
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/reference/reference.h"
+#include "src/lab/reference/reference.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/scene/material.h"
+#include "src/setup/layer_quantize.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 
@@ -23,7 +23,7 @@ enum status option_output(const struct option *option, void *at, const char *val
     return option_add_output(option, at, value);
 }
 
-static enum status set_only_output(const struct option *option, struct app_outputs *outputs,
+static enum status set_only_output(const struct option *option, struct setup_outputs *outputs,
                                    const char *value)
 {
     if (outputs->count)
@@ -90,7 +90,7 @@ static bool parse_pair(const char *value, uint32_t max, uint32_t *across, uint32
 
 enum status option_size(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     return parse_pair(value, 16384, &image->width, &image->height)
                ? STATUS_OK
                : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
@@ -99,7 +99,7 @@ enum status option_size(const struct option *option, void *at, const char *value
 /* Sets the width and height of a cube face, in texels. */
 enum status option_bake_size(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const char *rest;
     if (!option_parse_count(value, 1, 4096, &image->width, &rest) || *rest)
         return option_refuse(option, value, "the side of a cube face in texels, 1 to 4096");
@@ -113,7 +113,7 @@ enum {
 
 enum status option_tiles(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     return parse_pair(value, TILES_MAX, &image->columns, &image->rows)
                ? STATUS_OK
                : option_refuse(option, value, "COLUMNSxROWS, 1x1 to 16x16");
@@ -121,14 +121,14 @@ enum status option_tiles(const struct option *option, void *at, const char *valu
 
 enum status option_tile(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const char *rest;
     if (!option_parse_count(value, 1, TILES_MAX * TILES_MAX, &image->tile, &rest) || *rest)
         return option_refuse(option, value, "the number of a tile, from 1 to 256");
     return STATUS_OK;
 }
 
-static bool add_layer(struct app_image *image, const char *name, size_t length)
+static bool add_layer(struct setup_image *image, const char *name, size_t length)
 {
     if (length == 3 && !strncmp(name, "all", 3)) {
         image->all_layers = true;
@@ -158,7 +158,7 @@ enum status option_aov(const struct option *option, void *at, const char *value)
 
 enum status option_show(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     image->show = layer_image_find(value);
     return image->show ? STATUS_OK
                        : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
@@ -166,7 +166,7 @@ enum status option_show(const struct option *option, void *at, const char *value
 
 enum status option_png_bits(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const bool is_16 = strcmp(value, "16") == 0;
     if (!is_16 && strcmp(value, "8") != 0)
         return option_refuse(option, value, "8 or 16");
@@ -176,7 +176,7 @@ enum status option_png_bits(const struct option *option, void *at, const char *v
 
 enum status option_samples(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const char *rest;
     image->is_adaptive = strcmp(value, "auto") == 0;
     if (image->is_adaptive)
@@ -188,7 +188,7 @@ enum status option_samples(const struct option *option, void *at, const char *va
 
 enum status option_pixel_filter(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const int i = option_find_word(pixel_filter_names, PIXEL_FILTER_COUNT, value);
     if (i < 0)
         return option_refuse(option, value, "box, point or blackman-harris");
@@ -216,7 +216,7 @@ enum status option_sharing(const struct option *option, void *at, const char *va
 
 enum status option_refraction(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const bool is_traced = !strcmp(value, cpu_reference_settings.refraction.name);
     image->refraction = is_traced ? &cpu_reference_settings : techniques_find_refraction(value);
     image->is_refraction_named = true;
@@ -227,7 +227,7 @@ enum status option_refraction(const struct option *option, void *at, const char 
 
 enum status option_material(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     if (strchr(value, '='))
         return option_node_material(option, scene, value);
     scene->material = value;
@@ -238,7 +238,7 @@ enum status option_material(const struct option *option, void *at, const char *v
 
 enum status option_sandbox(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     if (strcmp(value, "on") != 0 && strcmp(value, "off") != 0)
         return option_refuse(option, value, "on or off");
     scene->reader.no_sandbox = value[1] == 'f';
@@ -249,7 +249,7 @@ enum status option_sandbox(const struct option *option, void *at, const char *va
 
 enum status option_set(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     (void)option;
     return settings_assign(&scene->settings, value, SETTING_USER, NULL);
 }
@@ -257,7 +257,7 @@ enum status option_set(const struct option *option, void *at, const char *value)
 /* Sets the tone curve, like --set tonemap.curve. */
 enum status option_tone_curve(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     const struct setting *row =
         settings_row(&tonemap_settings, offsetof(struct tonemap_values, curve));
     const int i = option_find_word(row->choices, (int)row->max + 1, value);
@@ -274,7 +274,7 @@ static bool parse_within(const char *value, float limit, float *number)
 
 enum status option_env_rotate(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     return parse_within(value, 360.0f, &scene->env_rotate)
                ? STATUS_OK
                : option_refuse(option, value, "-360 to 360 degrees");
@@ -282,7 +282,7 @@ enum status option_env_rotate(const struct option *option, void *at, const char 
 
 enum status option_env_exposure(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     return parse_within(value, 16.0f, &scene->env_exposure)
                ? STATUS_OK
                : option_refuse(option, value, "-16 to 16 stops");
@@ -290,7 +290,7 @@ enum status option_env_exposure(const struct option *option, void *at, const cha
 
 enum status option_up(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     scene->has_transform = true;
     scene->model_transform.is_z_up = strcmp(value, "z") == 0;
     return scene->model_transform.is_z_up || strcmp(value, "y") == 0
@@ -300,7 +300,7 @@ enum status option_up(const struct option *option, void *at, const char *value)
 
 enum status option_scale(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     float *scale = &scene->model_transform.scale;
     scene->has_transform = true;
     return option_parse_numbers(value, ',', scale, 1) && *scale >= 1e-6f && *scale <= 1e6f
@@ -310,7 +310,7 @@ enum status option_scale(const struct option *option, void *at, const char *valu
 
 enum status option_rotate(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
+    struct setup_scene *scene = at;
     const vec3s *v = &scene->model_transform.rotate_deg;
     scene->has_transform = true;
     const bool ok = option_parse_numbers(value, ',', scene->model_transform.rotate_deg.raw, 3) &&
@@ -321,8 +321,8 @@ enum status option_rotate(const struct option *option, void *at, const char *val
 /* Sets the background. The value "none" hides it, but an earlier colour still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {
-    struct app_scene *scene = at;
-    struct app_vector color = { 0 };
+    struct setup_scene *scene = at;
+    struct setup_vector color = { 0 };
     const vec3s *v = &color.value;
     scene->no_background = strcmp(value, "none") == 0;
     if (scene->no_background)
@@ -342,7 +342,7 @@ static const float position_max = 1e9f;
 
 enum status option_orbit(const struct option *option, void *at, const char *value)
 {
-    struct app_vector *orbit = at;
+    struct setup_vector *orbit = at;
     orbit->is_given = option_parse_numbers(value, ',', orbit->value.raw, 3) &&
                       orbit->value.z > 0.0f && orbit->value.z <= position_max;
     return orbit->is_given
@@ -354,7 +354,7 @@ enum status option_orbit(const struct option *option, void *at, const char *valu
 
 enum status option_position(const struct option *option, void *at, const char *value)
 {
-    struct app_vector *vector = at;
+    struct setup_vector *vector = at;
     const vec3s *v = &vector->value;
     vector->is_given = option_parse_numbers(value, ',', vector->value.raw, 3) &&
                        fabsf(v->x) <= position_max && fabsf(v->y) <= position_max &&
@@ -366,7 +366,7 @@ enum status option_position(const struct option *option, void *at, const char *v
 
 enum status option_fov(const struct option *option, void *at, const char *value)
 {
-    struct app_image *image = at;
+    struct setup_image *image = at;
     const bool ok = option_parse_numbers(value, ',', &image->fov_deg, 1) &&
                     image->fov_deg >= 1.0f && image->fov_deg <= 170.0f;
     return ok ? STATUS_OK : option_refuse(option, value, "1 to 170 degrees");

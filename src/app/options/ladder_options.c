@@ -59,7 +59,7 @@ void option_ladder_settings(struct settings *s)
                        REFRACT_LOOKUP_DISTANCE);
 }
 
-void option_ladder_whole(struct app_scene *scene)
+void option_ladder_whole(struct setup_scene *scene)
 {
     const struct setting *refract =
         settings_row(&cracks_settings, offsetof(struct cracks_params, refract));

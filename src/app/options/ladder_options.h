@@ -5,7 +5,7 @@
 #include "src/app/app.h"
 #include "src/app/options/option.h"
 
-option_fn option_ladder_output;     /* of struct app_outputs */
+option_fn option_ladder_output;     /* of struct setup_outputs */
 option_fn option_refraction_models; /* of struct app_ladder */
 
 /* Sets the defaults of firn ladder: selects exact refraction, and switches off what the path tracer
@@ -14,6 +14,6 @@ void option_ladder_settings(struct settings *settings);
 
 /* Switches the inclusions and surface effects of ice back on. Settings of --set and --preset are
  * kept. Cracks are drawn as gaps, as by the path tracer. */
-void option_ladder_whole(struct app_scene *scene);
+void option_ladder_whole(struct setup_scene *scene);
 
 #endif

@@ -79,13 +79,13 @@ static const struct material_preset *find_material(const char *value, const char
     return NULL;
 }
 
-enum status option_node_material(const struct option *option, struct app_scene *scene,
+enum status option_node_material(const struct option *option, struct setup_scene *scene,
                                  const char *value)
 {
     const char *end;
     const struct material_preset *preset = find_material(value, &end);
-    if (scene->material_override_count == APP_NODE_COUNT)
-        return option_refuse_more(option, value, APP_NODE_COUNT);
+    if (scene->material_override_count == SETUP_NODE_COUNT)
+        return option_refuse_more(option, value, SETUP_NODE_COUNT);
     if (!preset) {
         const char *name = strchr(value, '=') + 1;
         return option_refuse_name(option, OPTION_MATERIALS, name, strcspn(name, ","));

@@ -5,7 +5,7 @@
 #include "src/app/options/option.h"
 
 /* Adds a material for a node. The node's name may contain '=' and ','. Logs errors. */
-enum status option_node_material(const struct option *option, struct app_scene *scene,
+enum status option_node_material(const struct option *option, struct setup_scene *scene,
                                  const char *value);
 
 #endif

@@ -120,11 +120,11 @@ int option_find_word(const char *const *names, int count, const char *value)
     return i < count ? i : -1;
 }
 
-enum status option_add_output(const struct option *option, struct app_outputs *outputs,
+enum status option_add_output(const struct option *option, struct setup_outputs *outputs,
                               const char *value)
 {
-    if (outputs->count == APP_OUTPUT_COUNT)
-        return option_refuse_more(option, value, APP_OUTPUT_COUNT);
+    if (outputs->count == SETUP_OUTPUT_COUNT)
+        return option_refuse_more(option, value, SETUP_OUTPUT_COUNT);
     outputs->paths[outputs->count++] = value;
     return STATUS_OK;
 }

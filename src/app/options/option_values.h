@@ -29,7 +29,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
                                const char *word, size_t length);
 
 /* Adds an output file. If there are too many, logs that and returns STATUS_USAGE. */
-enum status option_add_output(const struct option *option, struct app_outputs *outputs,
+enum status option_add_output(const struct option *option, struct setup_outputs *outputs,
                               const char *value);
 
 /* Returns the index of `value` in the array of words, or -1 if the array does not contain it. */

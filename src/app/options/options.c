@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/layer_quantize.h"
 #include "src/app/options/diff_options.h"
 #include "src/app/options/farm_options.h"
 #include "src/app/options/image_options.h"
@@ -12,17 +11,18 @@
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/output_path_conflicts.h"
-#include "src/app/options/preset_option.h"
 #include "src/app/options/profile_options.h"
 #include "src/app/options/quality_option.h"
 #include "src/app/options/reference_options.h"
 #include "src/app/options/view_options.h"
-#include "src/app/shell_quote.h"
 #include "src/base/log.h"
+#include "src/base/shell_quote.h"
 #include "src/base/suggest.h"
-#include "src/reference/reference.h"
-#include "src/reference/reference_aov_table.h"
+#include "src/lab/reference/reference.h"
+#include "src/lab/reference/reference_aov_table.h"
 #include "src/scene/material.h"
+#include "src/setup/apply_preset.h"
+#include "src/setup/layer_quantize.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
@@ -50,13 +50,13 @@ enum {
 #define INPUT(field)       AT(const char *, field, option_input)
 #define REPORT(field)      AT(const char *, field, option_report)
 #define COUNT(field)       AT(uint32_t, field, option_count)
-#define IMAGE(set)         AT(struct app_image, image, set)
-#define SCENE(set)         AT(struct app_scene, image.scene, set)
-#define VECTOR(field, set) AT(struct app_vector, image.field, set)
-#define OUTPUTS(set)       AT(struct app_outputs, run.outputs, set)
+#define IMAGE(set)         AT(struct setup_image, image, set)
+#define SCENE(set)         AT(struct setup_scene, image.scene, set)
+#define VECTOR(field, set) AT(struct setup_vector, image.field, set)
+#define OUTPUTS(set)       AT(struct setup_outputs, run.outputs, set)
 #define FORMAT             AT(enum app_format, run.format, option_format)
 #define SWEEP              AT(struct app_sweeps, sweeps, option_sweep)
-#define VIEW(set)          AT(struct app_view, view, set)
+#define VIEW(set)          AT(struct setup_window, window, set)
 #define DIFF(set)          AT(struct app_diff, diff, set)
 #define FARM(set)          AT(struct app_farm, farm, set)
 
@@ -94,7 +94,7 @@ static const struct option options[] = {
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(image.samples),
       "samples per pixel of a still view, 1 to 65536 (default: 64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
-      AT(struct app_image, image, option_pixel_filter),
+      AT(struct setup_image, image, option_pixel_filter),
       "pixel filter: box, point or blackman-harris (default: by --quality)" },
     { "Output", "aov", 0, "LIST", FILES, IMAGE(option_aov),
       "additional EXR layers (AOVs), separated by commas, or all; see firn list layers" },
@@ -108,15 +108,15 @@ static const struct option options[] = {
       "layer that PNG files show instead of the image; see firn list layers" },
     { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, IMAGE(option_png_bits),
       "bits per channel of PNG files (default: 8)" },
-    { "Window", "frames", 0, "N", APP_VIEW, COUNT(view.frame_count),
+    { "Window", "frames", 0, "N", APP_VIEW, COUNT(window.frame_count),
       "frames until the window closes, 1 to 1000000000 (default: no limit)", 1, 1000000000 },
-    { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, view.time_step, option_time_step),
+    { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, window.time_step, option_time_step),
       "scene time per frame, seconds, 0 to 3600 (default: real time)" },
     { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
       "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
       "present mode: fifo, mailbox, immediate (default: fifo)" },
-    { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(view.fps_limit),
+    { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(window.fps_limit),
       "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
       "panels beside the image (default: on; off with --frames or --screenshot)" },
@@ -124,9 +124,9 @@ static const struct option options[] = {
       "scale of text and panels, 0.5 to 4; also Ctrl + and - (default: the desktop's)" },
     { "Window", "theme", 0, "dark|light", APP_VIEW, VIEW(option_theme),
       "colours of the panels; key Ctrl T (default: dark)" },
-    { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(view.ui_dump),
+    { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(window.ui_dump),
       "file for the pixel positions of all controls, rewritten when they change" },
-    { "Window", "session", 0, "FILE", APP_VIEW, INPUT(view.session),
+    { "Window", "session", 0, "FILE", APP_VIEW, INPUT(window.session),
       "session file, saved with Ctrl S, to open instead of SCENE" },
     { "Window", "split", 0, "MODEL", APP_VIEW, IMAGE(option_split),
       "refraction model to compare with, right of a divider; keys W, [ and ]" },
@@ -388,7 +388,7 @@ static enum status add_positional(struct app_options *o, enum app_command comman
     return STATUS_USAGE;
 }
 
-static enum status refuse_traced(const struct app_image *image)
+static enum status refuse_traced(const struct setup_image *image)
 {
     if (image->refraction != &cpu_reference_settings)
         return STATUS_OK;
@@ -398,7 +398,7 @@ static enum status refuse_traced(const struct app_image *image)
 }
 
 /* Checks that the refraction model draws all requested layers. Call it after option parsing. */
-static enum status check_layers(struct app_image *image)
+static enum status check_layers(struct setup_image *image)
 {
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
@@ -440,7 +440,7 @@ void app_default_output(struct app_options *o, enum app_command command)
 /* Checks that no output file is also an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
-    struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 2];
+    struct option_file files[OPTION_COUNT + SETUP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 2];
     char *sums = o->render.keep_sums ? option_sums_file(option_sums_image(o)) : NULL;
     size_t count = 0;
     for (size_t i = 0; i < OPTION_COUNT; i++) {
@@ -478,7 +478,7 @@ static void init_defaults(struct app_options *o, enum app_command command)
             .height = 768,
             .samples = 1,
         },
-        .view = { .present = VK_PRESENT_MODE_FIFO_KHR },
+        .window = { .present = VK_PRESENT_MODE_FIFO_KHR },
         .profile = { .warmup = 5, .run_count = 30 },
         .ladder = { .run_count = 10 },
     };
@@ -534,7 +534,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         status = option_check_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);
-    return status == STATUS_OK ? option_preset_read(&o->image.scene) : status;
+    return status == STATUS_OK ? setup_apply_preset(&o->image.scene) : status;
 }
 
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
@@ -562,8 +562,8 @@ void app_print_render_arguments(char *const *args, enum app_command command, uin
     }
 }
 
-/* Sets only options whose fields are in struct app_image. */
-enum status app_set_option(struct app_image *image, const char *name, const char *value)
+/* Sets only options whose fields are in struct setup_image. */
+enum status app_set_option(struct setup_image *image, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);
     char assignment[256];
@@ -572,7 +572,7 @@ enum status app_set_option(struct app_image *image, const char *name, const char
     if (option && option->offset < sizeof(*image) && strcmp(name, "set") != 0) {
         const enum status status = option->set(option, (char *)image + option->offset, value);
         if (status == STATUS_OK && !strcmp(name, "preset"))
-            return option_preset_read(&image->scene);
+            return setup_apply_preset(&image->scene);
         return status == STATUS_OK ? refuse_traced(image) : status;
     }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);

@@ -3,7 +3,7 @@
 #include "src/app/options/option_values.h"
 #include "src/settings/quality.h"
 
-static void apply_level(struct app_image *image, uint32_t level)
+static void apply_level(struct setup_image *image, uint32_t level)
 {
     image->level_samples = qualities[level].samples;
     image->level_has_smooth_filter = qualities[level].is_smooth;
@@ -22,7 +22,7 @@ enum status option_quality(const struct option *option, void *at, const char *va
 
 void option_default_quality(struct app_options *o)
 {
-    const struct app_image *image = &o->image;
+    const struct setup_image *image = &o->image;
     const bool has_limit = o->render.noise > 0.0 || o->render.seconds > 0.0;
     if (!image->level_samples && !image->samples && !image->scene.preset && !has_limit)
         apply_level(&o->image, QUALITY_RENDER_DEFAULT);

@@ -4,7 +4,7 @@
 
 #include "src/app/options/option.h"
 
-/* Sets the quality level of a struct app_image. Values of --set and --preset take precedence. */
+/* Sets the quality level of a struct setup_image. Values of --set and --preset take precedence. */
 option_fn option_quality;
 
 /* Applies the default quality if no --quality, --samples, --preset, --noise or --time is given. */

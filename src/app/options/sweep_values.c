@@ -2,9 +2,9 @@
 #include "src/app/options/sweep_values.h"
 
 enum status sweep_values_parse(struct profile_sweep *sweep, const struct app_sweeps *sweeps,
-                               const struct app_image *image)
+                               const struct setup_image *image)
 {
-    struct app_image at_point;
+    struct setup_image at_point;
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < sweeps->count && status == STATUS_OK; i++)
         status = profile_sweep_add(sweep, sweeps->texts[i]);
@@ -14,7 +14,7 @@ enum status sweep_values_parse(struct profile_sweep *sweep, const struct app_swe
 }
 
 enum status sweep_values_apply(const struct profile_sweep *sweep, uint32_t point,
-                               const struct app_image *image, struct app_image *at_point)
+                               const struct setup_image *image, struct setup_image *at_point)
 {
     enum status status = STATUS_OK;
     *at_point = *image;

@@ -4,8 +4,8 @@
 
 #include "src/app/options/option.h"
 
-/* of struct app_view */
+/* of struct setup_window */
 option_fn option_present, option_overlay, option_theme, option_ui_scale, option_watch;
-option_fn option_split; /* of struct app_image */
+option_fn option_split; /* of struct setup_image */
 
 #endif

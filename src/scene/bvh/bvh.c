@@ -8,7 +8,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/base/parallel.h"
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
 

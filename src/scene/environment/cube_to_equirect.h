@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 #include "src/base/status.h"
-#include "src/image/image.h"
+#include "src/file/image.h"
 
 enum panorama {
     PANORAMA_NONE,    /* not a cube map */

@@ -6,9 +6,9 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/exr.h"
-#include "src/image/half_float.h"
-#include "src/image/hdr.h"
+#include "src/file/exr.h"
+#include "src/file/half_float.h"
+#include "src/file/hdr.h"
 #include "src/scene/environment/cube_to_equirect.h"
 
 /* Converts colours to Rec.709. Greyscale images need no conversion. */

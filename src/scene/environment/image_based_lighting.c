@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include "shaders/brdf.h"
 #include "shaders/surroundings/surroundings.h"
-#include "src/image/half_float.h"
+#include "src/file/half_float.h"
 
 enum {
     LEVEL_MAX = 10,

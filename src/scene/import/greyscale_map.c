@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/srgb.h"
-#include "src/reader/image_receive.h"
+#include "src/file/image_receive.h"
+#include "src/file/srgb.h"
 
 /* Largest finite half float. Sums and differences of values up to it are finite floats. */
 #define GREY_MAX 65504.0f

@@ -3,7 +3,7 @@
 #define FIRN_SCENE_IMPORT_GREYSCALE_MAP_H
 
 #include "src/base/status.h"
-#include "src/reader/reader_process.h"
+#include "src/file/reader_process.h"
 
 /* Reads an .exr, .hdr or .png file in a reader process (reader_process.h, with its errors) and
  * resamples the mean of red, green and blue, or the only channel, to `side` x `side` texels, top

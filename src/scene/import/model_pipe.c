@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/image/image.h"
+#include "src/file/image.h"
 #include "src/scene/import/importer.h"
 
 enum {

@@ -8,7 +8,7 @@
 #ifndef FIRN_SCENE_IMPORT_MODEL_PIPE_H
 #define FIRN_SCENE_IMPORT_MODEL_PIPE_H
 
-#include "src/reader/reader_pipe.h"
+#include "src/file/reader_pipe.h"
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/base/log.h"
-#include "src/reader/image_receive.h"
-#include "src/reader/preset_reader.h"
+#include "src/file/image_receive.h"
+#include "src/file/preset_reader.h"
 #include "src/scene/import/model_pipe.h"
 
 /* Encodes a pose as an argument for the child process. The argument has '-' (rest pose), '*' (first

@@ -3,7 +3,7 @@
 #ifndef FIRN_SCENE_IMPORT_SANDBOXED_LOAD_H
 #define FIRN_SCENE_IMPORT_SANDBOXED_LOAD_H
 
-#include "src/reader/reader_process.h"
+#include "src/file/reader_process.h"
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 

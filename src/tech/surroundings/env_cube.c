@@ -6,7 +6,7 @@
  * distance from the centre, or 0 for the sky; refraction models use it to intersect rays with near
  * surroundings. Faces have Vulkan's order and orientation, which is left-handed, so nothing is
  * culled by winding order. The cube map is cached: a face is redrawn only when it is due
- * (src/frame/env_cube_updates.h).
+ * (src/render/frame/env_cube_updates.h).
  *
  * Limits: with refract.lookup=infinite, near surroundings appear as seen from the object's centre,
  * not from the point where the ray leaves. Surroundings that are occluded from the centre are

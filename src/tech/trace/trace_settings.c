@@ -73,7 +73,8 @@ static const struct setting rows[] = {
 
 SETTING_GROUP(trace, rows, struct trace_params);
 
-/* Roughness below which a surface counts as smooth; src/reference/whitted.c has the same limit. */
+/* Roughness below which a surface counts as smooth; src/lab/reference/whitted.c has the same limit.
+ */
 #define ROUGHNESS_MIN 1e-3f
 
 static uint32_t object_count(const struct scene *scene)

@@ -9,7 +9,7 @@
 #include "shaders/embedded.h"
 #include "shaders/globals.h"
 #include "shaders/refract/refract_paper.h"
-#include "src/frame/frame_uniforms.h"
+#include "src/render/frame/frame_uniforms.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/refract_paper.h"

@@ -13,7 +13,7 @@
 
 #include "shaders/embedded.h"
 #include "shaders/output/timestamp_check.h"
-#include "src/profile/timestamp_check.h"
+#include "src/lab/profile/timestamp_check.h"
 #include "tests/support/run_graph.h"
 
 enum {

@@ -10,8 +10,8 @@
 
 #include "graph/rg_exec.h"
 #include "src/base/clock.h"
-#include "src/frame/frame_plan.h"
 #include "src/gpu/gpu.h"
+#include "src/render/frame/frame_plan.h"
 #include "tests/support/assertions.h"
 
 enum {

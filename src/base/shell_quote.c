@@ -1,0 +1,35 @@
+/* shell_quote.c: quotes and joins command-line arguments for a shell. */
+#include "src/base/shell_quote.h"
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+void shell_quote_word(const char *word, FILE *out)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "-_=+.,/:@%#";
+    const bool is_plain = *word && strspn(word, plain) == strlen(word);
+    fputs(is_plain ? "" : "'", out);
+    for (const char *c = word; *c; c++)
+        fputs(*c == '\'' ? "'\\''" : (const char[]){ *c, '\0' }, out);
+    fputs(is_plain ? "" : "'", out);
+}
+
+char *shell_quote_join(char *const *args)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputs("firn", out);
+    for (; *args; args++) {
+        putc(' ', out);
+        shell_quote_word(*args, out);
+    }
+    if (fclose(out)) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}

@@ -1,0 +1,34 @@
+/* signals.h: termination signals that do not interrupt the writing of a file. SIGHUP, SIGINT and
+ * SIGTERM end the program at once, whatever the device is doing, but not while a file is being
+ * written: exit code 129, 130 or 143. SIGUSR1, which batch systems send before the time limit, ends
+ * it with 75: retry later. Signals that were ignored at the start (nohup) stay so. */
+#ifndef FIRN_BASE_SIGNALS_H
+#define FIRN_BASE_SIGNALS_H
+
+#include <pthread.h>
+#include <signal.h>
+#include <stdbool.h>
+#include "src/base/status.h"
+
+struct signals {
+    pthread_t thread; /* waits for the blocked signals */
+    pthread_mutex_t writing;
+    sigset_t signals;
+    bool begun;
+    void (*last)(void *user, int code); /* callback before a signal ends the program; may be NULL */
+    void *user;
+};
+
+/* Blocks the termination signals and starts the thread that waits for them. Must be called before
+ * other threads exist, because they inherit the signal mask. In *stop, only `last` and `user` may
+ * be set. *stop must not be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
+MUST_USE enum status signals_begin(struct signals *stop);
+
+/* Stops the waiting thread. The signals stay blocked and do nothing. *stop may be {0}. */
+void signals_end(struct signals *stop);
+
+/* Delays signals until signals_release(), for example while a file is written. */
+void signals_hold(struct signals *stop);
+void signals_release(struct signals *stop);
+
+#endif

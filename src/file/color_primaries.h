@@ -1,0 +1,22 @@
+/* color_primaries.h: conversion of linear colours from other RGB primaries to Rec.709. */
+#ifndef FIRN_FILE_COLOR_PRIMARIES_H
+#define FIRN_FILE_COLOR_PRIMARIES_H
+
+#include <stdbool.h>
+
+/* CIE xy chromaticities of red, green, blue and white, as in EXR's attribute `chromaticities`. */
+struct primaries {
+    float red[2], green[2], blue[2], white[2];
+};
+
+enum primaries_kind {
+    PRIMARIES_REC709, /* equal within rounding */
+    PRIMARIES_OTHER,
+    PRIMARIES_INVALID, /* degenerate colour space */
+};
+
+/* Computes the row-major matrix from linear colours with primaries `from` to Rec.709. White stays
+ * white (Bradford adaptation). The matrix is the identity unless PRIMARIES_OTHER is returned. */
+enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9]);
+
+#endif

@@ -1,0 +1,56 @@
+/*
+ * image.h: image in memory that consists of named planes of floats and owns them. Row 0 is the top
+ * row; colours are linear Rec.709.
+ */
+#ifndef FIRN_FILE_IMAGE_H
+#define FIRN_FILE_IMAGE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    IMAGE_NAME_SIZE = 64
+};
+
+/* Limits of the image readers. Larger files are rejected with STATUS_DATA. */
+enum {
+    IMAGE_MAX_SIDE = 65536,      /* pixels */
+    IMAGE_MAX_TEXELS = 1 << 28,  /* texels of one plane */
+    IMAGE_MAX_SAMPLES = 1 << 30, /* of all planes: 4 GiB */
+    IMAGE_MAX_PLANES = 256,
+};
+
+struct image_plane {
+    char name[IMAGE_NAME_SIZE]; /* EXR channel name: "R", "N.X", "fresnel.Z" */
+    bool half;                  /* stored as half in files */
+    float *texels;              /* width * height floats */
+};
+
+struct image {
+    uint32_t width, height; /* pixels */
+    uint32_t plane_count;
+    struct image_plane *planes;
+};
+
+/* Text metadata of an image file, such as {"firn/settings", "..."}. */
+struct image_text {
+    const char *name;
+    const char *value;
+};
+
+/* Initialises an image without planes. Planes can be added only if its size is not 0. */
+void image_init(struct image *image, uint32_t width, uint32_t height);
+
+void image_finish(struct image *image);
+
+/*
+ * Adds a plane of zeros and returns its texels, or NULL when out of memory. The name is copied; it
+ * must be unique and shorter than IMAGE_NAME_SIZE. Pointers to other planes' texels stay valid.
+ */
+float *image_add_plane(struct image *image, const char *name, bool half);
+
+/* Returns the texels of a named plane, or NULL if there is none. */
+float *image_find(const struct image *image, const char *name);
+
+#endif

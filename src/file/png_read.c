@@ -1,0 +1,150 @@
+/* png_read.c: reads PNG files with libpng's simplified interface. */
+#include <png.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/file/atomic_file.h"
+#include "src/file/png.h"
+#include "src/file/srgb.h"
+
+static enum status out_of_memory(const char *path, const png_image *png)
+{
+    log_error("%s: out of memory for %u x %u pixels", path, png->width, png->height);
+    return STATUS_TRY_AGAIN;
+}
+
+/* Returns true if all chunks end within the file. Without this check, libpng might allocate and
+ * clear 2 GiB for a file of a few bytes. */
+static bool has_whole_chunks(FILE *file, int64_t size)
+{
+    uint8_t head[8]; /* length, type */
+    int64_t at = sizeof(head);
+    bool has_ended = false;
+    while (!has_ended && at <= size && fseeko(file, (off_t)at, SEEK_SET) == 0 &&
+           fread(head, sizeof(head), 1, file) == 1) {
+        at += 12 + (int64_t)png_get_uint_32(head);
+        has_ended = memcmp(head + 4, "IEND", 4) == 0;
+    }
+    rewind(file);
+    return at <= size;
+}
+
+static bool is_png(FILE *file)
+{
+    uint8_t signature[8];
+    const bool is_read = fread(signature, sizeof(signature), 1, file) == 1;
+    rewind(file);
+    return is_read && png_sig_cmp(signature, 0, sizeof(signature)) == 0;
+}
+
+static enum status damaged(const char *path, const char *why)
+{
+    log_error("%s: not a PNG file, damaged or too large: %s", path, why);
+    return STATUS_DATA;
+}
+
+static const char names[4][2] = { "R", "G", "B", "A" };
+
+static uint32_t count_planes(const png_image *png)
+{
+    return png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
+}
+
+/* Fills the planes with linear colours. Returns false when out of memory. */
+static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
+{
+    const uint32_t plane_count = count_planes(png);
+    const size_t count = (size_t)png->width * png->height;
+    float linear[256];
+
+    for (int i = 0; i < 256; i++)
+        linear[i] = srgb_decode((float)i / 255.0f);
+    image_init(image, png->width, png->height);
+    for (uint32_t p = 0; p < plane_count; p++) {
+        float *texels = image_add_plane(image, names[p], false);
+        if (!texels) {
+            image_finish(image);
+            return false;
+        }
+        for (size_t i = 0; i < count; i++)
+            texels[i] = p < 3 ? linear[rgba[4 * i + p]] : (float)rgba[4 * i + p] / 255.0f;
+    }
+    return true;
+}
+
+static enum status read_texels(const char *path, png_image *png, struct image *image)
+{
+    png_image source = *png; /* the file's format, for has_alpha */
+    uint8_t *rgba;
+    enum status status = STATUS_OK;
+
+    png->format = PNG_FORMAT_RGBA;
+    rgba = malloc((size_t)png->width * png->height * 4);
+    if (!rgba)
+        return out_of_memory(path, png);
+    if (!png_image_finish_read(png, NULL, rgba, 0, NULL))
+        status = damaged(path, png->message);
+    else if (!fill_image(image, &source, rgba))
+        status = out_of_memory(path, png);
+    free(rgba);
+    return status;
+}
+
+/* Opens a file and reads its header. The caller closes both `png` and `file`, also on failure. */
+static enum status open_png(const char *path, png_image *png, FILE **file)
+{
+    int64_t size;
+    enum status status = file_io_open(path, file, &size);
+
+    *png = (png_image){ .version = PNG_IMAGE_VERSION };
+    if (status != STATUS_OK)
+        return status;
+    if (is_png(*file) && !has_whole_chunks(*file, size))
+        return damaged(path, "a chunk is longer than the file");
+    if (!png_image_begin_read_from_stdio(png, *file))
+        return damaged(path, png->message);
+    if (png->width > IMAGE_MAX_SIDE || png->height > IMAGE_MAX_SIDE ||
+        png->height > IMAGE_MAX_TEXELS / png->width)
+        return damaged(path, "size out of range");
+    png->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    return STATUS_OK;
+}
+
+static enum status close_png(png_image *png, FILE *file, enum status status)
+{
+    if (status == STATUS_DATA && ferror(file))
+        status = STATUS_NO_INPUT; /* "read error" is already logged */
+    png_image_free(png);
+    if (file)
+        fclose(file);
+    return status;
+}
+
+enum status png_read_header(const char *path, struct image_header *head)
+{
+    png_image png;
+    FILE *file;
+    enum status status = open_png(path, &png, &file);
+
+    *head = (struct image_header){ 0 };
+    if (status == STATUS_OK)
+        image_init(&head->image, png.width, png.height);
+    for (uint32_t p = 0; p < count_planes(&png) && status == STATUS_OK; p++) {
+        if (!image_header_add_plane(head, names[p], false))
+            status = log_out_of_memory(path);
+    }
+    if (status != STATUS_OK)
+        image_header_finish(head);
+    return close_png(&png, file, status);
+}
+
+enum status png_read(const char *path, struct image *image)
+{
+    png_image png;
+    FILE *file;
+    enum status status = open_png(path, &png, &file);
+
+    if (status == STATUS_OK)
+        status = read_texels(path, &png, image);
+    return close_png(&png, file, status);
+}

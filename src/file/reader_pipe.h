@@ -1,0 +1,57 @@
+/*
+ * reader_pipe.h: validated byte stream between a reader process and its parent. The reader process
+ * parses untrusted files, so the parent validates everything. Counts and sizes are checked before
+ * memory is allocated; extra or missing bytes are a fault. Numbers are in the machine's format.
+ */
+#ifndef FIRN_FILE_READER_PIPE_H
+#define FIRN_FILE_READER_PIPE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "src/base/status.h"
+
+/* Callback that transfers `size` bytes. After returning false, it must not be called again. */
+typedef bool pipe_read_fn(void *user, void *bytes, size_t size);
+typedef bool pipe_write_fn(void *user, const void *bytes, size_t size);
+
+struct pipe_source {
+    pipe_read_fn *read;
+    void *user;
+    uint64_t size_max; /* limit of all arrays, bytes */
+};
+
+struct pipe_sink {
+    pipe_write_fn *write;
+    void *user;
+};
+
+enum pipe_fault {
+    PIPE_OK,
+    PIPE_SHORT,  /* the source ended early */
+    PIPE_MEMORY, /* out of memory, data possibly valid */
+    PIPE_LARGE,  /* valid, but above a user's limit */
+    PIPE_HEAD,
+    PIPE_SIZE,
+    PIPE_NUMBER,
+    PIPE_INDEX,
+    PIPE_MATERIAL,
+    PIPE_CAMERA,
+    PIPE_TEXEL,
+    PIPE_TEXT,
+    PIPE_END,
+    PIPE_FAULT_COUNT,
+};
+
+/* Returns the description of a fault, such as "an index beyond the vertices". */
+const char *pipe_fault_text(enum pipe_fault fault);
+
+/* Writes `size` bytes, which pipe_read() receives. `bytes` may be NULL if `size` is 0. */
+MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
+MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
+
+/* Writes the marker that ends every stream. pipe_read_end() checks the marker. */
+MUST_USE bool pipe_write_end(const struct pipe_sink *sink);
+MUST_USE enum pipe_fault pipe_read_end(const struct pipe_source *source);
+
+#endif

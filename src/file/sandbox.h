@@ -1,0 +1,30 @@
+/*
+ * sandbox.h: restricts this process to reading one file or folder and computing.
+ *
+ * Four mechanisms are applied as far as the kernel supports them (docs/trust.md describes what
+ * remains possible without them): Landlock, so that no other file can be opened; a seccomp filter
+ * that allows few system calls (no new processes or programs, sockets, signals to others, opening
+ * for writing, or new executable memory); no capabilities except those to read other users' files;
+ * and no_new_privs. Other calls fail with EPERM.
+ */
+#ifndef FIRN_FILE_SANDBOX_H
+#define FIRN_FILE_SANDBOX_H
+
+#include <stdbool.h>
+#include "src/base/status.h"
+
+/*
+ * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable. If
+ * `with_folder` is true, all files in its folder stay readable, except through links to the
+ * outside. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
+ */
+MUST_USE bool sandbox_enter(const char *path, bool with_folder);
+
+/* Sandbox mechanisms that this kernel supports. */
+struct sandbox_support {
+    int landlock; /* Landlock ABI version, or 0 */
+    bool seccomp;
+};
+struct sandbox_support sandbox_query(void);
+
+#endif

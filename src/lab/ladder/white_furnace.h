@@ -1,0 +1,37 @@
+/*
+ * white_furnace.h: the white furnace test, which checks energy conservation. In an environment of
+ * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere. A
+ * deviation shows that a refraction model or the reference loses or creates energy.
+ */
+#ifndef FIRN_LAB_LADDER_WHITE_FURNACE_H
+#define FIRN_LAB_LADDER_WHITE_FURNACE_H
+
+#include <stdio.h>
+#include "src/lab/ladder/refraction_model_comparison.h"
+
+/* Maximum deviation from 1 at which a pixel passes. */
+extern const double furnace_tolerance;
+
+/* Furnace test statistics over R, G and B of the object's pixels. */
+struct furnace_row {
+    const char *name;
+    double min, mean, max;
+    double remaining; /* maximum of the layer `remaining` */
+    uint64_t off;     /* pixels that fail the test */
+};
+
+struct furnace {
+    struct furnace_row rows[LADDER_MODEL_COUNT + 1]; /* the reference first */
+    uint32_t row_count;
+    uint64_t pixel_count;
+};
+
+/* Evaluates the furnace test on a comparison in a white environment. Borrows the model names. */
+struct furnace furnace_measure(const struct ladder *ladder);
+
+/* Returns true if every pixel passes the furnace test. */
+bool furnace_passes(const struct furnace *furnace);
+
+void furnace_print(const struct furnace *furnace, FILE *out);
+
+#endif

@@ -1,0 +1,47 @@
+/*
+ * measure_frames.h: renders a frame repeatedly and measures its passes. Each run renders the frame
+ * twice, once with and once without measurement of passes, in alternating order. The difference is
+ * the measurement overhead. The image is not read back from the GPU.
+ */
+#ifndef FIRN_LAB_PROFILE_MEASURE_FRAMES_H
+#define FIRN_LAB_PROFILE_MEASURE_FRAMES_H
+
+#include "src/lab/profile/profile_data.h"
+#include "src/lab/profile/timestamp_check.h"
+#include "src/render/renderer.h"
+
+enum {
+    MEASURE_PATH_SIZE = 1024
+};
+
+struct profile_request {
+    /* Parameters of the renderer, except samples, layers, linear, display, keep and measured, whose
+     * values are ignored. */
+    struct renderer_params renderer;
+    struct camera camera;
+    const struct profile_clock *clock;
+    uint32_t warmup, run_count; /* `run_count` must be at least 1 */
+    char *capture;              /* path, MEASURE_PATH_SIZE bytes, or NULL */
+    double time, time_step;     /* seconds: first run's scene time, step */
+};
+
+/* Callback after each run or warm-up run. Returning false stops all runs with STATUS_FAILED. */
+typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
+
+/* Profiles that are measured together, with interleaved runs. */
+struct profile_run {
+    const struct profile_request *requests; /* equal `warmup` and `run_count` */
+    struct profile *profiles;
+    uint32_t count;                /* number of requests and profiles */
+    profile_progress_fn *progress; /* may be NULL; counts all runs */
+    void *user;
+};
+
+/*
+ * Creates a renderer for each request and fills the profiles. The renderers take turns, so that
+ * other load on the machine affects all of them equally. Afterwards the caller fills in command,
+ * scene, material and settings. On failure all profiles are zeroed.
+ */
+MUST_USE enum status profile_measure(const struct profile_run *run);
+
+#endif

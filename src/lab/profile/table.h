@@ -1,0 +1,16 @@
+/* table.h: prints a profile as a text table with lines of PROFILE_COLUMNS characters. */
+#ifndef FIRN_LAB_PROFILE_TABLE_H
+#define FIRN_LAB_PROFILE_TABLE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+#include "src/lab/profile/profile_data.h"
+
+/* Prints the table. A line adds up all repetitions of a pass, such as cube faces. If `each` is
+ * true, each repetition has a line. When out of memory logs and returns STATUS_TRY_AGAIN. */
+MUST_USE enum status profile_table(const struct profile *profile, bool each, FILE *out);
+
+/* Returns the number of decimals that show `greatest` with five significant digits. */
+int profile_decimals(double greatest);
+
+#endif

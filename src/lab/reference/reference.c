@@ -1,0 +1,516 @@
+/* reference.c: renders reference images on several threads, up to a noise or time limit. */
+#include "src/lab/reference/reference.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/base/parallel.h"
+#include "src/lab/reference/camera_rays.h"
+#include "src/lab/reference/microfacet.h"
+#include "src/lab/reference/photons.h"
+#include "src/lab/reference/pool_scene.h"
+#include "src/lab/reference/reference_aov_table.h"
+#include "src/lab/reference/reference_sample_sums.h"
+#include "src/lab/reference/whitted.h"
+#include "src/render/frame/frame_uniforms.h"
+#include "src/render/sample_accumulation.h"
+#include "src/scene/environment/image_based_lighting.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/lighting/ice_caustics.h"
+#include "src/tech/output/first_surface.h"
+#include "src/tech/output/tonemap.h"
+#include "src/tech/water/caustics.h"
+
+enum {
+    TILE = 16, /* tile side in pixels */
+    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
+    ROUND_MAX = 16, /* samples per pixel and round */
+};
+
+struct reference {
+    struct reference_request request;
+    RTCDevice device;
+    char device_name[32];
+};
+
+/* Image plane, and the index of the sample value that the plane stores. */
+struct plane {
+    float *texels;
+    size_t value_index;
+    uint32_t sum_index; /* index of the sum to average */
+    bool mean;          /* mean of samples, or sample 0 */
+};
+
+/* Statistics of a tile's pixels. */
+struct tally {
+    double error; /* sum of the pixels' standard errors */
+    double remaining;
+    uint64_t pixels_beyond;
+};
+
+/* An image in progress, shared by the threads. */
+struct job {
+    const struct reference *reference;
+    struct radiance radiance;
+    struct globals globals;
+    struct camera_rays camera_rays;
+    struct first_surface_previous earlier;
+    struct embree_scene embree_scene;
+    struct nested_media media;
+    struct inclusions inclusions;
+    struct tracer tracing;
+    struct photons photons;
+    struct pool_scene pool_scene;
+    struct plane planes[PLANE_COUNT_MAX];
+    uint32_t plane_count;
+    struct reference_session *session;
+    struct reference_sums sums;
+    uint32_t begin, end; /* sample range of the current round */
+    struct tally *tallies;
+    uint32_t tile_columns, tile_count;
+    renderer_progress_fn *progress; /* may be NULL */
+    void *user;                     /* argument of `progress` */
+    atomic_bool is_stopped;
+};
+
+bool reference_is_built(void)
+{
+    return true;
+}
+
+enum status reference_create(struct reference **reference, const struct reference_request *request)
+{
+    struct reference *r = calloc(1, sizeof(*r));
+    *reference = NULL;
+    if (!r)
+        return log_out_of_memory(NULL);
+    r->request = *request;
+    r->request.samples = request->samples ? request->samples : 1;
+    r->request.threads = request->threads ? request->threads : parallel_core_count();
+    r->device = rtcNewDevice(NULL);
+    if (!r->device) {
+        const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;
+        log_error(
+            "--refraction reference: %s",
+            is_old
+                ? "expected a CPU with SSE4.2, which Embree needs; choose another refraction model"
+                : "out of memory");
+        free(r);
+        return is_old ? STATUS_NO_DEVICE : STATUS_TRY_AGAIN;
+    }
+    snprintf(r->device_name, sizeof(r->device_name), "Embree %d.%d.%d",
+             (int)rtcGetDeviceProperty(r->device, RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+             (int)rtcGetDeviceProperty(r->device, RTC_DEVICE_PROPERTY_VERSION_MINOR),
+             (int)rtcGetDeviceProperty(r->device, RTC_DEVICE_PROPERTY_VERSION_PATCH));
+    *reference = r;
+    return STATUS_OK;
+}
+
+const char *reference_device(const struct reference *r)
+{
+    return r->device_name;
+}
+
+void reference_destroy(struct reference *r)
+{
+    if (!r)
+        return;
+    rtcReleaseDevice(r->device);
+    free(r);
+}
+
+static void write_first(const struct job *job, size_t pixel,
+                        const struct reference_ray_values *seen)
+{
+    float values[REFERENCE_RAY_VALUE_COUNT];
+    memcpy(values, seen, sizeof(values));
+    for (uint32_t p = 0; p < job->plane_count; p++) {
+        if (!job->planes[p].mean)
+            job->planes[p].texels[pixel] = values[job->planes[p].value_index];
+    }
+}
+
+static void write_means(const struct job *job, size_t pixel, const double *sums,
+                        struct tally *tally)
+{
+    const double error = reference_sums_error(sums, job->end);
+    const double remaining = reference_sums_remaining(sums, job->end);
+    for (uint32_t p = 0; p < job->plane_count; p++) {
+        const struct plane *plane = &job->planes[p];
+        if (plane->mean)
+            plane->texels[pixel] = (float)(plane->value_index == REFERENCE_RAY_VALUE_ERROR
+                                               ? error
+                                               : sums[plane->sum_index] / job->end);
+    }
+    tally->error += error;
+    tally->remaining = fmax(tally->remaining, remaining);
+    tally->pixels_beyond += remaining > REFERENCE_REMAINING_MAX;
+}
+
+static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct tally *tally)
+{
+    const size_t pixel = (size_t)y * job->reference->request.width + x;
+    double scratch[REFERENCE_VALUE_COUNT] = { 0 };
+    double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : scratch;
+    for (uint32_t s = job->begin; s < job->end; s++) {
+        const struct embree_scene_ray ray = camera_rays_at(&job->camera_rays, x, y, s);
+        struct tracer tracing = job->tracing;
+        tracing.sample = s;
+        if (job->camera_rays.is_orthographic)
+            whitted_find_enclosing(&tracing, ray.origin, &tracing.camera_inside);
+        const struct reference_ray_values seen =
+            whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
+        reference_sums_add(&job->sums, sums, &seen);
+        if (s == 0)
+            write_first(job, pixel, &seen);
+    }
+    write_means(job, pixel, sums, tally);
+}
+
+static uint32_t min_u32(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static void trace_tile(void *user, uint32_t tile)
+{
+    struct job *job = user;
+    const struct reference_request *request = &job->reference->request;
+    struct tally tally = { 0 };
+    const uint32_t left = tile % job->tile_columns * TILE;
+    const uint32_t top = tile / job->tile_columns * TILE;
+    for (uint32_t y = top; y < min_u32(top + TILE, request->height); y++) {
+        for (uint32_t x = left; x < min_u32(left + TILE, request->width); x++)
+            trace_pixel(job, x, y, &tally);
+        if (atomic_load(&job->is_stopped))
+            return;
+    }
+    job->tallies[tile] = tally;
+}
+
+/* Reports the progress of all rounds as a number of tiles, from 0 to tile_count. Cancels the tiles
+ * in progress if the callback returns false. */
+static bool report_tiles(void *user, uint32_t done)
+{
+    struct job *job = user;
+    const uint64_t before = (uint64_t)job->begin * job->tile_count;
+    const uint64_t now = (uint64_t)(job->end - job->begin) * done;
+    const uint32_t tiles = (uint32_t)((before + now) / job->reference->request.samples);
+    const bool goes_on = !job->progress || job->progress(job->user, tiles, job->tile_count);
+    if (!goes_on)
+        atomic_store(&job->is_stopped, true);
+    return goes_on;
+}
+
+static bool has_rounds(const struct job *job)
+{
+    const struct reference_request *request = &job->reference->request;
+    const struct reference_session *session = job->session;
+    return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->save;
+}
+
+/* Returns the sample count after the round that starts with `samples` samples. */
+static uint32_t round_end(const struct job *job, uint32_t samples)
+{
+    const uint32_t samples_max = job->reference->request.samples;
+    uint32_t end = 1;
+    if (!has_rounds(job))
+        return samples_max;
+    while (end <= samples)
+        end += min_u32(end, ROUND_MAX);
+    return min_u32(end, samples_max);
+}
+
+static bool is_enough(const struct job *job, double began)
+{
+    const struct reference_request *request = &job->reference->request;
+    const struct reference_outcome *outcome = &job->session->outcome;
+    const uint32_t samples = outcome->samples;
+    return samples >= request->samples ||
+           (request->noise > 0.0 && samples >= REFERENCE_NOISE_SAMPLES &&
+            outcome->noise <= request->noise) ||
+           (request->seconds > 0.0 && samples && clock_seconds() - began >= request->seconds);
+}
+
+/* Sums up the tiles in a fixed order, so that `noise` does not depend on the number of threads. */
+static struct reference_outcome outcome_of(const struct job *job)
+{
+    const double pixels = (double)job->sums.width * job->sums.height;
+    struct reference_outcome outcome = { .samples = job->end };
+    for (uint32_t i = 0; i < job->tile_count; i++) {
+        const struct tally *tally = &job->tallies[i];
+        outcome.noise += tally->error / pixels;
+        outcome.remaining = fmax(outcome.remaining, tally->remaining);
+        outcome.pixels_beyond += tally->pixels_beyond;
+    }
+    return outcome;
+}
+
+/* Renders until every pixel has `samples` samples, and updates the session's outcome. */
+static enum status run_until(struct job *job, uint32_t samples)
+{
+    job->begin = job->sums.samples;
+    job->end = samples;
+    const bool goes_on = parallel_for(job->tile_count, job->reference->request.threads, trace_tile,
+                                      job, report_tiles, job);
+    job->sums.samples = samples;
+    job->session->outcome = outcome_of(job);
+    return goes_on ? STATUS_OK : STATUS_FAILED;
+}
+
+static enum status run_rounds(struct job *job)
+{
+    const struct reference_session *session = job->session;
+    const double began = clock_seconds();
+    enum status status = STATUS_OK;
+    if (session->load)
+        status = session->load(session->user, &job->sums);
+    if (status == STATUS_OK && job->sums.samples)
+        status = run_until(job, job->sums.samples);
+    while (status == STATUS_OK && !is_enough(job, began)) {
+        status = run_until(job, round_end(job, job->sums.samples));
+        if (status == STATUS_OK && session->save)
+            status = session->save(session->user, &job->sums, is_enough(job, began));
+    }
+    return status;
+}
+
+/* Adds the planes of a layer to the image. Returns false when out of memory. */
+static bool add_layer(struct job *job, struct image *image, const struct frame_layer *layer)
+{
+    if (!accumulate_add_planes(image, layer))
+        return false;
+    for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
+        const size_t value_index = reference_layers_find(layer->planes[p]);
+        const bool is_sum = layer->mean && value_index < REFERENCE_RAY_VALUE_COUNT;
+        job->planes[job->plane_count++] = (struct plane){
+            .texels = image_find(image, layer->planes[p]),
+            .value_index = value_index,
+            .sum_index = is_sum ? reference_sums_add_value(&job->sums, (uint32_t)value_index) : 0,
+            .mean = layer->mean,
+        };
+        if (!layer->mean)
+            reference_sums_add_first(&job->sums, (uint32_t)value_index,
+                                     image_find(image, layer->planes[p]));
+    }
+    return true;
+}
+
+/* Allocates the image's planes, sums and tile statistics. Returns false when out of memory. */
+static bool add_layers(struct job *job, struct image *image)
+{
+    const struct reference_request *request = &job->reference->request;
+    bool done = true;
+    image_init(image, request->width, request->height);
+    reference_sums_init(&job->sums, request->width, request->height);
+    if (request->linear || request->display)
+        done = add_layer(job, image, &frame_beauty);
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        if (request->layers & 1u << i && reference_has_layer(techniques_layer(i)))
+            done = done && add_layer(job, image, techniques_layer(i));
+    }
+    job->tile_columns = (request->width + TILE - 1) / TILE;
+    job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
+    job->tallies = calloc(job->tile_count, sizeof(*job->tallies));
+    return done && job->tallies && (!has_rounds(job) || reference_sums_allocate(&job->sums));
+}
+
+static uint64_t memory_limit(const struct reference_request *request)
+{
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    const long page = sysconf(_SC_PAGESIZE);
+    struct rlimit limit = { .rlim_cur = RLIM_INFINITY };
+    if (request->memory)
+        return request->memory;
+    uint64_t memory = pages > 0 && page > 0 ? (uint64_t)pages * (uint64_t)page : UINT64_MAX;
+    if (!getrlimit(RLIMIT_AS, &limit) && limit.rlim_cur < memory)
+        memory = limit.rlim_cur;
+    return memory;
+}
+
+static struct tracer tracing_of(const struct job *job)
+{
+    const struct reference_params *params =
+        settings_of(job->reference->request.settings, &reference_settings);
+    struct tracer tracing = {
+        .embree_scene = &job->embree_scene,
+        .radiance = &job->radiance,
+        .media = &job->media,
+        .inclusions = &job->inclusions,
+        .pool_scene = job->reference->request.scene->has_pool ? &job->pool_scene : NULL,
+        .earlier = &job->earlier,
+        .has_layers = job->reference->request.layers != 0,
+        .guide = image_based_lighting_dominant_cone(&job->radiance.scene->environment,
+                                                    job->radiance.scene->prefiltered_environment),
+        .params = *params,
+    };
+    for (uint32_t i = 0; i < job->radiance.scene->scattering_media.count; i++) {
+        const struct volume_scattering volume_scattering =
+            volume_scattering_of(&job->radiance, job->reference->request.settings, i);
+        if (volume_scattering.majorant > 0.0f)
+            tracing.scattering_media[tracing.scattering_media_count++] = volume_scattering;
+    }
+    return tracing;
+}
+
+/* Reports that no tile is done while the photon map is built. */
+static bool report_photons(void *user, uint32_t done)
+{
+    const struct job *job = user;
+    (void)done;
+    return !job->progress || job->progress(job->user, 0, job->tile_count);
+}
+
+/* Builds the photon map if the rasteriser would render caustics with these settings. */
+static enum status trace_photons(struct job *job)
+{
+    const struct settings *settings = job->reference->request.settings;
+    const struct ice_caustics_params *light = settings_of(settings, &ice_caustics_settings);
+    const struct caustics_params *pool = settings_of(settings, &caustics_settings);
+    const bool has_pool = job->reference->request.scene->has_pool;
+    const struct photons_params params = {
+        .count = job->tracing.params.photons,
+        .sun_deg = pool->sun,
+        .has_shadow = light->shadow || has_pool,
+        .threads = job->reference->request.threads,
+        .progress = report_photons,
+        .user = job,
+    };
+    if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
+        !(glms_vec3_max(job->globals.sun_light) > 0.0f))
+        return STATUS_OK;
+    const enum status status = photons_init(&job->photons, &job->tracing, &params);
+    job->tracing.photons = status == STATUS_OK ? &job->photons : NULL;
+    return status;
+}
+
+/* Replaces a pool in the scene by triangle meshes. Returns false when out of memory. */
+static bool build_pool(struct job *job, struct frame_view *view)
+{
+    if (!view->scene->has_pool)
+        return true;
+    if (!pool_scene_init(&job->pool_scene, view->scene, view->settings, &job->globals))
+        return false;
+    view->scene = &job->pool_scene.scene;
+    job->globals = frame_view_globals(view, &job->camera_rays.push);
+    job->globals.world_from_object = glms_mat4_identity(); /* the ice is in world space */
+    return true;
+}
+
+/* Initialises camera, media and lighting. Returns false when out of memory. */
+static bool prepare(struct job *job, const struct renderer_shot *shot)
+{
+    const struct reference_request *request = &job->reference->request;
+    struct frame_view view = {
+        .scene = request->scene,
+        .settings = request->settings,
+        .camera = shot->camera,
+        .time = shot->time,
+        .width = request->width,
+        .height = request->height,
+    };
+    job->camera_rays = camera_rays_of(&view, request->filter);
+    job->globals = frame_view_globals(&view, &job->camera_rays.push);
+    view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
+    first_surface_write(&job->earlier, &view, &job->globals);
+    if (!build_pool(job, &view) || !nested_media_init(&job->media, view.scene, request->settings))
+        return false;
+    if (request->scene->has_pool)
+        pool_scene_set_media(&job->pool_scene, request->scene, request->settings, &job->media);
+    const struct ground_params *ground = settings_of(request->settings, &ground_settings);
+    job->radiance = radiance_of(view.scene, &job->globals);
+    job->radiance.is_traced = ground->light == GROUND_TRACED;
+    const struct ice_caustics_params *sun = settings_of(request->settings, &ice_caustics_settings);
+    const bool is_mapped = !request->scene->has_pool && ice_caustics.is_on(request->settings);
+    job->radiance.hides_sun = job->radiance.is_traced || (is_mapped && sun->ground);
+    job->inclusions = inclusions_of(&job->radiance, request->settings);
+    job->tracing = tracing_of(job);
+    return true;
+}
+
+static enum status trace(struct job *job, const struct renderer_shot *shot)
+{
+    if (!prepare(job, shot))
+        return log_out_of_memory("objects");
+    enum status status = embree_scene_init(&job->embree_scene, job->reference->device,
+                                           &job->radiance, memory_limit(&job->reference->request));
+    if (status == STATUS_OK)
+        status = trace_photons(job);
+    if (status == STATUS_OK) {
+        whitted_find_enclosing(&job->tracing, job->camera_rays.push.eye,
+                               &job->tracing.camera_inside);
+        status = run_rounds(job);
+    }
+    photons_finish(&job->photons);
+    nested_media_finish(&job->media);
+    embree_scene_finish(&job->embree_scene);
+    return status;
+}
+
+/* Returns the tone-mapped image as RGBA, or NULL when out of memory. */
+static uint8_t *make_display(const struct job *job, const struct image *image)
+{
+    const struct tonemap_params params = tonemap_params_of(job->reference->request.settings);
+    const size_t count = (size_t)image->width * image->height;
+    const float *planes[3];
+    for (int c = 0; c < 3; c++)
+        planes[c] = image_find(image, frame_beauty.planes[c]);
+    uint8_t *rgba = malloc(count * 4);
+    for (size_t i = 0; rgba && i < count; i++) {
+        const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
+        const vec3s encoded = tonemap_encode(radiance, params);
+        for (int c = 0; c < 3; c++)
+            rgba[i * 4 + (size_t)c] = (uint8_t)lrintf(encoded.raw[c] * 255.0f);
+        rgba[i * 4 + 3] = 255;
+    }
+    return rgba;
+}
+
+enum status reference_continue(struct reference *r, const struct renderer_shot *shot,
+                               struct render_result *result, struct reference_session *session,
+                               renderer_progress_fn *progress, void *user)
+{
+    struct job *job = calloc(1, sizeof(*job));
+    enum status status = STATUS_TRY_AGAIN;
+    *result = (struct render_result){ 0 };
+    session->outcome = (struct reference_outcome){ 0 };
+    if (job) {
+        job->reference = r;
+        job->session = session;
+        job->progress = progress;
+        job->user = user;
+    }
+    bool has_memory = job && add_layers(job, &result->image);
+    if (has_memory)
+        status = trace(job, shot);
+    if (status == STATUS_OK && r->request.display) {
+        result->rgba = make_display(job, &result->image);
+        has_memory = result->rgba != NULL;
+    }
+    if (!has_memory) {
+        status = log_out_of_memory(NULL);
+    }
+    if (job) {
+        pool_scene_finish(&job->pool_scene);
+        reference_sums_finish(&job->sums);
+        free(job->tallies);
+    }
+    free(job);
+    if (status != STATUS_OK)
+        render_result_finish(result);
+    return status;
+}
+
+enum status reference_render(struct reference *r, const struct renderer_shot *shot,
+                             struct render_result *result, renderer_progress_fn *progress,
+                             void *user)
+{
+    struct reference_session session = { 0 };
+    return reference_continue(r, shot, result, &session, progress, user);
+}

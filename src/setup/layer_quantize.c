@@ -1,0 +1,224 @@
+/* layer_quantize.c: converts float layers to 8-bit or 16-bit pixels for PNG files. */
+#include "src/setup/layer_quantize.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/file/srgb.h"
+#include "src/tech/output/tonemap.h"
+
+/* Planes of a layer, and the values that are shown as black and white. */
+struct source {
+    const float *planes[3];
+    uint32_t count; /* number of planes; one is shown as grey, two as red and green */
+    float minimum[3], maximum[3];
+};
+
+const struct frame_layer *layer_image_find(const char *name)
+{
+    const struct frame_layer *layer;
+    for (size_t i = 0; (layer = techniques_layer(i)); i++) {
+        if (!strcmp(layer->name, name))
+            return layer;
+    }
+    return NULL;
+}
+
+uint32_t layer_image_bit(const struct frame_layer *layer)
+{
+    for (size_t i = 0; layer && techniques_layer(i); i++) {
+        if (techniques_layer(i) == layer)
+            return 1u << i;
+    }
+    return 0;
+}
+
+static uint8_t quantise(float x)
+{
+    return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f); /* NaN becomes 0 */
+}
+
+static uint16_t quantise_16(float x)
+{
+    return (uint16_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 65535.0f + 0.5f);
+}
+
+static bool has_value(const struct source *source, size_t i)
+{
+    bool any = false;
+    for (uint32_t p = 0; p < source->count; p++) {
+        const float x = source->planes[p][i];
+        if (!isfinite(x) || x >= 1e10f)
+            return false;
+        any = any || x != 0.0f;
+    }
+    return any;
+}
+
+static void find_range(struct source *source, size_t pixels)
+{
+    for (uint32_t p = 0; p < source->count; p++) {
+        source->minimum[p] = INFINITY;
+        source->maximum[p] = -INFINITY;
+    }
+    for (size_t i = 0; i < pixels; i++) {
+        for (uint32_t p = 0; p < source->count && has_value(source, i); p++) {
+            source->minimum[p] = fminf(source->minimum[p], source->planes[p][i]);
+            source->maximum[p] = fmaxf(source->maximum[p], source->planes[p][i]);
+        }
+    }
+}
+
+/* Maps a value from its plane's range to 0..1. Returns 1 if the range is empty. */
+static float stretch(const struct source *source, uint32_t p, float x)
+{
+    const float width = source->maximum[p] - source->minimum[p];
+    return width > 0.0f ? (x - source->minimum[p]) / width : 1.0f;
+}
+
+static float shade(const struct source *source, enum frame_shown shown, uint32_t p, size_t i)
+{
+    const float darkest = 0.125f; /* shade of the darkest value; black marks missing values */
+    const float x = source->planes[p][i];
+    switch (shown) {
+    case FRAME_SHOWN_AMOUNT:
+        return darkest + (1.0f - darkest) * stretch(source, p, x);
+    case FRAME_SHOWN_DISTANCE:
+        if (source->minimum[p] == source->maximum[p])
+            return 1.0f;
+        return 1.0f - (1.0f - darkest) * stretch(source, p, x);
+    case FRAME_SHOWN_DIRECTION:
+        return 0.5f + 0.5f * x;
+    case FRAME_SHOWN_POSITION:
+        return stretch(source, p, x);
+    case FRAME_SHOWN_COLOR:
+        break;
+    }
+    return tonemap_srgb(x);
+}
+
+static struct source open_source(const struct image *image, const struct frame_layer *layer)
+{
+    struct source source = { .count = 1 };
+    while (source.count < 3 && layer->planes[source.count])
+        source.count++;
+    for (uint32_t p = 0; p < source.count; p++)
+        source.planes[p] = image_find(image, layer->planes[p]);
+    find_range(&source, (size_t)image->width * image->height);
+    return source;
+}
+
+static uint32_t shown_count(const struct source *source)
+{
+    return source->count == 2 ? 2 : 3;
+}
+
+uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer)
+{
+    const size_t pixels = (size_t)image->width * image->height;
+    uint8_t *rgba = calloc(pixels, 4);
+    if (!rgba) {
+        log_error("out of memory");
+        return NULL;
+    }
+    const struct source source = open_source(image, layer);
+    for (size_t i = 0; i < pixels; i++) {
+        const bool has = layer->shown == FRAME_SHOWN_COLOR || has_value(&source, i);
+        for (uint32_t c = 0; c < shown_count(&source) && has; c++)
+            rgba[i * 4 + c] = quantise(shade(&source, layer->shown, c % source.count, i));
+        rgba[i * 4 + 3] = 255;
+    }
+    return rgba;
+}
+
+uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer)
+{
+    const size_t pixels = (size_t)image->width * image->height;
+    uint16_t *rgba = calloc(pixels, 4 * sizeof(*rgba));
+    if (!rgba) {
+        log_error("out of memory");
+        return NULL;
+    }
+    const struct source source = open_source(image, layer);
+    for (size_t i = 0; i < pixels; i++) {
+        const bool is_color = layer->shown == FRAME_SHOWN_COLOR;
+        for (uint32_t c = 0; c < shown_count(&source) && (is_color || has_value(&source, i)); c++) {
+            const uint32_t p = c % source.count;
+            rgba[i * 4 + c] = quantise_16(is_color ? srgb_encode(source.planes[p][i])
+                                                   : shade(&source, layer->shown, p, i));
+        }
+        rgba[i * 4 + 3] = UINT16_MAX;
+    }
+    return rgba;
+}
+
+/* Tone-maps a pixel of the layer `beauty`. The result has straight (unpremultiplied) alpha. */
+static void show_beauty(const float *const planes[static 4], size_t i, struct tonemap_params params,
+                        float rgba[static 4])
+{
+    const float alpha = planes[3][i];
+    const float unpremultiply = alpha > 0.0f && alpha < 1.0f ? 1.0f / alpha : 1.0f;
+    const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
+    params.gain *= unpremultiply;
+    const vec3s shown = tonemap_apply(radiance, params);
+    for (size_t c = 0; c < 3; c++)
+        rgba[c] = srgb_encode(shown.raw[c]);
+    rgba[3] = alpha;
+}
+
+/* Returns a pseudo-random number from 0 to 1, hashed from a pixel index and a seed. */
+static float noise(size_t i, uint32_t seed)
+{
+    uint32_t h = ((uint32_t)i * 0x9e3779b9u) ^ (seed * 0x85ebca6bu);
+    h = (h ^ h >> 16) * 0x7feb352du;
+    h = (h ^ h >> 15) * 0x846ca68bu;
+    return (float)((h ^ h >> 16) >> 8) / 16777216.0f;
+}
+
+/* Dithers a value with triangular noise of plus or minus one step. This hides banding and makes the
+ * error's mean and variance independent of the value (Lipshitz, Wannamaker and Vanderkooy 1992).
+ * Black and white are not dithered. */
+static float dither_value(float x, size_t i, uint32_t channel)
+{
+    if (!(x > 0.0f && x < 1.0f))
+        return x;
+    return x + (noise(i, 2 * channel) + noise(i, 2 * channel + 1) - 1.0f) / 255.0f;
+}
+
+bool layer_image_is_dithered(const struct settings *settings)
+{
+    const struct tonemap_values *values = settings_of(settings, &tonemap_settings);
+    return values->dither;
+}
+
+bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
+                        uint16_t **rgba_16)
+{
+    const struct tonemap_params params = tonemap_params_of(settings);
+    const size_t pixels = (size_t)image->width * image->height;
+    const float *planes[4];
+    float shown[4];
+    uint8_t *bytes = rgba ? calloc(pixels, 4) : NULL;
+    uint16_t *pixels_16 = rgba_16 ? calloc(pixels, 4 * sizeof(*pixels_16)) : NULL;
+    for (size_t p = 0; p < 4; p++)
+        planes[p] = image_find(image, frame_beauty.planes[p]);
+    for (size_t i = 0; i < pixels && (bytes || pixels_16); i++) {
+        show_beauty(planes, i, params, shown);
+        for (size_t c = 0; c < 4; c++) {
+            const bool is_dithered = c < 3 && layer_image_is_dithered(settings);
+            if (bytes)
+                bytes[i * 4 + c] =
+                    quantise(is_dithered ? dither_value(shown[c], i, (uint32_t)c) : shown[c]);
+            if (pixels_16)
+                pixels_16[i * 4 + c] = quantise_16(shown[c]);
+        }
+    }
+    if (rgba)
+        *rgba = bytes;
+    if (rgba_16)
+        *rgba_16 = pixels_16;
+    if (bytes || pixels_16)
+        return true;
+    log_error("out of memory");
+    return false;
+}

@@ -1,0 +1,414 @@
+/* load_scene.c: loads the scene that options describe, and completes its settings. */
+#include <math.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/render/frame/frame_uniforms.h"
+#include "src/render/renderer.h"
+#include "src/scene/bundled_assets.h"
+#include "src/scene/gpu_material_table.h"
+#include "src/scene/material.h"
+#include "src/settings/scene_settings.h"
+#include "src/setup/setup.h"
+#include "src/tech/frame_media.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/bubbles.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/inclusions/frost.h"
+#include "src/tech/lighting/bump.h"
+#include "src/tech/lighting/highlight.h"
+#include "src/tech/lighting/ice_caustics.h"
+#include "src/tech/refract/env_box.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/techniques.h"
+#include "src/tech/water/pool_parameters.h"
+
+/* Number of stops by which lights must overexpose the image for a note to be logged. */
+#define BRIGHT_STOPS 4.0
+
+/* Sets the refractive index from the first available source: --set, --material, --preset, the
+ * model, the default. Returns true if the model's index is used. */
+static bool choose_ior(struct setup_scene *options, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    const struct setting *ior =
+        settings_row(&refract_settings, offsetof(struct refract_params, ior));
+    if (options->material)
+        settings_put(&options->settings, ior, (double)material_preset_find(options->material)->ior,
+                     SETTING_PRESET);
+    return !options->material && model->has_ior &&
+           settings_put(&options->settings, ior, (double)model->ior, SETTING_SCENE);
+}
+
+/* Switches on the sun's shadows and caustics if the sun lights a model file's opaque surroundings.
+ * Settings given by the user are kept. */
+static void choose_sun(struct setup_scene *options, const struct scene *scene)
+{
+    const struct setting *row =
+        settings_row(&ice_caustics_settings, offsetof(struct ice_caustics_params, light));
+    if (settings_source(&options->settings, row) == SETTING_DEFAULT && !options->plain &&
+        !scene_find_builtin(options->name) && material_table_has_lit(&scene->model.surroundings) &&
+        glms_vec3_max(frame_sun_light(scene, &options->settings)) > 0.0f)
+        settings_put(&options->settings, row, ICE_CAUSTICS_SUN, SETTING_SCENE);
+}
+
+static void switch_off(struct setup_scene *options, const struct technique *technique)
+{
+    settings_put(&options->settings, &technique->settings->rows[0], 0, SETTING_SCENE);
+}
+
+/* Returns true if the scene's objects are ice when no --material is given. */
+static bool has_ice(const struct scene *scene)
+{
+    return scene->has_pool ||
+           (scene->model.object_count > 0 && frame_media_are_from_settings(scene));
+}
+
+/* Returns true if a bundled asset sets the technique's main setting and --material is not given. */
+static bool has_default(const struct setup_scene *options, const struct technique *technique)
+{
+    return !options->material &&
+           settings_source(&options->settings, &technique->settings->rows[0]) == SETTING_SCENE;
+}
+
+/* Switches off inclusions and bumps with --plain, or if the material is not ice. */
+static void switch_off_ice_effects(struct setup_scene *options, const struct scene *scene)
+{
+    const bool is_ice =
+        options->material ? !strcmp(options->material, material_presets[0].name) : has_ice(scene);
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->is_ice_only && (options->plain || (!is_ice && !has_default(options, *t))))
+            switch_off(options, *t);
+    }
+    if (options->plain)
+        switch_off(options, &highlight);
+}
+
+/* Switches off inclusions if the scene has several objects, because only one is supported. */
+static void check_inclusions(struct setup_scene *options, const struct scene *scene,
+                             bool is_verbose)
+{
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if (scene->model.object_count < 2 || !(*t)->is_ice_only || !(*t)->is_on(&options->settings))
+            continue;
+        if (is_verbose)
+            log_warning("%s: left out, because the scene has %u refractive objects instead of one",
+                        (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
+        settings_set_value(&options->settings, &(*t)->settings->rows[0], 0);
+    }
+}
+
+/* Warns that a file's lights have no effect if there is no opaque surface for them to light. */
+static void check_lights(const struct setup_scene *options, const struct scene *scene)
+{
+    if (scene->model.light_count > 0 && !scene->punctual_light_table)
+        log_warning(
+            "%s: its lights have no effect, because the scene has no opaque surface to light",
+            options->name);
+}
+
+/* Logs a note if a file's lights, often in physical units, overexpose the image. */
+static void note_brightness(const struct setup_scene *options, const struct scene *scene)
+{
+    const struct setting *exposure = settings_find("tonemap.exposure");
+    const float radius = 0.5f * box_diagonal(scene->box);
+    float brightest = 0.0f; /* illuminance, lux */
+    for (uint32_t i = 0; i < scene->model.light_count && scene->punctual_light_table; i++) {
+        const struct light *light = &scene->model.lights[i];
+        const float distance = glms_vec3_distance(light->position, box_center(scene->box));
+        const float d = light->kind == LIGHT_DIRECTIONAL ? 1.0f : fmaxf(distance, radius);
+        brightest = fmaxf(brightest, glms_vec3_max(light->color) * light->intensity / (d * d));
+    }
+    const double stops = log2((double)brightest / (double)CGLM_PI);
+    if (stops >= BRIGHT_STOPS && !options->quiet &&
+        settings_source(&options->settings, exposure) < SETTING_PRESET)
+        log_note("%s: its lights overexpose white surfaces by a factor of %.0f; use --set "
+                 "tonemap.exposure=%.0f",
+                 options->name, exp2(stops), fmax(-stops, exposure->min));
+}
+
+/* Warns of an empty environment box. This is no error, because a user may be editing the box. */
+static void check_box(const struct setup_scene *options, const struct scene *scene)
+{
+    const struct refract_params *refract = settings_of(&options->settings, &refract_settings);
+    const struct box box = env_box_of(scene, &options->settings);
+    const bool is_box = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
+    if (refract->lookup == REFRACT_LOOKUP_BOX && !is_box)
+        log_warning("refract.lookup=box: the box is empty, so the environment is infinitely far "
+                    "away; set env_box.min_x < max_x, min_y < max_y and min_z < max_z");
+}
+
+enum status setup_require_scene(const struct setup_scene *options)
+{
+    if (options->name)
+        return STATUS_OK;
+    log_error("SCENE is missing: expected a name of firn list scenes or a model file (see --help)");
+    return STATUS_USAGE;
+}
+
+/* Logs a note that an object without materials is drawn as ice, which may not be intended. */
+static void note_ice(const struct setup_scene *options, const struct scene *scene)
+{
+    if (!options->quiet && !options->material && !scene_is_known(options->name) && has_ice(scene))
+        log_note("%s: has no materials, so it is drawn as ice; to change that, use for example "
+                 "--material glass",
+                 options->name);
+}
+
+struct settings_callback_data {
+    struct setup_scene *options;
+    struct bump_maps_params *maps;
+};
+
+static void finish_settings_callback(void *user, const struct scene *scene,
+                                     struct scene_params *params)
+{
+    const struct settings_callback_data *settings_callback_data = user;
+    note_ice(settings_callback_data->options, scene);
+    switch_off_ice_effects(settings_callback_data->options, scene);
+    check_inclusions(settings_callback_data->options, scene, true);
+    *params = setup_scene_params(settings_callback_data->options, settings_callback_data->maps);
+}
+
+/* Returns true for --env valley, the built-in landscape. */
+static bool is_valley(const struct setup_scene *options)
+{
+    return options->environment && asset_is_valley(options->environment);
+}
+
+const struct asset *setup_default_environment(const char *name)
+{
+    const struct asset *scene = asset_find(name, ASSET_SCENE);
+    const char *asset = scene ? scene->environment : scene_find_builtin(name) ? NULL : "studio";
+    return asset ? asset_find(asset, ASSET_ENVIRONMENT) : NULL;
+}
+
+/* Sets the default environment, `studio` or that of the asset, unless the options set one. */
+static void choose_environment(struct setup_scene *options)
+{
+    const struct asset *environment = setup_default_environment(options->name);
+    if (options->environment || options->surroundings || options->background.is_given ||
+        !environment)
+        return;
+    options->has_default_environment = asset_exists(environment);
+    if (options->has_default_environment)
+        options->environment = environment->name;
+    else if (!options->quiet)
+        log_note("%s: not found, so the surroundings are the built-in sky; set FIRN_ASSETS to the "
+                 "folder of firn's assets",
+                 environment->file);
+}
+
+/* Applies the settings of a bundled asset. */
+static enum status apply_asset_settings(struct setup_scene *options)
+{
+    const struct asset *scene = asset_find(options->name, ASSET_SCENE);
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0;
+         scene && i < ASSET_SETTING_COUNT && scene->settings[i] && status == STATUS_OK; i++)
+        status = settings_assign(&options->settings, scene->settings[i], SETTING_SCENE, NULL);
+    return status;
+}
+
+void setup_apply_scene_settings(struct setup_scene *options, const struct scene *scene)
+{
+    if (apply_asset_settings(options) != STATUS_OK)
+        return; /* the error was logged */
+    switch_off_ice_effects(options, scene);
+    check_inclusions(options, scene, false);
+    (void)choose_ior(options, scene);
+    choose_sun(options, scene);
+}
+
+struct settings setup_scene_settings(const struct setup_scene *options, const struct scene *scene)
+{
+    struct setup_scene initial = *options;
+    initial.plain = false;
+    initial.settings = settings_default();
+    setup_apply_scene_settings(&initial, scene);
+    return initial.settings;
+}
+
+static struct melting melting_of(const struct setup_scene *options)
+{
+    const struct ice_params *ice = settings_of(&options->settings, &ice_settings);
+    const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
+    const bool is_ice = options->material && !strcmp(options->material, material_presets[0].name);
+    return (struct melting){ ice->melt, motion->melt, is_ice, options->material && !is_ice };
+}
+
+struct scene_params setup_scene_params(const struct setup_scene *options,
+                                       struct bump_maps_params *maps)
+{
+    const struct object_params *object = settings_of(&options->settings, &object_settings);
+    const struct landscape_params *landscape = settings_of(&options->settings, &landscape_settings);
+    const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
+    const struct bump_params *bumps = settings_of(&options->settings, &bump_settings);
+    const struct air_params *planes = settings_of(&options->settings, &air_settings);
+    const struct bubbles_params *holes = settings_of(&options->settings, &bubbles_settings);
+    const struct cracks_params *sheets = settings_of(&options->settings, &cracks_settings);
+    const struct pool_params *pool = settings_of(&options->settings, &pool_settings);
+    const bool is_at_rest = options->animation && !strcmp(options->animation, "none");
+    *maps = (struct bump_maps_params){ .smooth = bumps->mask, .seed = bumps->seed };
+    return (struct scene_params){
+        .name = options->name,
+        .surroundings = options->surroundings,
+        .is_one_object = options->material != NULL,
+        .model_transform = options->has_transform ? &options->model_transform : NULL,
+        .pose = { .animation = is_at_rest ? NULL : options->animation,
+                  .is_first = !options->animation },
+        .material_overrides = options->material_overrides,
+        .material_override_count = options->material_override_count,
+        .environment = is_valley(options) ? NULL : options->environment,
+        .environment_turn = options->env_rotate / 360.0f - floorf(options->env_rotate / 360.0f),
+        .environment_exposure = options->env_exposure,
+        .background = options->background.is_given ? &options->background.value : NULL,
+        .is_hidden = options->no_background,
+        .object_triangles = object->triangles,
+        .landscape_triangles = landscape->triangles,
+        .flat = landscape->flat,
+        .orbiting_ball_count = motion->count,
+        .melting = melting_of(options),
+        .air = { planes->count, planes->seed, planes->size, planes->frequency },
+        .has_scattering_medium = air_is_medium(&options->settings),
+        .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
+        .bump = bump.is_on(&options->settings) || frost.is_on(&options->settings) ? maps : NULL,
+        .cracks = { sheets->count, sheets->seed, sheets->size, sheets->clip == CRACKS_CLIP_PRECUT,
+                    options->cracks },
+        .image_files = { options->bump, options->bump_mask, options->air },
+        .decode = &options->reader,
+        .pool = { pool->size, pool->depth, pool->ice },
+        .defers_texels = true,
+    };
+}
+
+const char *setup_fill_scene(struct scene *scene, const struct setup_scene *options)
+{
+    struct bump_maps_params maps;
+    const struct scene_params params = setup_scene_params(options, &maps);
+    return scene_fill(scene, &params);
+}
+
+enum status setup_log_fill_failure(const char *lacking)
+{
+    log_error("%s: out of memory", lacking);
+    return STATUS_TRY_AGAIN;
+}
+
+enum status setup_pose_scene(struct scene *scene, const struct setup_scene *options, float time,
+                             bool *is_changed)
+{
+    struct bump_maps_params maps;
+    struct scene posed;
+    *is_changed = scene->is_animated && (time < scene->time || time > scene->time);
+    if (!*is_changed)
+        return STATUS_OK;
+    struct scene_params params = setup_scene_params(options, &maps);
+    struct reader_params reader = options->reader;
+    reader.no_warnings = true; /* do not repeat the warnings of the first load */
+    params.decode = &reader;
+    params.previous_pose = scene;
+    params.pose.time = time;
+    params.defers_texels = false;
+    const enum status status = scene_load(&posed, &params);
+    if (status != STATUS_OK)
+        return status;
+    posed.model_ior = scene->model_ior;
+    posed.framing_box = scene->framing_box;
+    scene_finish(scene);
+    *scene = posed;
+    return STATUS_OK;
+}
+
+enum status setup_load_scene(struct scene *scene, struct setup_scene *options)
+{
+    const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
+    bool is_filled = false;
+    enum status status = setup_begin_scene(scene, options);
+    if (status == STATUS_OK)
+        status = setup_pose_scene(scene, options, motion->time, &is_filled);
+    const char *lacking =
+        status == STATUS_OK && !is_filled ? setup_fill_scene(scene, options) : NULL;
+    if (lacking)
+        status = setup_log_fill_failure(lacking);
+    if (status != STATUS_OK)
+        scene_finish(scene);
+    return status;
+}
+
+/* Refuses transform, animation and node materials for scenes that are not model files. */
+static enum status check_transform(const struct setup_scene *options)
+{
+    const char *refused = options->has_transform             ? "--up, --scale and --rotate"
+                          : options->animation               ? "--animation"
+                          : options->material_override_count ? "--material NODE=..."
+                                                             : NULL;
+    if (!refused || !scene_find_builtin(options->name))
+        return STATUS_OK;
+    log_error("%s: not available for the built-in scene '%s': expected a model file", refused,
+              options->name);
+    return STATUS_USAGE;
+}
+
+/* Refuses --env-rotate and --env-exposure without environment file, and --env-rotate for a cube. */
+static enum status check_environment(const struct setup_scene *options, const struct scene *scene)
+{
+    const bool is_rotated = fabsf(options->env_rotate) > 0.0f;
+    const bool is_exposed = fabsf(options->env_exposure) > 0.0f;
+    if ((!options->environment || is_valley(options)) && (is_rotated || is_exposed)) {
+        log_error("--env-%s: --env is missing", is_rotated ? "rotate" : "exposure");
+        return STATUS_USAGE;
+    }
+    if (is_rotated && scene->cube.texels) {
+        log_error("--env-rotate: not available for a cube: expected an equirectangular image "
+                  "as --env");
+        return STATUS_USAGE;
+    }
+    return STATUS_OK;
+}
+
+enum status setup_begin_scene(struct scene *scene, struct setup_scene *options)
+{
+    struct bump_maps_params maps;
+    struct settings_callback_data settings_callback_data = { options, &maps };
+    *scene = (struct scene){ 0 };
+    if (setup_require_scene(options) != STATUS_OK || check_transform(options) != STATUS_OK)
+        return STATUS_USAGE;
+    if (apply_asset_settings(options) != STATUS_OK)
+        return STATUS_USAGE;
+    choose_environment(options);
+    struct scene_params params = setup_scene_params(options, &maps);
+    params.on_object_loaded = finish_settings_callback;
+    params.user = &settings_callback_data;
+    enum status status = scene_load(scene, &params);
+    if (status == STATUS_OK)
+        status = check_environment(options, scene);
+    if (status != STATUS_OK) {
+        scene_finish(scene);
+    } else {
+        scene->model_ior = choose_ior(options, scene) ? scene->model.ior : 0.0f;
+        choose_sun(options, scene);
+        check_box(options, scene);
+        check_lights(options, scene);
+        note_brightness(options, scene);
+    }
+    return status;
+}
+
+struct renderer_params setup_renderer_params(const struct setup_image *p, struct gpu *gpu,
+                                             const struct scene *scene)
+{
+    return (struct renderer_params){
+        .gpu = gpu,
+        .scene = scene,
+        .settings = &p->scene.settings,
+        .refraction = p->refraction,
+        .width = p->width,
+        .height = p->height,
+        .columns = p->columns,
+        .rows = p->rows,
+        .is_adaptive = p->is_adaptive,
+        .filter = p->filter,
+        .interleaved = p->interleaved,
+        .sharing = p->sharing,
+    };
+}

@@ -1,0 +1,35 @@
+/* object_id_names.c: lists the names of the object IDs in the layer `object`. */
+#include "src/setup/object_id_names.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Prints a line with an ID and a name. Control characters in the name are replaced. */
+static void print_line(FILE *out, uint32_t number, const char *name, const char *else_name)
+{
+    fprintf(out, "%u ", number);
+    for (const char *c = name[0] ? name : else_name; *c; c++)
+        fputc((unsigned char)*c < ' ' ? ' ' : *c, out);
+    fputc('\n', out);
+}
+
+char *object_names(const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    const uint32_t first = model->object_count + 1;
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    for (uint32_t i = 0; i < model->object_count; i++)
+        print_line(out, i + 1, model->objects[i].name, "object");
+    if (model->surroundings.index_count)
+        print_line(out, first, "", "surroundings");
+    for (uint32_t i = 0; i < model->surroundings_object_count; i++)
+        print_line(out, first + 1 + i, model->surroundings_names[i], "object");
+    const bool is_good = !ferror(out);
+    if (fclose(out) == 0 && is_good)
+        return text;
+    free(text);
+    return NULL;
+}

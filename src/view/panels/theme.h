@@ -1,0 +1,26 @@
+/* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. The contrast
+ * with the background is at least 4.5 for text, and at least 3 for marks and borders. These are the
+ * limits of WCAG 2.1 (1.4.3, 1.4.11). */
+#ifndef FIRN_VIEW_PANELS_THEME_H
+#define FIRN_VIEW_PANELS_THEME_H
+
+#include <stdint.h>
+
+struct theme {
+    const char *name;
+    uint32_t surround; /* margins around the image */
+    uint32_t panel, raised, hover, pressed;
+    uint32_t text, dim; /* dim only on panel and raised */
+    uint32_t accent;    /* draggable elements */
+    uint32_t changed;   /* mark and text of changed settings */
+    uint32_t error;
+    uint32_t border;
+};
+
+/* Returns theme i; NULL after the last. The first is the default. */
+const struct theme *theme_at(uint32_t i);
+
+/* Returns the WCAG contrast ratio of two colours, 1 to 21. */
+double theme_contrast(uint32_t a, uint32_t b);
+
+#endif

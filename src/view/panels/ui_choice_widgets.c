@@ -1,0 +1,93 @@
+/* ui_choice_widgets.c: widgets that choose one of several values: list, buttons, thumbnails. */
+#include <math.h>
+#include <stdio.h>
+#include "src/view/panels/ui_internal.h"
+
+enum {
+    BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
+};
+
+static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
+static const float cell_gap = 6.0f;
+
+/* Draws the label on the left of a control that starts at `x`. */
+static void head(const char *name, float x, const char *tip)
+{
+    imgui_indent(8.0f * imgui_scale());
+    imgui_align();
+    imgui_text_elided(name, x - 14.0f * imgui_scale());
+    imgui_tooltip(tip);
+}
+
+bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                   const char *tip)
+{
+    char id[64];
+    const float x = imgui_available_width() * 0.46f;
+    head(name, x, tip);
+    imgui_same_line(x);
+    imgui_next_width(imgui_available_width());
+    snprintf(id, sizeof(id), "##%s", name);
+    const bool changed = imgui_combo(id, names, count, index);
+    imgui_tooltip(tip);
+    return changed;
+}
+
+bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                      const char *tip)
+{
+    const float all = imgui_available_width();
+    const float gap = 6.0f * imgui_scale();
+    const float x = all * 0.46f;
+    float at = x;
+    bool changed = false;
+    head(name, x, tip);
+    imgui_name(name);
+    for (uint32_t i = 0; i < count; i++) {
+        const float width = imgui_width(names[i]);
+        const bool fits = !i || at + width <= all;
+        at = fits ? at : x;
+        if (fits)
+            imgui_same_line(at);
+        else
+            imgui_indent(at);
+        at += width + gap;
+        if (imgui_choice_button(names[i], i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+        imgui_tooltip(tip);
+    }
+    return changed;
+}
+
+bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
+{
+    const float scale = imgui_scale();
+    const float gap = cell_gap * scale;
+    const float margin = 8.0f * scale;
+    const float room = imgui_available_width() - margin;
+    const float fits = floorf((room + gap) / (cell_width * scale + gap));
+    const uint32_t columns = fits > 1.0f ? (uint32_t)fits : 1;
+    const float width = floorf((room + gap) / (float)columns - gap);
+    bool changed = false;
+    if (!g->thumbnails)
+        return g->count > BUTTON_MAX
+                   ? ui_named_list(g->name, g->names, g->count, index, g->heading)
+                   : ui_named_buttons(g->name, g->names, g->count, index, g->heading);
+    imgui_indent(margin);
+    imgui_text_elided(g->heading, room);
+    imgui_name(g->name);
+    for (uint32_t i = 0; i < g->count; i++) {
+        if (i % columns)
+            imgui_same_line(0.0f);
+        else
+            imgui_indent(margin);
+        if (imgui_thumbnail_button(g->names[i], g->thumbnails[i], width, i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+        imgui_tooltip(g->tooltips[i]);
+    }
+    return changed;
+}

@@ -1,0 +1,274 @@
+/* ui_command_palette.c: command palette: fuzzy search of actions, settings and files. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/render/frame/pass_list.h"
+#include "src/scene/material.h"
+#include "src/scene/scene.h"
+#include "src/tech/refract/refract.h"
+#include "src/view/panels/ui_fuzzy_match.h"
+#include "src/view/panels/ui_internal.h"
+#include "src/view/panels/ui_search_synonyms.h"
+#include "src/view/panels/ui_settings.h"
+#include "src/view/session/recent_files.h"
+#include "src/view/session/xdg_folders.h"
+
+enum {
+    ENTRIES_MAX = 400,
+    SHOWN_MAX = 12, /* visible rows */
+    LABEL_SIZE = 96,
+    SYNONYM = 500,   /* distance if only a synonym matches */
+    IN_HELP = 1000,  /* match distance if only a setting's help text matches */
+    MISSPELT = 2000, /* minimum distance with a wrong letter */
+};
+
+enum entry_kind {
+    ENTRY_ACTION,
+    ENTRY_MATERIAL,
+    ENTRY_SCENE,
+    ENTRY_ENVIRONMENT,
+    ENTRY_PRESET,
+    ENTRY_SESSION,
+    ENTRY_RECENT,
+    ENTRY_SHOT,
+    ENTRY_OTHER,
+    ENTRY_SETTING,
+};
+
+/* An entry of the palette. */
+struct entry {
+    enum entry_kind kind;
+    uint32_t index;  /* index in its kind's table */
+    VkExtent2D size; /* size of a saved image */
+    const struct setting *row;
+    char label[LABEL_SIZE];
+    const char *key;   /* keyboard shortcut, or NULL */
+    uint32_t distance; /* match distance */
+};
+
+struct palette {
+    struct entry entries[ENTRIES_MAX];
+    const struct entry *order[ENTRIES_MAX]; /* entries sorted by distance */
+    uint32_t count;
+    const char *query;
+};
+
+static const char *const presets[] = { ".txt", NULL };
+static const char *const sessions[] = { ".firn", NULL };
+
+static uint32_t distance_of(const struct palette *p, const struct entry *e)
+{
+    uint32_t distance = ui_fuzzy_match_distance(p->query, e->label, false);
+    if (distance != UI_FUZZY_MATCH_NONE)
+        return distance;
+    const char *const texts[] = { e->label, ui_search_synonyms(e->row ? e->row->name : e->label) };
+    if (ui_fuzzy_match_contains(p->query, texts, 2))
+        return SYNONYM;
+    if (e->row && ui_settings_match(e->row, p->query))
+        return IN_HELP;
+    distance = ui_fuzzy_match_distance(p->query, e->label, true);
+    return distance == UI_FUZZY_MATCH_NONE ? distance : MISSPELT + distance;
+}
+
+__attribute__((format(printf, 3, 4))) static void add(struct palette *p, const struct entry *entry,
+                                                      const char *format, ...)
+{
+    struct entry *e = &p->entries[p->count];
+    va_list arguments;
+    if (p->count == ENTRIES_MAX)
+        return;
+    *e = *entry;
+    va_start(arguments, format);
+    vsnprintf(e->label, sizeof(e->label), format, arguments);
+    va_end(arguments);
+    e->distance = distance_of(p, e);
+    /* an entry that does not match is overwritten by the next one */
+    p->count += e->distance != UI_FUZZY_MATCH_NONE;
+}
+
+/* Orders palette entries by match distance. Entries of equal distance keep their order. */
+static int compare(const void *a, const void *b)
+{
+    const struct entry *x = *(const struct entry *const *)a;
+    const struct entry *y = *(const struct entry *const *)b;
+    return x->distance != y->distance ? (x->distance > y->distance) - (x->distance < y->distance)
+                                      : (x > y) - (x < y);
+}
+
+static void sort(struct palette *p)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        p->order[i] = &p->entries[i];
+    qsort(p->order, p->count, sizeof(p->order[0]), compare);
+}
+
+static void collect_files(struct palette *p)
+{
+    char *path;
+    for (uint32_t i = 0; (path = recent_files_at(i)); i++) {
+        add(p, &(struct entry){ ENTRY_RECENT, i }, "recent %s", strrchr(path, '/') + 1);
+        free(path);
+    }
+}
+
+/* Adds entries that save the image in a common size or in a size that the user typed. */
+static void collect_sizes(struct palette *p)
+{
+    static const VkExtent2D sizes[] = { { 1920, 1080 }, { 3840, 2160 }, { 2048, 2048 } };
+    const char *digits = p->query + strcspn(p->query, "0123456789");
+    VkExtent2D typed;
+    char end;
+    for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
+        add(p, &(struct entry){ ENTRY_SHOT, .size = sizes[i] }, "save the image, %ux%u",
+            sizes[i].width, sizes[i].height);
+    if (sscanf(digits, "%5ux%5u%c", &typed.width, &typed.height, &end) == 2 && typed.width &&
+        typed.height)
+        add(p, &(struct entry){ ENTRY_SHOT, .size = typed }, "save the image, %ux%u", typed.width,
+            typed.height);
+}
+
+static void collect(struct palette *p)
+{
+    const struct setting *row;
+    p->count = 0;
+    for (enum view_action a = VIEW_ACTION_NONE; a < VIEW_ACTION_COUNT; a++) {
+        if (key_bindings_label(a) && a != VIEW_PALETTE)
+            add(p, &(struct entry){ ENTRY_ACTION, a, .key = key_bindings_name(a) }, "%s",
+                key_bindings_label(a));
+    }
+    for (uint32_t i = 0; material_presets[i].name; i++)
+        add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
+    for (uint32_t i = 0; scene_name(i); i++)
+        add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_name(i));
+    for (uint32_t i = 0; ui_environment(i); i++)
+        add(p, &(struct entry){ ENTRY_ENVIRONMENT, i }, "environment %s", ui_environment(i));
+    for (uint32_t i = 0; techniques_refraction(i); i++)
+        add(p, &(struct entry){ ENTRY_OTHER, i }, "compare with %s",
+            techniques_refraction(i)->refraction.name);
+    char *folder = user_files_presets(false);
+    char *path;
+    for (uint32_t i = 0; folder && (path = user_files_at(folder, presets, i)); i++) {
+        add(p, &(struct entry){ ENTRY_PRESET, i }, "preset %s", strrchr(path, '/') + 1);
+        free(path);
+    }
+    free(folder);
+    folder = user_files_sessions(false);
+    for (uint32_t i = 0; folder && (path = user_files_at(folder, sessions, i)); i++) {
+        add(p, &(struct entry){ ENTRY_SESSION, i }, "session %s", strrchr(path, '/') + 1);
+        free(path);
+    }
+    free(folder);
+    collect_files(p);
+    collect_sizes(p);
+    for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
+        for (uint32_t i = 0; (row = ui_setting_groups_row(g, i)); i++)
+            add(p, &(struct entry){ ENTRY_SETTING, 0, .row = row }, "%s (%s)", row->label,
+                row->name);
+    }
+    sort(p);
+}
+
+static void choose(struct ui *ui, const struct entry *e, struct ui_request *request)
+{
+    char *folder = e->kind == ENTRY_PRESET    ? user_files_presets(false)
+                   : e->kind == ENTRY_SESSION ? user_files_sessions(false)
+                                              : NULL;
+    switch (e->kind) {
+    case ENTRY_ACTION:
+        request->action = (enum view_action)e->index;
+        break;
+    case ENTRY_MATERIAL:
+        settings_set_value(&request->settings,
+                           settings_row(&refract_settings, offsetof(struct refract_params, ior)),
+                           (double)material_presets[e->index].ior);
+        request->changed = true;
+        break;
+    case ENTRY_SCENE:
+        request->open = strdup(scene_name(e->index));
+        break;
+    case ENTRY_ENVIRONMENT:
+        request->open = strdup(ui_environment(e->index));
+        break;
+    case ENTRY_PRESET:
+        request->open = folder ? user_files_at(folder, presets, e->index) : NULL;
+        break;
+    case ENTRY_SESSION:
+        request->open = folder ? user_files_at(folder, sessions, e->index) : NULL;
+        break;
+    case ENTRY_RECENT:
+        request->open = recent_files_at(e->index);
+        break;
+    case ENTRY_SHOT:
+        request->screenshot_size = e->size;
+        break;
+    case ENTRY_OTHER:
+        request->side_b = VIEW_SIDE_B_MODEL;
+        request->split = techniques_refraction(e->index);
+        break;
+    case ENTRY_SETTING:
+        snprintf(ui->filter, sizeof(ui->filter), "%s", e->row->name);
+        ui->tab = UI_SETTINGS;
+        break;
+    }
+    free(folder);
+    ui->palette_open = false;
+    ui->release = true;
+}
+
+static void rows(struct ui *ui, const struct palette *p, struct ui_request *request)
+{
+    const uint32_t first = ui->palette_row >= SHOWN_MAX ? ui->palette_row - SHOWN_MAX + 1 : 0;
+    const float right = imgui_available_width();
+    for (uint32_t i = first; i < p->count && i < first + SHOWN_MAX; i++) {
+        const struct entry *e = p->order[i];
+        imgui_id_begin(e);
+        if (imgui_selectable(e->label, i == ui->palette_row))
+            choose(ui, e, request);
+        if (e->row)
+            imgui_tooltip(e->row->help);
+        if (e->key) {
+            imgui_same_line(right - imgui_width(e->key));
+            imgui_text_dim(e->key);
+        }
+        imgui_id_end();
+    }
+    if (!p->count)
+        imgui_text_dim("no matches");
+}
+
+void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    const float scale = ui->scale;
+    const float row = imgui_row_height();
+    const float window = (float)view->size.width;
+    const float width = 440.0f * scale < window ? 440.0f * scale : window;
+    const float height = row * 1.2f + (float)SHOWN_MAX * 21.0f * scale + 10.0f * scale;
+    const struct imgui_rect area = { (window - width) / 2.0f, row, width,
+                                     height < (float)view->size.height
+                                         ? height
+                                         : (float)view->size.height - row };
+    struct palette *p = malloc(sizeof(*p));
+    if (!p)
+        return;
+    p->query = ui->palette_query;
+    imgui_panel_begin(ui->imgui, "palette", area, IMGUI_POPUP);
+    if (ui->focus_palette)
+        imgui_next_focus();
+    imgui_next_width(imgui_available_width());
+    if (imgui_text_field("##palette", "search actions, settings, materials, scenes",
+                         ui->palette_query, sizeof(ui->palette_query)))
+        ui->palette_row = 0;
+    collect(p);
+    ui->palette_row = p->count && ui->palette_row >= p->count ? p->count - 1 : ui->palette_row;
+    /* Enter waits until the search has used all queued text */
+    const bool entered = ui->palette_entered && !ui->focus_wait_frames && !ui->input.event_count;
+    if (entered && ui->palette_row < p->count)
+        choose(ui, p->order[ui->palette_row], request);
+    else
+        rows(ui, p, request);
+    imgui_panel_end();
+    ui->focus_palette = false;
+    ui->palette_entered = ui->palette_entered && !entered;
+    free(p);
+}

@@ -1,0 +1,32 @@
+/* ui_frame_bottleneck.c: running means of frame times, and what limits the frame rate. */
+#include "src/view/panels/ui_frame_bottleneck.h"
+
+static const double smoothing = 0.1; /* weight of the newest frame */
+static const double busy = 0.8;      /* fraction of frame time above which the GPU is the limit */
+static const double waits = 0.3;     /* fraction of frame time above which a wait is the limit */
+
+static void mix(double *mean, double value, double by)
+{
+    *mean += by * (value - *mean);
+}
+
+void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pacing *sample)
+{
+    const double by = pace->frame > 0.0 ? smoothing : 1.0;
+    if (sample->frame <= 0.0)
+        return;
+    mix(&pace->frame, sample->frame, by);
+    mix(&pace->device, sample->device, by);
+    mix(&pace->screen, sample->screen, by);
+    mix(&pace->limit, sample->limit, by);
+}
+
+/* Checks the device first, because a slow device also prolongs the wait for the screen. */
+const char *ui_frame_pacing_limit(const struct ui_frame_pacing *pace)
+{
+    if (pace->device > busy * pace->frame)
+        return "the device";
+    if (pace->limit > waits * pace->frame)
+        return "--fps-limit";
+    return pace->screen > waits * pace->frame ? "the screen" : "the host";
+}

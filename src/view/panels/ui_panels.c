@@ -1,0 +1,407 @@
+/* ui_panels.c: draws the panels: side panel with tabs, shortcut list, labels of compared sides. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/render/frame/pass_list.h"
+#include "src/scene/bundled_assets.h"
+#include "src/scene/material.h"
+#include "src/settings/quality.h"
+#include "src/tech/refract/refract.h"
+#include "src/view/panels/ui_internal.h"
+#include "src/view/panels/ui_pixel_inspector.h"
+#include "src/view/panels/ui_plan_chart.h"
+#include "src/view/panels/ui_settings.h"
+
+enum {
+    MATERIAL_MAX = 16, /* maximum entries of each list */
+    ENVIRONMENT_MAX = 8,
+    REFRACTION_MAX = 32,
+    OTHER_COUNT = 3, /* side-B choices besides the refraction models */
+};
+
+static const char panel[] = "settings";
+static const float gallery_panel = 440.0f; /* panel height for thumbnails, scale 1 */
+
+/* Lists the names of all refraction models. Returns the index of the current one. */
+static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX], uint32_t *count,
+                                       const struct technique *refraction)
+{
+    uint32_t chosen = 0;
+    const struct technique *next;
+    for (*count = 0; *count < REFRACTION_MAX && (next = techniques_refraction(*count)); ++*count) {
+        names[*count] = next->refraction.name;
+        chosen = refraction == next ? *count : chosen;
+    }
+    return chosen;
+}
+
+const char *ui_environment(uint32_t i)
+{
+    if (!i--)
+        return "sky";
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == ASSET_ENVIRONMENT && !i--)
+            return a->name;
+    }
+    return NULL;
+}
+
+static void environment_buttons(const struct ui_view *view, struct ui_request *request)
+{
+    const char *names[ENVIRONMENT_MAX];
+    const char *now = view->viewport->state.scene.environment;
+    const bool is_sky = view->viewport->scene.background == SCENE_SKY;
+    uint32_t count = 0;
+    uint32_t chosen = is_sky ? 0 : UINT32_MAX;
+    for (; count < ENVIRONMENT_MAX && ui_environment(count); count++) {
+        names[count] = ui_environment(count);
+        chosen = now && !strcmp(now, names[count]) ? count : chosen;
+    }
+    if (ui_named_buttons("Environment", names, count, &chosen,
+                         "surrounding panorama (--env); or drop an .exr or .hdr file") &&
+        !request->open)
+        request->open = strdup(names[chosen]);
+}
+
+static void quality_list(struct ui_request *request)
+{
+    const char *names[QUALITY_COUNT + 1] = { [QUALITY_COUNT] = "custom" };
+    uint32_t level = quality_find(&request->settings);
+    const uint32_t count = level < QUALITY_COUNT ? QUALITY_COUNT : QUALITY_COUNT + 1;
+    for (uint32_t i = 0; i < QUALITY_COUNT; i++)
+        names[i] = qualities[i].name;
+    if (!ui_named_list("Quality preset", names, count, &level,
+                       "sets several settings at once: --quality") ||
+        level == QUALITY_COUNT)
+        return;
+    quality_apply(&request->settings, level, SETTING_USER);
+    request->changed = true;
+}
+
+/* Draws the list that selects the image on side B, such as a refraction model or image file. */
+static void list_side_b(const struct ui_view *view, struct ui_request *request, const char **names,
+                        uint32_t count)
+{
+    static const struct {
+        enum view_side_b other;
+        const char *name;
+    } more[OTHER_COUNT] = {
+        { VIEW_SIDE_B_REFERENCE, "reference" },
+        { VIEW_SIDE_B_FILE, "image file: drop it" },
+        { VIEW_SIDE_B_STATE, "stored state (S)" },
+    };
+
+    const uint32_t more_count = view->has_stored ? OTHER_COUNT : OTHER_COUNT - 1;
+    uint32_t chosen = 0;
+    for (uint32_t i = 1; i < count; i++)
+        chosen =
+            request->side_b == VIEW_SIDE_B_MODEL && request->split == techniques_refraction(i - 1)
+                ? i
+                : chosen;
+    for (uint32_t i = 0; i < more_count; i++) {
+        names[count + i] = more[i].name;
+        chosen = request->side_b == more[i].other ? count + i : chosen;
+    }
+    if (!ui_named_list("Compare with", names, count + more_count, &chosen,
+                       "side B, right of the divider (W, [ and ])"))
+        return;
+    request->split = chosen && chosen < count ? techniques_refraction(chosen - 1) : NULL;
+    request->side_b = !chosen          ? VIEW_SIDE_B_NONE
+                      : request->split ? VIEW_SIDE_B_MODEL
+                                       : more[chosen - count].other;
+}
+
+/* Returns `thumbnails`, or NULL if none is loaded or the panel is not high enough for them. */
+static const uint32_t *thumbnails_if_high(const struct ui *ui, const struct ui_view *view,
+                                          const uint32_t *thumbnails)
+{
+    const float height = (float)view->layout->panel.extent.height;
+    const bool is_high = height >= gallery_panel * ui->scale;
+    return is_high && ui->thumbnails->list.count ? thumbnails : NULL;
+}
+
+static void refraction_lists(const struct ui *ui, const struct ui_view *view,
+                             struct ui_request *request)
+{
+    const char *names[REFRACTION_MAX + 1 + OTHER_COUNT] = { "none" };
+    const char *tips[REFRACTION_MAX];
+    uint32_t count;
+    uint32_t left = name_refraction_models(&names[1], &count, request->refraction);
+    for (uint32_t i = 0; i < count; i++)
+        tips[i] = techniques_refraction(i)->help;
+    const struct ui_gallery gallery = {
+        .name = "Refraction model",
+        .heading = "Refraction model",
+        .names = &names[1],
+        .tooltips = tips,
+        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->models),
+        .count = count,
+    };
+    if (ui_gallery(&gallery, &left)) {
+        request->refraction = techniques_refraction(left);
+        request->changed = true;
+    }
+    list_side_b(view, request, names, count + 1);
+}
+
+/* Draws buttons for material presets. The preset with the current refractive index is selected. */
+static void material_buttons(const struct ui *ui, const struct ui_view *view,
+                             struct ui_request *request)
+{
+    const struct setting *ior =
+        settings_row(&refract_settings, offsetof(struct refract_params, ior));
+    const double is = settings_get(&request->settings, ior);
+    const char *names[MATERIAL_MAX];
+    const char *tips[MATERIAL_MAX];
+    uint32_t count = 0;
+    uint32_t chosen = UINT32_MAX;
+    for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
+        const double difference = (double)material_presets[count].ior - is;
+        names[count] = material_presets[count].name;
+        tips[count] = material_presets[count].help;
+        if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
+            chosen = count;
+    }
+    const struct ui_gallery gallery = {
+        .name = "Material preset",
+        .heading = "Material",
+        .names = names,
+        .tooltips = tips,
+        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->materials),
+        .count = count,
+    };
+    if (ui_gallery(&gallery, &chosen)) {
+        settings_set_value(&request->settings, ior, (double)material_presets[chosen].ior);
+        request->changed = true;
+    }
+}
+
+/* Draws a group's lists of presets, environments and refraction models. */
+static void lists(const struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
+                  struct ui_request *request)
+{
+    if (group == UI_MATERIAL)
+        material_buttons(ui, view, request);
+    if (group == UI_LIGHT)
+        environment_buttons(view, request);
+    if (group == UI_QUALITY) {
+        quality_list(request);
+        refraction_lists(ui, view, request);
+    }
+}
+
+static void groups(struct ui *ui, const struct ui_view *view, const struct ui_settings *settings,
+                   struct ui_request *request)
+{
+    for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
+        imgui_id_begin(ui_setting_groups_name(g));
+        request->changed = ui_settings_heading(settings, g, &ui->open[g]) || request->changed;
+        if (ui->open[g]) {
+            lists(ui, g, view, request);
+            request->changed =
+                ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
+        }
+        imgui_id_end();
+    }
+}
+
+static void search(struct ui *ui, const struct settings *defaults, struct ui_request *request)
+{
+    static const char all[] = "Reset all";
+    if (ui->focus_search)
+        imgui_next_focus();
+    imgui_next_width(imgui_available_width() - imgui_width(all) - 6.0f * imgui_scale());
+    imgui_text_field("##search", "search settings (/)", ui->filter, sizeof(ui->filter));
+    imgui_same_line(0.0f);
+    if (imgui_button(all)) {
+        request->settings = *defaults;
+        request->changed = true;
+    }
+    imgui_tooltip("reset all settings to the scene's values");
+}
+
+static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    const struct scene *scene = &view->viewport->scene;
+    const struct settings own = setup_scene_settings(&view->viewport->state.scene, scene);
+    const struct settings defaults = frame_settings(&own, scene);
+    const struct ui_settings settings = { &request->settings, &defaults };
+    search(ui, &defaults, request);
+    imgui_scroll_begin("rows");
+    if (*ui->filter)
+        request->changed = ui_settings_matches(&settings, ui->filter) || request->changed;
+    else
+        groups(ui, view, &settings, request);
+    imgui_scroll_end();
+}
+
+/* Shows the memory use of the render-graph plan, and a log of slow changes with their causes. */
+static void show_costs(const struct ui_view *view)
+{
+    const struct renderer *renderer = viewport_renderer(view->viewport, false);
+    const char *message = rebuild_log_at(view->rebuild_log, 0);
+    if (renderer)
+        ui_plan_chart_memory(renderer_frame(renderer));
+    imgui_text_dim(message ? "slow changes:" : "no slow changes");
+    imgui_tooltip("changes that took longer than a frame, newest first; a setting's tooltip says "
+                  "what the setting rebuilds");
+    for (uint32_t i = 0; (message = rebuild_log_at(view->rebuild_log, i)); i++)
+        imgui_text_wrapped(message);
+}
+
+static void times_tab(const struct ui *ui, const struct ui_view *view)
+{
+    imgui_scroll_begin("times");
+    show_costs(view);
+    ui_pass_times_panel("frame", &ui->frame_times);
+    if (view->viewport->right_renderer)
+        ui_pass_times_panel("side B", &ui->right_times);
+    ui_pass_times_panel("window", &ui->window_times);
+    imgui_scroll_end();
+}
+
+static void plan_tab(const struct ui_view *view)
+{
+    imgui_scroll_begin("plan");
+    const struct renderer *renderer = viewport_renderer(view->viewport, false);
+    if (renderer)
+        ui_plan_chart_panel(renderer_frame(renderer));
+    imgui_scroll_end();
+}
+
+static void tabs(struct ui *ui)
+{
+    static const struct {
+        const char *label, *tip;
+    } rows[] = {
+        [UI_SETTINGS] = { "Settings", "settings of scene and rendering" },
+        [UI_TIMES] = { "Passes", "time of each pass (B)" },
+        [UI_PLAN] = { "Plan", "compiled render graph of the frame (G)" },
+        [UI_INSPECT] = { "Inspect", "layers, histogram, values below the cursor (I)" },
+    };
+
+    for (enum ui_tab t = UI_SETTINGS; t <= UI_INSPECT; t++) {
+        if (t != UI_SETTINGS)
+            imgui_same_line(0.0f);
+        if (imgui_choice_button(rows[t].label, ui->tab == t))
+            ui->tab = t;
+        imgui_tooltip(rows[t].tip);
+    }
+}
+
+static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    if (ui->focus_search)
+        ui->tab = UI_SETTINGS;
+    tabs(ui);
+    if (*ui->error)
+        imgui_warning(ui->error);
+    if (ui->tab == UI_SETTINGS)
+        settings_tab(ui, view, request);
+    else if (ui->tab == UI_TIMES)
+        times_tab(ui, view);
+    else if (ui->tab == UI_INSPECT)
+        ui_pixel_inspector_panel(ui, view, request);
+    else
+        plan_tab(view);
+    ui->focus_search = false;
+}
+
+/* Draws the shortcut list in the middle of the window, in two columns if these fit. In windows of
+ * small height, rows are closer together, and the list scrolls if necessary. */
+static void keys_panel(struct ui *ui, const struct ui_view *view)
+{
+    const char *name;
+    const char *help;
+    uint32_t count = 0;
+    while (key_bindings_row(count, &name, &help))
+        count++;
+    const float scale = ui->scale;
+    const float width = fminf(728.0f * scale, (float)view->size.width);
+    const uint32_t columns = width < 600.0f * scale ? 1 : 2;
+    const uint32_t rows = (count + columns - 1) / columns;
+    const float room = (float)view->size.height - 16.0f * scale; /* without the panel's padding */
+    const float line = imgui_line_height();
+    const float gap = fmaxf(fminf(4.0f * scale, room / (float)rows - line), scale);
+    const float height =
+        fminf((float)rows * (line + gap) + 16.0f * scale, (float)view->size.height);
+    const struct imgui_rect area = { ((float)view->size.width - width) / 2.0f,
+                                     ((float)view->size.height - height) / 2.0f, width, height };
+    imgui_panel_begin(ui->imgui, "keys", area, IMGUI_POPUP);
+    imgui_gap_begin(gap);
+    imgui_scroll_begin("##keys");
+    const float column = imgui_available_width() / (float)columns;
+    for (uint32_t i = 0; i < rows; i++) {
+        for (uint32_t c = 0; c < columns && key_bindings_row(i + c * rows, &name, &help); c++) {
+            const float x = 8.0f * scale + (float)c * column;
+            if (c)
+                imgui_same_line(x);
+            imgui_text_in(name, ui->theme->accent);
+            imgui_name(name);
+            imgui_same_line(x + 112.0f * scale);
+            imgui_text_elided(help, column - 122.0f * scale);
+        }
+    }
+    imgui_scroll_end();
+    imgui_gap_end();
+    imgui_panel_end();
+}
+
+/* Draws the name of a compared side over a lower corner of the image. */
+static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
+{
+    const struct present_area *p = view->image_area;
+    const float width = fminf(imgui_width(name) + 8.0f * ui->scale, 0.48f * (float)p->width);
+    const float height = imgui_line_height() + 10.0f * ui->scale;
+    const struct imgui_rect area = {
+        (float)p->x + (is_right ? (float)p->width - width : 0.0f),
+        (float)(p->y + p->height) - height,
+        width,
+        height,
+    };
+    imgui_panel_begin(ui->imgui, is_right ? "right" : "left", area, IMGUI_LABEL);
+    imgui_text_elided(name, imgui_available_width());
+    imgui_name(name);
+    imgui_panel_end();
+}
+
+static void name_sides(struct ui *ui, const struct ui_view *view)
+{
+    const bool flipped = view->viewport->flipped;
+    if (view->side_b == VIEW_SIDE_B_NONE || !view->image_area->width)
+        return;
+    name_side(ui, view, flipped ? view->right : view->left, false);
+    if (!flipped)
+        name_side(ui, view, view->right, true);
+}
+
+void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    const struct window_layout *l = view->layout;
+    if (ui->focus_panel || ui->release)
+        /* The focus must be set before the first widget of the panel is drawn. */
+        imgui_focus_panel(ui->release ? NULL : panel);
+    ui->focus_panel = ui->release = false;
+    if (l->panel.extent.width) {
+        imgui_panel_begin(ui->imgui, "bar", ui_rect_of(l->bar), IMGUI_DOCKED);
+        ui_toolbar(view, request);
+        imgui_panel_end();
+        imgui_panel_begin(ui->imgui, panel, ui_rect_of(l->panel), IMGUI_DOCKED);
+        side_panel(ui, view, request);
+        imgui_panel_end();
+        if (l->strip.extent.height) {
+            imgui_panel_begin(ui->imgui, "time", ui_rect_of(l->strip), IMGUI_DOCKED);
+            ui_timeline(view, request);
+            imgui_panel_end();
+        }
+        imgui_panel_begin(ui->imgui, "status", ui_rect_of(l->status), IMGUI_DOCKED);
+        ui_status(ui, view);
+        imgui_panel_end();
+    }
+    name_sides(ui, view);
+    if (ui->palette_open)
+        ui_command_palette(ui, view, request);
+    if (ui->keys_open)
+        keys_panel(ui, view);
+}

@@ -1,0 +1,216 @@
+/* ui_reproduce_command.c: prints the `firn render` command that reproduces the viewer's image. */
+#include "src/view/panels/ui_reproduce_command.h"
+#include <cglm/struct.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/base/shell_quote.h"
+#include "src/render/frame/pass_list.h"
+#include "src/scene/material.h"
+#include "src/scene/scene.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/techniques.h"
+
+static const float roll_tolerance = 1e-4f; /* up-vector difference that counts as roll */
+
+static void print_name(FILE *out, const char *option, const char *name)
+{
+    if (!name)
+        return;
+    fprintf(out, " --%s ", option);
+    shell_quote_word(name, out);
+}
+
+static void print_vector(FILE *out, const char *option, vec3s v)
+{
+    fprintf(out, " --%s ", option);
+    for (int i = 0; i < 3; i++) {
+        if (i)
+            fputc(',', out);
+        settings_print_number(v.raw[i], out);
+    }
+}
+
+static void print_given(FILE *out, const char *option, const struct setup_vector *vector)
+{
+    if (vector->is_given)
+        print_vector(out, option, vector->value);
+}
+
+static void print_fov(FILE *out, float fov_deg)
+{
+    fputs(" --fov ", out);
+    settings_print_number(fov_deg, out);
+}
+
+static bool same_camera(const struct camera *a, const struct camera *b)
+{
+    return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
+           glms_vec3_eqv(a->up, b->up) && !(a->fov_deg < b->fov_deg || a->fov_deg > b->fov_deg) &&
+           !(a->height < b->height || a->height > b->height);
+}
+
+static bool has_roll(const struct camera *camera)
+{
+    struct camera upright = *camera;
+    upright.up = (vec3s){ 0 };
+    return glms_vec3_distance(camera_basis(camera).up, camera_basis(&upright).up) > roll_tolerance;
+}
+
+/* Prints the initial camera options if the camera still matches them, otherwise eye and target. */
+static void print_camera(FILE *out, const struct ui_render_command *c)
+{
+    const struct setup_image *p = c->image;
+    struct camera given;
+    if (setup_camera(&given, c->scene, p) == STATUS_OK && same_camera(&given, c->camera)) {
+        print_name(out, "camera", p->camera);
+        print_given(out, "orbit", &p->orbit);
+        print_given(out, "eye", &p->eye);
+        print_given(out, "target", &p->target);
+        if (p->fov_deg > 0.0f)
+            print_fov(out, p->fov_deg);
+        return;
+    }
+    if (has_roll(c->camera))
+        log_warning("the camera is tilted sideways, which no option of firn render supports: the "
+                    "copied view is level");
+    if (c->camera->height > 0.0f)
+        log_warning("the camera is orthographic and was moved, which no option of firn render "
+                    "supports: the copied view is a perspective one");
+    print_vector(out, "eye", c->camera->eye);
+    print_vector(out, "target", c->camera->target);
+    print_fov(out, c->camera->fov_deg);
+}
+
+static bool differ(double a, double b)
+{
+    return a < b || a > b;
+}
+
+/* Prints an option unless its value is 0. */
+static void print_number(FILE *out, const char *option, float value)
+{
+    if (differ((double)value, 0.0)) {
+        fprintf(out, " --%s ", option);
+        settings_print_number(value, out);
+    }
+}
+
+static void print_setting(FILE *out, const struct settings *settings, const struct setting *row)
+{
+    fprintf(out, " --set %s=", row->name);
+    settings_print(settings, row, out);
+}
+
+/* Returns true if an ice-only effect is on by default. --material would disable the effect. */
+static bool has_default_inclusions(const struct settings *settings)
+{
+    const struct settings defaults = settings_default();
+    for (const struct technique *const *t = techniques; *t; t++) {
+        const struct setting *row = (*t)->is_ice_only ? &(*t)->settings->rows[0] : NULL;
+        if (row && (*t)->is_on(settings) &&
+            !differ(settings_get(settings, row), settings_get(&defaults, row)))
+            return true;
+    }
+    return false;
+}
+
+/* Prints options for a refractive index that differs from the scene's own. For model files, a given
+ * --material is always printed, because it also selects the refractive parts of the model. */
+static void print_ior(FILE *out, const struct ui_render_command *c)
+{
+    const struct setting *row =
+        settings_row(&refract_settings, offsetof(struct refract_params, ior));
+    const struct model *model = &c->scene->model;
+    const struct settings defaults = settings_default();
+    const char *material = c->image->scene.material;
+    const double ior = settings_get(&c->image->scene.settings, row);
+    double own = model->has_ior ? (double)model->ior : settings_get(&defaults, row);
+    if (material && !scene_find_builtin(c->image->scene.name)) {
+        print_name(out, "material", material);
+        own = (double)material_preset_find(material)->ior;
+        if (differ(ior, own))
+            print_setting(out, &c->image->scene.settings, row);
+        return;
+    }
+    if (!differ(ior, own))
+        return;
+    const struct material_preset *m = material_presets;
+    for (; m->name && !has_default_inclusions(&c->image->scene.settings); m++) {
+        if (!differ((double)m->ior, ior)) {
+            print_name(out, "material", m->name);
+            return;
+        }
+    }
+    print_setting(out, &c->image->scene.settings, row);
+}
+
+static void print_settings(FILE *out, const struct ui_render_command *c)
+{
+    const struct settings defaults = settings_default();
+    const struct settings scene_settings = setup_scene_settings(&c->image->scene, c->scene);
+    struct settings settings = frame_settings(&c->image->scene.settings, c->scene);
+    settings_set_value(&settings, settings_find("motion.time"), (double)c->time);
+    for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
+        if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
+            (differ(settings_get(&settings, row), settings_get(&defaults, row)) ||
+             differ(settings_get(&scene_settings, row), settings_get(&defaults, row))))
+            print_setting(out, &settings, row);
+    }
+}
+
+static void print(FILE *out, const struct ui_render_command *c)
+{
+    const struct setup_image *p = c->image;
+    fputs("firn render ", out);
+    if (p->scene.name[0] == '-') /* otherwise the name would be parsed as an option */
+        fputs("./", out);
+    shell_quote_word(p->scene.name, out);
+    fprintf(out, " --size %ux%u", p->width, p->height);
+    fprintf(out, " --samples %u", p->samples);
+    if (p->filter != PIXEL_FILTER_BOX)
+        print_name(out, "pixel-filter", pixel_filter_names[p->filter]);
+    if (p->is_refraction_named)
+        print_name(out, "refraction", p->refraction->refraction.name);
+    print_ior(out, c);
+    print_settings(out, c);
+    if (p->scene.model_transform.is_z_up)
+        print_name(out, "up", "z");
+    print_number(out, "scale", p->scene.model_transform.scale);
+    print_given(out, "rotate",
+                &(struct setup_vector){ glms_vec3_norm2(p->scene.model_transform.rotate_deg) > 0.0f,
+                                        p->scene.model_transform.rotate_deg });
+    for (uint32_t i = 0; i < p->scene.material_override_count; i++)
+        print_name(out, "material", p->scene.material_overrides[i].words);
+    print_name(out, "animation", p->scene.animation);
+    print_name(out, "env", p->scene.environment);
+    print_number(out, "env-rotate", p->scene.env_rotate);
+    print_number(out, "env-exposure", p->scene.env_exposure);
+    print_name(out, "surroundings", p->scene.surroundings);
+    print_name(out, "cracks", p->scene.cracks);
+    print_name(out, "bump", p->scene.bump);
+    print_name(out, "bump-mask", p->scene.bump_mask);
+    print_name(out, "air", p->scene.air);
+    print_given(out, "background", &p->scene.background);
+    print_name(out, "background", p->scene.no_background ? "none" : NULL);
+    print_camera(out, c);
+    fputs(" -o firn.png", out);
+}
+
+char *ui_render_command_print(const struct ui_render_command *command)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    bool ok = out != NULL;
+    if (out) {
+        print(out, command);
+        ok = !ferror(out);
+        ok = !fclose(out) && ok;
+    }
+    if (ok)
+        return text;
+    log_error("out of memory");
+    free(text);
+    return NULL;
+}

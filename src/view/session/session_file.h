@@ -1,0 +1,42 @@
+/*
+ * session_file.h: session file: everything that a window shows, to be opened again later.
+ *
+ * It has one line NAME=VALUE per entry, like a preset: settings by name, those of side B with the
+ * prefix "b.", and the entries of session_file.c's table. Non-ASCII bytes and '%' in names are
+ * percent-encoded. A reader process splits the file into lines (preset_reader.h); values are
+ * checked here.
+ */
+#ifndef FIRN_VIEW_SESSION_SESSION_FILE_H
+#define FIRN_VIEW_SESSION_SESSION_FILE_H
+
+#include <stdio.h>
+#include "src/file/preset_reader.h"
+#include "src/scene/camera.h"
+#include "src/view/session/undo_stack.h"
+
+enum {
+    SESSION_FILE_BOOKMARK_COUNT = 4,
+};
+
+struct session_file {
+    struct preset lines;     /* owns the strings */
+    const char *scene;       /* name or file; NULL if missing */
+    const char *environment; /* NULL to use the scene's own */
+    float env_exposure;      /* stops */
+    struct view_state state;
+    bool has_camera;
+    struct camera camera;
+    bool bookmarked[SESSION_FILE_BOOKMARK_COUNT];
+    struct camera bookmarks[SESSION_FILE_BOOKMARK_COUNT];
+    float time; /* scene time, seconds */
+};
+
+/* Parses `lines` and takes ownership of them. `path` is the file name in messages. On failure, logs
+ * an error, returns STATUS_DATA and zeroes *session. */
+MUST_USE enum status session_file_parse(struct session_file *session, struct preset *lines,
+                                        const char *path);
+
+void session_file_print(const struct session_file *session, FILE *out);
+void session_file_finish(struct session_file *session); /* {0} is fine */
+
+#endif

@@ -1,0 +1,80 @@
+/* glfw_x11_workarounds.c: sets background and gravity of GLFW's X11 windows, and handles X errors.
+ * Without a background, newly exposed areas flash in the window manager's colour. X11 symbols are
+ * looked up at run time, because GLFW may be built without X11. */
+#include "src/view/window/glfw_x11_workarounds.h"
+#ifdef WINDOW_X11
+#include <X11/Xlib.h>
+#include <dlfcn.h>
+#include <stddef.h>
+#include "src/base/log.h"
+
+typedef Display *get_display_fn(void);
+typedef Window get_window_fn(struct GLFWwindow *window);
+typedef int change_fn(Display *, Window, unsigned long, XSetWindowAttributes *);
+typedef XErrorHandler set_handler_fn(XErrorHandler handler);
+
+/* Conversion of object pointers to function pointers. ISO C does not allow a cast for that. */
+union symbol {
+    void *address;
+    get_display_fn *get_display;
+    get_window_fn *get_window;
+    change_fn *change;
+    set_handler_fn *set_handler;
+};
+
+/* Returns GLFW's X display and the window's id. Returns NULL and 0 if GLFW does not use X11. */
+static Display *find(struct GLFWwindow *window, Window *id)
+{
+    void *program = dlopen(NULL, RTLD_LAZY);
+    const union symbol get_display = { program ? dlsym(program, "glfwGetX11Display") : NULL };
+    const union symbol get_window = { program ? dlsym(program, "glfwGetX11Window") : NULL };
+    Display *display = get_display.get_display ? get_display.get_display() : NULL;
+    *id = display && get_window.get_window ? get_window.get_window(window) : 0;
+    if (program)
+        dlclose(program);
+    return display;
+}
+
+void window_x11_background(struct GLFWwindow *window, uint32_t color)
+{
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
+    const union symbol change = { x11 ? dlsym(x11, "XChangeWindowAttributes") : NULL };
+    XSetWindowAttributes requested = { .background_pixel = color, .bit_gravity = NorthWestGravity };
+    Window id;
+    Display *display = find(window, &id);
+    if (id && change.change)
+        change.change(display, id, CWBackPixel | CWBitGravity, &requested);
+    if (x11)
+        dlclose(x11);
+}
+
+/* Logs X errors other than BadWindow. An X error handler must not call Xlib functions. */
+static int handle_error(Display *display, XErrorEvent *event)
+{
+    (void)display;
+    if (event->error_code != BadWindow)
+        log_warning("the X server refused request %d with error %d", event->request_code,
+                    event->error_code);
+    return 0;
+}
+
+void window_x11_ignore_errors(void)
+{
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD); /* loaded only if GLFW uses X11 */
+    const union symbol set = { x11 ? dlsym(x11, "XSetErrorHandler") : NULL };
+    if (set.set_handler)
+        set.set_handler(handle_error);
+    if (x11)
+        dlclose(x11);
+}
+#else
+void window_x11_background(struct GLFWwindow *window, uint32_t color)
+{
+    (void)window;
+    (void)color;
+}
+
+void window_x11_ignore_errors(void)
+{
+}
+#endif

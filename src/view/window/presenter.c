@@ -1,0 +1,249 @@
+/* presenter.c: swapchain and render-graph plan that present the image in a window. */
+#include "src/view/window/presenter.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/render/compiled_frame.h"
+#include "src/tech/frame_resources.h"
+#include "src/tech/output/tonemap.h"
+#include "src/view/view_frame_stats.h"
+
+enum {
+    IMPORT_IMAGE,
+    IMPORT_RIGHT,
+    IMPORT_WINDOW,
+    IMPORT_FONT, /* only with a user interface */
+    IMPORT_COUNT,
+};
+
+enum status presenter_init(struct presenter *s, struct gpu *gpu, VkSurfaceKHR surface,
+                           VkPresentModeKHR mode)
+{
+    *s = (struct presenter){ .gpu = gpu };
+    const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode);
+    present_tables_init(&s->tables, s->swapchain.format);
+    overlay_tables_init(&s->overlay, &s->tables.window, s->swapchain.copies);
+    return status;
+}
+
+void presenter_finish(struct presenter *s)
+{
+    if (!s->gpu)
+        return;
+    presenter_disconnect(s);
+    gpu_swapchain_finish(s->gpu, &s->swapchain);
+    *s = (struct presenter){ 0 };
+}
+
+enum status presenter_fit(struct presenter *s, VkExtent2D size, bool *remade)
+{
+    /* compare requested sizes, because the surface may choose another extent */
+    *remade = s->swapchain.stale || s->size.width != size.width || s->size.height != size.height;
+    if (!*remade)
+        return STATUS_OK;
+    presenter_disconnect(s);
+    s->size = size;
+    return gpu_swapchain_recreate(s->gpu, &s->swapchain, size);
+}
+
+static uint32_t import_count(const struct presenter *s)
+{
+    return s->font ? IMPORT_COUNT : IMPORT_FONT;
+}
+
+static enum status compile(const struct presenter *s, const struct presenter_images *images,
+                           const struct rg_device *device, struct rg_plan **plan)
+{
+    const struct rg_technique *const parts[] = {
+        &s->tables.technique,
+        &s->overlay.technique,
+    };
+    const VkExtent2D extent = s->swapchain.extent;
+    const struct rg_import imports[IMPORT_COUNT] = {
+        [IMPORT_IMAGE] = { .image = &frame_display,
+                             .access = RG_SAMPLED,
+                             .extent = images->extent },
+        [IMPORT_RIGHT] = { .image = &present_right,
+                           .access = RG_SAMPLED,
+                           .extent = images->right_extent },
+        [IMPORT_WINDOW] = { .image = &s->tables.window },
+        [IMPORT_FONT] = {
+            .image = &overlay_font,
+            .access = RG_SAMPLED,
+            .extent = { s->font ? s->font->extent.width : 0, s->font ? s->font->extent.height : 0 },
+        },
+    };
+    *plan = rg_compile(&(struct rg_compile_params){
+        .techniques = parts,
+        .technique_count = s->font ? 2 : 1,
+        .view = extent,
+        .outputs = &(struct rg_output){ .image = &s->tables.window, .access = RG_PRESENT },
+        .output_count = 1,
+        .imports = imports,
+        .import_count = import_count(s),
+        .device = device,
+    });
+    if (!*plan) {
+        log_error("out of memory while compiling the window's render graph");
+        return STATUS_TRY_AGAIN;
+    }
+    return presenter_report_faults(*plan);
+}
+
+enum status presenter_report_faults(const struct rg_plan *plan)
+{
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char text[512];
+        rg_fault_text(&plan->faults[i], text, sizeof(text));
+        log_error("internal error: invalid render graph of the window: %s", text);
+    }
+    return plan->fault_count ? STATUS_FAILED : STATUS_OK;
+}
+
+static void log_exec(void *user, const char *what, VkResult result)
+{
+    (void)user;
+    (void)gpu_failed(what, result);
+}
+
+struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct rg_plan *plan)
+{
+    return (struct rg_exec_params){
+        .plan = plan,
+        .instance = gpu->instance,
+        .get_proc_addr = vkGetInstanceProcAddr,
+        .physical = gpu->physical,
+        .device = gpu->device,
+        .queue = gpu->queue,
+        .queue_family = gpu->queue_family,
+        .pipeline_cache = gpu->pipeline_cache,
+        .render_passes = gpu->validated, /* for older synchronization validation; see rg_exec.h */
+        .log = log_exec,
+    };
+}
+
+/* Creates an executor for the plan, or updates the existing one. */
+static enum status realise(struct presenter *s, const struct presenter_images *images,
+                           const struct rg_plan *plan)
+{
+    const struct rg_exec_import objects[IMPORT_COUNT] = {
+        [IMPORT_IMAGE] = { .image = images->left },
+        [IMPORT_RIGHT] = { .image = images->right },
+        [IMPORT_WINDOW] = {
+            .images = s->swapchain.images,
+            .image_count = s->swapchain.image_count,
+        },
+        [IMPORT_FONT] = { .image = s->font ? s->font->image : VK_NULL_HANDLE },
+    };
+    const uint32_t encodes = s->swapchain.encodes;
+    const VkSpecializationMapEntry entry = { PRESENT_ENCODES, 0, sizeof(encodes) };
+    const VkSpecializationInfo constants = { 1, &entry, sizeof(encodes), &encodes };
+    VkResult result;
+    struct rg_exec_params params = presenter_exec_params(s->gpu, plan);
+    params.constants = &constants;
+    params.frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT;
+    params.imports = objects;
+    params.import_count = import_count(s);
+    params.measured = true;
+    params.replace_shader = s->replace;
+    params.user = s->replace_user;
+    if (s->exec)
+        return gpu_status(rg_exec_update(s->exec, &params));
+    s->exec = rg_exec_create(&params, &result);
+    if (s->exec)
+        rg_exec_measure(s->exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
+    return gpu_status(result);
+}
+
+static bool shows(const struct presenter *s, const struct presenter_images *images)
+{
+    const struct presenter_images *now = &s->images;
+    return s->exec && now->left == images->left && now->right == images->right &&
+           now->extent.width == images->extent.width &&
+           now->extent.height == images->extent.height &&
+           now->right_extent.width == images->right_extent.width &&
+           now->right_extent.height == images->right_extent.height;
+}
+
+enum status presenter_connect(struct presenter *s, const struct presenter_images *images)
+{
+    const struct rg_vulkan vulkan = compiled_frame_vulkan(s->gpu);
+    const struct rg_device device = rg_exec_device(&vulkan);
+    struct rg_plan *plan = NULL;
+    if (shows(s, images))
+        return STATUS_OK;
+    enum status status = compile(s, images, &device, &plan);
+    if (status == STATUS_OK)
+        status = realise(s, images, plan);
+    if (status != STATUS_OK) {
+        rg_plan_destroy(plan);
+        return status;
+    }
+    rg_plan_destroy(s->plan);
+    s->plan = plan;
+    s->panels_version = 0;
+    s->images = *images;
+    return STATUS_OK;
+}
+
+void presenter_disconnect(struct presenter *s)
+{
+    rg_exec_destroy(s->exec);
+    rg_plan_destroy(s->plan);
+    s->exec = NULL;
+    s->plan = NULL;
+}
+
+void presenter_set_font(struct presenter *s, const struct gpu_image *font)
+{
+    presenter_disconnect(s);
+    s->font = font;
+}
+
+enum status presenter_begin(struct presenter *s, bool *ready)
+{
+    *ready = false;
+    enum status status = gpu_status(rg_exec_begin(s->exec, &s->slot));
+    const double start = clock_seconds();
+    if (status == STATUS_OK)
+        status = gpu_swapchain_acquire(s->gpu, &s->swapchain, s->slot, &s->index);
+    s->wait_seconds = clock_seconds() - start;
+    *ready = status == STATUS_OK && s->index != GPU_SWAPCHAIN_NONE;
+    return status;
+}
+
+enum status presenter_end(struct presenter *s, const struct window_frame *frame)
+{
+    const struct gpu_swapchain *chain = &s->swapchain;
+    struct window_frame window = *frame;
+    window.right_columns = s->images.right_extent.width;
+    window.right_rows = s->images.right_extent.height;
+    window.encodes_srgb = chain->encodes;
+    window.caches_panels = chain->copies;
+    window.panels_are_outdated = window.overlay && window.overlay->version != s->panels_version;
+    window.panels = &s->overlay.panels;
+    window.window_image = &s->tables.window;
+    const struct rg_frame inputs = { .window = &window };
+    const struct rg_exec_external_sync sync = {
+        .image_index = s->index,
+        .wait = chain->acquired[s->slot],
+        .signal = chain->drawn[s->index],
+    };
+    enum status status = gpu_status(rg_exec_submit_synced(s->exec, &inputs, &sync));
+    if (status == STATUS_OK && window.overlay)
+        s->panels_version = window.overlay->version;
+    const double start = clock_seconds();
+    if (status == STATUS_OK)
+        status = gpu_swapchain_present(s->gpu, &s->swapchain, s->index);
+    s->wait_seconds += clock_seconds() - start;
+    return status;
+}
+
+enum status presenter_wait(struct presenter *s)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t slot = 0; slot < GPU_SWAPCHAIN_SLOT_COUNT && s->exec; slot++) {
+        const enum status waited = gpu_status(rg_exec_wait(s->exec, slot));
+        status = status == STATUS_OK ? waited : status;
+    }
+    return status;
+}

@@ -1,0 +1,38 @@
+/* worker_thread.c: runs a job on a worker thread while the window handles events. */
+#include "src/view/window/worker_thread.h"
+#include <pthread.h>
+#include <stdatomic.h>
+
+/* interval between checks for a closed window if there are no events, seconds */
+static const double poll_seconds = 0.1;
+
+struct job {
+    worker_fn *work;
+    void *user;
+    enum status status;
+    atomic_bool done;
+};
+
+static void *run(void *data)
+{
+    struct job *job = data;
+    job->status = job->work(job->user);
+    atomic_store(&job->done, true);
+    window_wake();
+    return NULL;
+}
+
+enum status worker_run(struct window *window, worker_fn *work, void *user)
+{
+    struct job job = { .work = work, .user = user };
+    pthread_t thread;
+    if (pthread_create(&thread, NULL, run, &job) != 0)
+        return work(user); /* without a thread, the window is blocked during the job */
+    while (!atomic_load(&job.done)) {
+        window_wait(window, poll_seconds);
+        if (window_is_closed(window))
+            window_hide(window);
+    }
+    pthread_join(thread, NULL);
+    return job.status;
+}

@@ -1,0 +1,14 @@
+/* worker_thread.h: runs long jobs on a worker thread, so that the window stays responsive. */
+#ifndef FIRN_VIEW_WINDOW_WORKER_THREAD_H
+#define FIRN_VIEW_WINDOW_WORKER_THREAD_H
+
+#include "src/view/window/window.h"
+
+typedef enum status worker_fn(void *user);
+
+/* Runs `work` on a worker thread and handles window events until `work` returns. Returns the status
+ * of `work`. If the user closes the window, hides the window at once. `work` must not access the
+ * window, and no other thread may access the data of `work`. */
+MUST_USE enum status worker_run(struct window *window, worker_fn *work, void *user);
+
+#endif
