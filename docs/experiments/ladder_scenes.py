@@ -1,4 +1,4 @@
-"""ladder_scenes.py: generates two objects and a panorama for ladder.sh.
+"""ladder_scenes.py: generates two objects and a panorama for ladder.sh and bounce_options.py.
 
 Usage: ladder_scenes.py FOLDER
 """
