@@ -74,6 +74,7 @@ static const struct rg_compile_params params = {
 struct by_hand {
     struct rg_plan plan;
     struct rg_plan_pass passes[3];
+    struct rg_plan_target color; /* of the last pass */
     struct rg_plan_image images[3];
     struct rg_plan_buffer buffers[1];
     struct rg_barrier barriers[8];
@@ -97,13 +98,12 @@ static const struct by_hand right = {
             .pass = &rows[2], .technique = &technique, .row = 2, .extent = { SIZE, SIZE },
             .first_barrier = 4, .barrier_count = 2, .depth = { .image = RG_NONE },
             .color_count = 1,
-            .color = (const struct rg_plan_target[]){ {
-                .image = 2, .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                .store = VK_ATTACHMENT_STORE_OP_STORE,
-                .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, .resolve = RG_NONE,
-            } },
             .first_use = 4, .use_count = 1,
         },
+    },
+    .color = {
+        .image = 2, .load = VK_ATTACHMENT_LOAD_OP_CLEAR, .store = VK_ATTACHMENT_STORE_OP_STORE,
+        .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, .resolve = RG_NONE,
     },
     .images = {
         {
@@ -164,6 +164,7 @@ static const struct by_hand right = {
 
 static void join(struct by_hand *plan)
 {
+    plan->passes[2].color = &plan->color;
     plan->plan = (struct rg_plan){
         .view = { SIZE, SIZE },
         .pass_count = 3,
@@ -281,13 +282,51 @@ static void test_wrong_memory_by_hand(void **state)
     assert_int_not_equal(hazard_check(&plan.plan, &apart, NULL), 0);
 }
 
+#define CHECK_WRONG(change) \
+    do { \
+        struct by_hand b = right; \
+        join(&b); \
+        change; \
+        if (hazard_check(&b.plan, &params, NULL) == 0) \
+            fail_msg("%s was accepted", #change); \
+    } while (false)
+
+static void test_wrong_fields(void **state)
+{
+    (void)state;
+    CHECK_WRONG(b.barriers[4].old_layout = VK_IMAGE_LAYOUT_GENERAL);
+    CHECK_WRONG(b.barriers[4].new_layout = VK_IMAGE_LAYOUT_GENERAL);
+    CHECK_WRONG(b.barriers[6].new_layout = VK_IMAGE_LAYOUT_GENERAL);
+    CHECK_WRONG(b.barriers[2].old_layout = VK_IMAGE_LAYOUT_UNDEFINED);
+    CHECK_WRONG(b.passes[1].barrier_count = 1);
+    CHECK_WRONG(b.passes[2].extent.width = SIZE / 2);
+    CHECK_WRONG(b.passes[1].use_count = 1);
+    CHECK_WRONG(b.plan.pass_count = 2);
+    CHECK_WRONG(b.color.store = VK_ATTACHMENT_STORE_OP_DONT_CARE);
+    CHECK_WRONG(b.color.load = VK_ATTACHMENT_LOAD_OP_DONT_CARE);
+    CHECK_WRONG(b.color.layout = VK_IMAGE_LAYOUT_GENERAL);
+    CHECK_WRONG(b.uses[4].layout = VK_IMAGE_LAYOUT_GENERAL);
+    CHECK_WRONG(b.images[0].usage = VK_IMAGE_USAGE_STORAGE_BIT);
+    CHECK_WRONG(b.images[0].usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+    CHECK_WRONG(b.images[1].layers = 2);
+    CHECK_WRONG(b.images[1].samples = 4);
+    CHECK_WRONG(b.images[1].persistent = true);
+    CHECK_WRONG(b.images[1].last = 1);
+    CHECK_WRONG(b.images[1].offset = 2 * BYTES); /* beyond the block */
+    CHECK_WRONG(b.buffers[0].usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    CHECK_WRONG(b.buffers[0].size = 32);
+    CHECK_WRONG(b.blocks[0].type_bits = 2);
+    CHECK_WRONG(b.blocks[0].alignment = 1);
+    CHECK_WRONG(b.plan.batch_count = 5);
+    CHECK_WRONG(b.plan.memory_used += 64);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_right_by_hand),
-        cmocka_unit_test(test_right_with_wide_masks),
-        cmocka_unit_test(test_wrong_masks_by_hand),
-        cmocka_unit_test(test_wrong_memory_by_hand),
+        cmocka_unit_test(test_right_by_hand),       cmocka_unit_test(test_right_with_wide_masks),
+        cmocka_unit_test(test_wrong_masks_by_hand), cmocka_unit_test(test_wrong_memory_by_hand),
+        cmocka_unit_test(test_wrong_fields),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
