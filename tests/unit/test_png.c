@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "src/file/png.h"
 #include "tests/support/assertions.h"
+#include "tests/support/temporary_folder.h"
 
 enum {
     WIDTH = 9,
@@ -23,23 +24,6 @@ static const struct image_text texts[] = {
 enum {
     TEXT_COUNT = sizeof(texts) / sizeof(texts[0])
 };
-
-static int enter_folder(void **state)
-{
-    char name[] = "/tmp/firn-test-png-XXXXXX";
-    if (!mkdtemp(name) || chdir(name) != 0)
-        return -1;
-    *state = strdup(name);
-    return *state ? 0 : -1;
-}
-
-static int leave_folder(void **state)
-{
-    (void)remove(path);
-    const int result = chdir("/") == 0 && rmdir(*state) == 0 ? 0 : -1;
-    free(*state);
-    return result;
-}
 
 static struct png_image_source make_picture(void)
 {
@@ -218,5 +202,5 @@ int main(void)
         cmocka_unit_test(test_matches),   cmocka_unit_test(test_other_texts),
         cmocka_unit_test(test_cut_short), cmocka_unit_test(test_damaged),
     };
-    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+    return cmocka_run_group_tests(tests, temporary_folder_enter, temporary_folder_leave);
 }

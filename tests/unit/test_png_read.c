@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include "src/file/png.h"
 #include "tests/support/assertions.h"
+#include "tests/support/temporary_folder.h"
 
 enum {
     WIDTH = 7,
@@ -16,23 +17,6 @@ enum {
 };
 
 static const char path[] = "a.png";
-
-static int enter_folder(void **state)
-{
-    char name[] = "/tmp/firn-test-png-XXXXXX";
-    if (!mkdtemp(name) || chdir(name) != 0)
-        return -1;
-    *state = strdup(name);
-    return *state ? 0 : -1;
-}
-
-static int leave_folder(void **state)
-{
-    (void)remove(path);
-    const int result = chdir("/") == 0 && rmdir(*state) == 0 ? 0 : -1;
-    free(*state);
-    return result;
-}
 
 /* As libpng makes it of texels of this format. */
 static void make_file(uint32_t format, const void *texels)
@@ -239,5 +223,5 @@ int main(void)
         cmocka_unit_test(test_too_large), cmocka_unit_test(test_cut_short_and_damaged),
         cmocka_unit_test(test_missing),   cmocka_unit_test(test_chunk_longer_than_the_file),
     };
-    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+    return cmocka_run_group_tests(tests, temporary_folder_enter, temporary_folder_leave);
 }

@@ -6,25 +6,9 @@
 #include "src/lab/profile/json.h"
 #include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
+#include "tests/support/temporary_folder.h"
 
 static const char path[] = "a.json";
-
-static int enter_folder(void **state)
-{
-    char name[] = "/tmp/firn-test-profile-XXXXXX";
-    if (!mkdtemp(name) || chdir(name) != 0)
-        return -1;
-    *state = strdup(name);
-    return *state ? 0 : -1;
-}
-
-static int leave_folder(void **state)
-{
-    (void)remove(path);
-    const int result = chdir("/") == 0 && rmdir(*state) == 0 ? 0 : -1;
-    free(*state);
-    return result;
-}
 
 static char *write_sample(double scale)
 {
@@ -207,5 +191,5 @@ int main(void)
         cmocka_unit_test(test_damaged_files),    cmocka_unit_test(test_sums),
         cmocka_unit_test(test_missing_file),     cmocka_unit_test(test_without_a_tree),
     };
-    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+    return cmocka_run_group_tests(tests, temporary_folder_enter, temporary_folder_leave);
 }
