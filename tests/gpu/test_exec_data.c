@@ -102,7 +102,8 @@ static void frames_in_flight(void **state)
 
 /* ---- transfer ---- */
 
-static const struct rg_image up = COLOR_IMAGE("up", .width = 4, .height = 4, .mips = 2);
+static const struct rg_image up =
+    COLOR_IMAGE("up", .width = 4, .height = 4, .mips = 2, .layers = 2);
 static const struct rg_image across = COLOR_IMAGE("across", .width = 2, .height = 2);
 
 enum {
@@ -142,7 +143,7 @@ static void record_across(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     (void)frame;
     const VkImageCopy region = {
-        .srcSubresource = { VK_IMAGE_ASPECT_COLOR_BIT, 1, 0, 1 },
+        .srcSubresource = { VK_IMAGE_ASPECT_COLOR_BIT, 1, 1, 1 },
         .dstSubresource = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1 },
         .extent = { 2, 2, 1 },
     };
@@ -156,28 +157,28 @@ static void record_down(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_copy_image_to_buffer(cmd, &across, &down_out, DOWN_1 * sizeof(vec4s));
 }
 
-/* The second row names one image twice, as source and as destination. */
+/* Of layer 1. The second row names one image twice, as source and as destination. */
 static const struct rg_pass transfer_rows[] = {
     {
         .name = "up",
         .kind = RG_TRANSFER,
         .uses = RG_USES({ .buffer = &up_in, .access = RG_COPY_SRC },
-                        { .image = &up, .access = RG_COPY_DST, .range.mip_count = 1 }),
+                        { .image = &up, .access = RG_COPY_DST, .range = { 0, 0, 1, 1, 1 } }),
         .record = record_up,
     },
     {
         .name = "both",
         .kind = RG_TRANSFER,
         .uses = RG_USES({ .buffer = &up_in, .access = RG_COPY_SRC },
-                        { .image = &up, .access = RG_COPY_SRC, .range.mip_count = 1 },
-                        { .image = &up, .access = RG_COPY_DST, .range.mip = 1 },
+                        { .image = &up, .access = RG_COPY_SRC, .range = { 0, 0, 1, 1, 1 } },
+                        { .image = &up, .access = RG_COPY_DST, .range = { 0, 1, 1, 1, 1 } },
                         { .buffer = &down_out, .access = RG_COPY_DST }),
         .record = record_both,
     },
     {
         .name = "across",
         .kind = RG_TRANSFER,
-        .uses = RG_USES({ .image = &up, .access = RG_COPY_SRC, .range.mip = 1 },
+        .uses = RG_USES({ .image = &up, .access = RG_COPY_SRC, .range = { 0, 1, 1, 1, 1 } },
                         { .image = &across, .access = RG_COPY_DST }),
         .record = record_across,
     },
