@@ -2,29 +2,16 @@
 #include "src/render/renderer.h"
 #include <assert.h>
 #include <cglm/struct.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "graph/rg_exec.h"
-#include "shaders/globals.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/file/half_float.h"
 #include "src/render/adaptive_sampling.h"
-#include "src/render/compiled_frame.h"
-#include "src/render/frame/env_cube_updates.h"
-#include "src/render/frame/frame_plan.h"
-#include "src/render/frame/frame_uniforms.h"
-#include "src/render/frame/thin_lens.h"
 #include "src/render/make_frame_request.h"
-#include "src/render/object_draw_order.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
 #include "src/render/shader_warm_up.h"
-#include "src/render/uploaded_scene.h"
-#include "src/settings/scene_settings.h"
-#include "src/tech/frame_resources.h"
-#include "src/tech/techniques.h"
 
 /* ---- plans ---- */
 
@@ -110,17 +97,6 @@ static enum status upload(struct renderer *r)
     for (size_t i = 0; i < techniques_count && status == STATUS_OK; i++)
         r->meshes[i] = uploaded_scene_mesh(&r->scene->meshes[i], false);
     return status;
-}
-
-/* Returns the offset of an interleaved tile's pixel from the centre of its block, in image pixels.
- * A block has columns x rows pixels, one for each tile. */
-static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
-{
-    if (!renderer_is_interleaved(params))
-        return (vec2s){ { 0.0f, 0.0f } };
-    const uint32_t column = tile % params->columns, row = tile / params->columns;
-    return (vec2s){ { (float)column + 0.5f - (float)params->columns / 2.0f,
-                      (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
 void renderer_set_params(struct renderer *r, const struct renderer_params *params)
@@ -226,150 +202,7 @@ void renderer_destroy(struct renderer *renderer)
 
 /* ---- a frame ---- */
 
-/* Fills the globals buffer and those upload buffers of techniques that the plan contains. */
-static void write_uploads(const struct frame_view *view, const struct globals *globals,
-                          struct rg_exec *exec, uint32_t slot)
-{
-    void *memory = rg_exec_mapped(exec, &frame_globals, slot);
-    if (memory)
-        memcpy(memory, globals, sizeof(*globals));
-    for (const struct technique *const *t = techniques; *t; t++) {
-        for (const struct technique_upload *u = (*t)->uploads; u && u->buffer; u++) {
-            memory = rg_exec_mapped(exec, u->buffer, slot);
-            if (memory)
-                u->write(memory, view, globals);
-        }
-    }
-}
-
-/* Returns the image area where shaders may look up the object's faces. It includes a margin, as
- * lookups may land just outside the object. Output layers and pools need the whole image. */
-static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
-                            const struct globals *globals, VkExtent2D size)
-{
-    const struct technique *refraction = r->params.refraction; /* NULL: only the cube */
-    const bool is_all = !refraction || refraction->refraction.reach > 0.0f || r->params.layers ||
-                        view->scene->has_pool;
-    return is_all ? (VkRect2D){ .extent = size }
-                  : frame_view_box_area(view, globals, view->scene->box, size, 0.05f);
-}
-
-/* Restricts the next frame to the current tile and the pixels that rays of the tile may look up. */
-static void restrict_to_tile(const struct renderer *r, const struct frame_view *view,
-                             const struct globals *globals)
-{
-    const struct tile *t = &r->tile;
-    const struct rg_exec_region region = {
-        .region = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
-        .reach = frame_view_reach(view, globals, r->params.refraction->refraction.reach),
-    };
-    if (r->tiling.columns * r->tiling.rows > 1 || r->params.is_adaptive)
-        rg_exec_set_region(r->image.exec, &region);
-}
-
-enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_frame,
-                         const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
-{
-    const struct uploaded_scene *s = r->scene;
-    struct frame_view view = {
-        .scene = r->params.scene,
-        .settings = r->params.settings,
-        .camera = shot->camera,
-        .time = shot->time,
-        .width = r->width,
-        .height = r->height,
-        .jitter = pixel_filter_offset(r->params.filter, sample),
-        .light_jitter = pixel_filter_jitter(sample),
-        .tile = tile_offset(&r->params, shot->tile),
-        .lod_bias = renderer_is_interleaved(&r->params)
-                        ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
-                        : 0.0f,
-        .face_size = r->params.face_size,
-        .sample = sample,
-    };
-    frame_lens_apply(&view);
-    view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
-    struct rg_frame frame = {
-        .settings = r->params.settings,
-        .scene = r->params.scene,
-        .object = uploaded_scene_mesh(&s->object, r->params.is_coarse),
-        .surroundings = uploaded_scene_mesh(&s->surroundings, r->params.is_coarse),
-        .objects = compiled_frame == &r->image ? r->objects.all : NULL,
-        .object_count = compiled_frame == &r->image ? r->objects.count : 0,
-        .meshes = r->meshes,
-        .view = frame_view_push(&view),
-        .time = shot->time,
-        .light_jitter = view.light_jitter,
-        .skips_readback = r->skips_readback,
-    };
-    const struct globals globals = frame_view_globals(&view, &frame.view);
-    for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
-        frame.faces[face] = frame_view_face(&view, face);
-    const VkExtent2D size = compiled_frame->frame->plan->view;
-    frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
-    frame.lookup_area = lookup_area(r, &view, &globals, size);
-    frame.ground_area = frame_view_reflection_area(&view, &globals, size);
-    frame.due = compiled_frame == &r->image ? frame_cube_due(&r->cube, &view, &globals)
-                                            : (struct frame_updates){ FRAME_CUBE_ALL, true };
-    VkResult result = rg_exec_begin(compiled_frame->exec, slot);
-    if (result == VK_SUCCESS) {
-        write_uploads(&view, &globals, compiled_frame->exec, *slot);
-        if (compiled_frame == &r->image) {
-            frame_objects_place(&r->objects, compiled_frame, *slot, &view, &globals,
-                                r->params.refraction ? r->params.refraction->refraction.reach
-                                                     : 0.0f);
-            restrict_to_tile(r, &view, &globals);
-        }
-        result = rg_exec_submit(compiled_frame->exec, &frame);
-    }
-    if (compiled_frame == &r->image && result == VK_SUCCESS)
-        frame_cube_mark_drawn(&r->cube, &view, &globals, frame.due);
-    return gpu_status(result);
-}
-
 /* ---- an image ---- */
-
-const void *renderer_read_back(struct compiled_frame *compiled_frame, const struct rg_image *image,
-                               uint32_t slot)
-{
-    const struct rg_buffer *buffer = frame_plan_buffer(compiled_frame->frame, image);
-    return buffer ? rg_exec_mapped(compiled_frame->exec, buffer, slot) : NULL;
-}
-
-static bool wants_layer(const struct renderer *r, uint32_t layer)
-{
-    return r->params.layers & 1u << layer;
-}
-
-enum status renderer_read_sample(struct renderer *r, struct image *image, const struct tile *tile,
-                                 uint32_t sample, uint32_t slot)
-{
-    enum status status = gpu_status(rg_exec_wait(r->image.exec, slot));
-    if (status != STATUS_OK)
-        return status;
-    const void *beauty = renderer_read_back(&r->image, frame_beauty.image, slot);
-    if (beauty)
-        accumulate_sample(image, tile, &frame_beauty, beauty, sample);
-    for (uint32_t i = 0; techniques_layer(i); i++) {
-        const void *texels = renderer_read_back(&r->image, techniques_layer(i)->image, slot);
-        if (wants_layer(r, i) && texels)
-            accumulate_sample(image, tile, techniques_layer(i), texels, sample);
-    }
-    renderer_denoise_accumulate(r, tile, sample, slot);
-    return STATUS_OK;
-}
-
-enum status renderer_capture_cube(struct renderer *r, const struct renderer_shot *shot)
-{
-    const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
-    const struct renderer_shot first = { .camera = shot->camera, .time = motion->time };
-    uint32_t slot;
-    if (!r->capture.exec || r->captured)
-        return STATUS_OK;
-    enum status status = renderer_run(r, &r->capture, &first, 0, &slot);
-    r->captured = status == STATUS_OK;
-    return status;
-}
 
 enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
@@ -488,7 +321,7 @@ static bool add_planes(struct renderer *r, struct image *image)
             return false;
     }
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (wants_layer(r, i) && !accumulate_add_planes(image, techniques_layer(i)))
+        if (renderer_wants_layer(r, i) && !accumulate_add_planes(image, techniques_layer(i)))
             return false;
     }
     return renderer_denoise_begin(r);
@@ -499,7 +332,7 @@ static enum status divide_sums(struct renderer *r, struct image *image)
     if (image_find(image, frame_beauty.planes[0]))
         accumulate_mean(image, &frame_beauty, r->params.samples);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (wants_layer(r, i))
+        if (renderer_wants_layer(r, i))
             accumulate_mean(image, techniques_layer(i), r->params.samples);
     }
     return renderer_denoise_end(r, image);

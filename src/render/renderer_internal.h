@@ -67,6 +67,9 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct compiled_fra
                                   const struct renderer_shot *shot, uint32_t sample,
                                   uint32_t *slot);
 
+/* Returns true if params ask for layer `layer`. */
+bool renderer_wants_layer(const struct renderer *renderer, uint32_t layer);
+
 /* Waits for a sample and adds it to the rectangle `tile` of the image. */
 MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);

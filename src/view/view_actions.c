@@ -72,23 +72,6 @@ void view_move_divider(struct view *v, double to)
     v->viewport->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
-/* Sets the camera. If the projection changes, replaces the renderers. */
-void view_use_camera(struct view *v, const struct camera *camera)
-{
-    struct viewport *p = v->viewport;
-    const struct camera before = p->camera;
-    const bool other = (camera->height > 0.0f) != (before.height > 0.0f);
-    p->camera = *camera;
-    if (!other)
-        return;
-    presenter_disconnect(&v->presenter);
-    view_clear_errors(v);
-    if (viewport_rebuild(p) == STATUS_OK)
-        return;
-    p->camera = before;
-    view_fail(v, "the projection was not changed");
-}
-
 static void change_projection(struct view *v)
 {
     struct camera camera = v->viewport->camera;

@@ -1,11 +1,9 @@
 /* viewer.c: viewer: startup, frame loop and shutdown of the interactive window. */
 #include "src/view/viewer.h"
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/settings/scene_settings.h"
 #include "src/view/session/recent_files.h"
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
@@ -16,28 +14,6 @@ static const double rest_seconds = 0.12;
 static const double idle_seconds = 0.1; /* poll interval while nothing is drawn, seconds */
 
 /* ---- startup and shutdown ---- */
-
-void view_set_title(struct view *v, const char *what)
-{
-    char title[256];
-    snprintf(title, sizeof(title), "firn: %s", what);
-    window_title(&v->window, title);
-}
-
-void view_clear_errors(struct view *v)
-{
-    char line[STDERR_CAPTURE_SIZE];
-    (void)stderr_capture_take(&v->stderr_capture, line);
-}
-
-void view_fail(struct view *v, const char *what)
-{
-    char why[STDERR_CAPTURE_SIZE];
-    char words[STDERR_CAPTURE_SIZE + 64];
-    const bool known = stderr_capture_take(&v->stderr_capture, why);
-    snprintf(words, sizeof(words), "%s%s%s", what, known ? ": " : "", why);
-    ui_show_failure(v->ui, words);
-}
 
 static bool shows_panels(const struct viewer_params *o)
 {
@@ -90,23 +66,6 @@ static enum status open_device(void *user)
     return status;
 }
 
-void view_show_name(struct view *v)
-{
-    static const char *const other[] = {
-        [VIEW_SIDE_B_FILE] = "image", [VIEW_SIDE_B_REFERENCE] = "reference"
-    };
-    const struct setup_image *p = &v->viewport->state;
-    char words[200];
-    if (v->compare.side_b != VIEW_SIDE_B_NONE)
-        snprintf(words, sizeof(words), "%s, %s | %s%s", p->scene.name,
-                 p->refraction->refraction.name,
-                 p->split ? p->split->refraction.name : other[v->compare.side_b],
-                 v->paused ? ", paused" : "");
-    else
-        snprintf(words, sizeof(words), "%s%s", p->scene.name, v->paused ? ", paused" : "");
-    view_set_title(v, words);
-}
-
 static enum status load(void *user)
 {
     struct view *v = user;
@@ -116,12 +75,6 @@ static enum status load(void *user)
         ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
     return viewport_create(&v->viewport, &v->gpu, &v->initial_state, v->shader_reload,
                            v->options->quiet, !v->options->window->frame_count);
-}
-
-void view_show_ui(struct view *v, bool shown)
-{
-    ui_show(v->ui, shown);
-    presenter_set_font(&v->presenter, shown ? ui_font(v->ui) : NULL);
 }
 
 static enum status open_ui(struct view *v)
@@ -237,12 +190,6 @@ static enum status fit_image(struct view *v, bool window_changed)
     return status;
 }
 
-void view_update_layout(struct view *v, VkExtent2D size)
-{
-    v->layout = window_layout_of(size, v->ui_scale, v->presenter.font != NULL);
-    v->window.image_area = v->layout.image;
-}
-
 /* Resizes swapchain, layout and renderer to the window. *ready is false if nothing can be drawn. */
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
@@ -268,19 +215,6 @@ static enum status connect(struct view *v)
     const enum status status = presenter_connect(&v->presenter, &shown);
     view_frame_stats_exclude(&v->frame_stats, start);
     return status;
-}
-
-float view_time(const struct view *v)
-{
-    const struct motion_params *motion =
-        settings_of(&v->viewport->state.scene.settings, &motion_settings);
-    return (float)((double)motion->time + v->elapsed);
-}
-
-void view_seek(struct view *v, float time)
-{
-    v->elapsed += fmax((double)time, 0.0) - (double)view_time(v);
-    v->changed = true;
 }
 
 static struct renderer_shot shot_now(const struct view *v)
@@ -321,15 +255,6 @@ static enum status draw_image(struct view *v)
     v->changed = false;
     return v->viewport->is_progressive ? view_progressive_draw(v, &shot)
                                        : viewport_draw(v->viewport, &shot);
-}
-
-struct window_frame view_window(const struct view *v, const struct overlay_draw_list *list)
-{
-    return (struct window_frame){
-        .present = v->image_area,
-        .layout = v->layout,
-        .overlay = list,
-    };
 }
 
 /* Draws and presents a frame: the image and the user interface. */

@@ -1,6 +1,7 @@
 /* ui_choice_widgets.c: widgets that choose one of several values: list, buttons, thumbnails. */
 #include <math.h>
 #include <stdio.h>
+#include "src/scene/bundled_assets.h"
 #include "src/view/panels/ui_internal.h"
 
 enum {
@@ -90,4 +91,15 @@ bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
         imgui_tooltip(g->tooltips[i]);
     }
     return changed;
+}
+
+const char *ui_environment(uint32_t i)
+{
+    if (!i--)
+        return "sky";
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == ASSET_ENVIRONMENT && !i--)
+            return a->name;
+    }
+    return NULL;
 }

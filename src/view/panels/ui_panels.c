@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/render/frame/pass_list.h"
-#include "src/scene/bundled_assets.h"
 #include "src/scene/material.h"
 #include "src/settings/quality.h"
 #include "src/tech/refract/refract.h"
@@ -34,17 +33,6 @@ static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX],
         chosen = refraction == next ? *count : chosen;
     }
     return chosen;
-}
-
-const char *ui_environment(uint32_t i)
-{
-    if (!i--)
-        return "sky";
-    for (const struct asset *a = assets; a->name; a++) {
-        if (a->kind == ASSET_ENVIRONMENT && !i--)
-            return a->name;
-    }
-    return NULL;
 }
 
 static void environment_buttons(const struct ui_view *view, struct ui_request *request)

@@ -1,0 +1,77 @@
+/* view_open_file.c: opens a file of any kind: model, environment, preset, session or image. */
+#include <stdio.h>
+#include "src/base/clock.h"
+#include "src/view/session/file_kind.h"
+#include "src/view/session/recent_files.h"
+#include "src/view/view_internal.h"
+#include "src/view/window/worker_thread.h"
+
+struct opening {
+    struct view *view;
+    const char *path;
+    enum file_kind kind;
+};
+
+static enum status detect_kind(void *user)
+{
+    struct opening *opening = user;
+    const struct reader_params *reader = &opening->view->viewport->state.scene.reader;
+    return file_kind_detect(opening->path, reader, &opening->kind);
+}
+
+static enum status open_file(void *user)
+{
+    const struct opening *opening = user;
+    bool remade;
+    return viewport_load(&opening->view->viewport, opening->path, &remade);
+}
+
+static void load(struct view *v, struct opening *opening)
+{
+    const double start = clock_seconds();
+    char words[REBUILD_LOG_SIZE];
+    const struct view_state before = view_state_now(v);
+    view_set_title(v, "loading");
+    presenter_disconnect(&v->presenter);
+    view_compare_stop(v);
+    view_clear_errors(v);
+    if (undo_scenes_add(&v->undo_scenes, v->scene, v->viewport) != STATUS_OK ||
+        worker_run(&v->window, open_file, opening) != STATUS_OK) {
+        view_fail(v, "the file was not opened");
+    } else {
+        view_enter_scene(v, &before);
+        snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
+                 opening->kind == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
+                 opening->path, (clock_seconds() - start) * 1e3);
+        rebuild_log_add(&v->rebuild_log, words);
+        ui_show_message(v->ui, words);
+        recent_files_add(opening->path);
+    }
+    v->changed = true;
+    view_show_name(v);
+    view_frame_stats_exclude(&v->frame_stats, start);
+}
+
+/* Opens any kind of file. On failure, logs an error and leaves the current scene open. */
+void view_open(struct view *v, const char *path)
+{
+    struct opening opening = { .view = v, .path = path };
+    const double start = clock_seconds();
+    if (view_compare_accepts(v, path)) {
+        view_compare_open(v, path);
+        return;
+    }
+    view_clear_errors(v);
+    const enum status status = worker_run(&v->window, detect_kind, &opening);
+    view_frame_stats_exclude(&v->frame_stats, start);
+    if (status != STATUS_OK)
+        view_fail(v, "the file was not opened");
+    else if (opening.kind == FILE_KIND_SESSION)
+        view_load_session(v, path);
+    else if (opening.kind == FILE_KIND_PRESET)
+        view_load_preset(v, path);
+    else if (opening.kind == FILE_KIND_IMAGE)
+        view_compare_open(v, path);
+    else
+        load(v, &opening);
+}

@@ -1,0 +1,122 @@
+/* view_state.c: title, messages, scene time, layout, camera and current settings of the viewer. */
+#include <math.h>
+#include <stdio.h>
+#include "src/render/frame/pass_list.h"
+#include "src/settings/scene_settings.h"
+#include "src/view/view_internal.h"
+
+void view_set_title(struct view *v, const char *what)
+{
+    char title[256];
+    snprintf(title, sizeof(title), "firn: %s", what);
+    window_title(&v->window, title);
+}
+
+void view_clear_errors(struct view *v)
+{
+    char line[STDERR_CAPTURE_SIZE];
+    (void)stderr_capture_take(&v->stderr_capture, line);
+}
+
+void view_fail(struct view *v, const char *what)
+{
+    char why[STDERR_CAPTURE_SIZE];
+    char words[STDERR_CAPTURE_SIZE + 64];
+    const bool known = stderr_capture_take(&v->stderr_capture, why);
+    snprintf(words, sizeof(words), "%s%s%s", what, known ? ": " : "", why);
+    ui_show_failure(v->ui, words);
+}
+
+void view_show_name(struct view *v)
+{
+    static const char *const other[] = {
+        [VIEW_SIDE_B_FILE] = "image", [VIEW_SIDE_B_REFERENCE] = "reference"
+    };
+    const struct setup_image *p = &v->viewport->state;
+    char words[200];
+    if (v->compare.side_b != VIEW_SIDE_B_NONE)
+        snprintf(words, sizeof(words), "%s, %s | %s%s", p->scene.name,
+                 p->refraction->refraction.name,
+                 p->split ? p->split->refraction.name : other[v->compare.side_b],
+                 v->paused ? ", paused" : "");
+    else
+        snprintf(words, sizeof(words), "%s%s", p->scene.name, v->paused ? ", paused" : "");
+    view_set_title(v, words);
+}
+
+void view_show_ui(struct view *v, bool shown)
+{
+    ui_show(v->ui, shown);
+    presenter_set_font(&v->presenter, shown ? ui_font(v->ui) : NULL);
+}
+
+void view_update_layout(struct view *v, VkExtent2D size)
+{
+    v->layout = window_layout_of(size, v->ui_scale, v->presenter.font != NULL);
+    v->window.image_area = v->layout.image;
+}
+
+float view_time(const struct view *v)
+{
+    const struct motion_params *motion =
+        settings_of(&v->viewport->state.scene.settings, &motion_settings);
+    return (float)((double)motion->time + v->elapsed);
+}
+
+void view_seek(struct view *v, float time)
+{
+    v->elapsed += fmax((double)time, 0.0) - (double)view_time(v);
+    v->changed = true;
+}
+
+struct window_frame view_window(const struct view *v, const struct overlay_draw_list *list)
+{
+    return (struct window_frame){
+        .present = v->image_area,
+        .layout = v->layout,
+        .overlay = list,
+    };
+}
+
+/* Sets the camera. If the projection changes, replaces the renderers. */
+void view_use_camera(struct view *v, const struct camera *camera)
+{
+    struct viewport *p = v->viewport;
+    const struct camera before = p->camera;
+    const bool other = (camera->height > 0.0f) != (before.height > 0.0f);
+    p->camera = *camera;
+    if (!other)
+        return;
+    presenter_disconnect(&v->presenter);
+    view_clear_errors(v);
+    if (viewport_rebuild(p) == STATUS_OK)
+        return;
+    p->camera = before;
+    view_fail(v, "the projection was not changed");
+}
+
+struct view_state view_state_now(const struct view *v)
+{
+    const struct setup_image *p = &v->viewport->state;
+    struct view_state state = {
+        .scene = v->scene,
+        .settings = frame_settings(&p->scene.settings, &v->viewport->scene),
+        .user_settings = p->scene.user_settings,
+        .refraction = p->refraction,
+        .side_b = v->compare.side_b,
+        .split = p->split,
+        .env_rotate = p->scene.env_rotate,
+    };
+    if (v->viewport->has_right_settings)
+        state.right_settings = v->viewport->right_settings;
+    return state;
+}
+
+struct settings view_scene_settings(const struct view *v)
+{
+    const struct setup_scene *given = &v->options->image->scene;
+    struct setup_scene own = v->viewport->state.scene;
+    own.settings = given->settings;
+    setup_apply_scene_settings(&own, &v->viewport->scene);
+    return frame_settings(&own.settings, &v->viewport->scene);
+}
