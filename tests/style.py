@@ -23,9 +23,9 @@ SPOKEN = ('graph/', 'src/', 'shaders/', 'examples/', 'assets/', 'tests/support/'
 
 FOLDERS = ('.ci', 'assets', 'completions', 'docs', 'graph', 'man', 'shaders', 'src', 'tests')
 # Objects with tables of a library's header that are not const there: stb_easy_font's
-THEIR_DATA = ('ladder_canvas.c.o',)
+THEIR_DATA = ('lab_ladder_canvas.c.o',)
 # One that counts what a property of the process depends on: whether it is dumpable.
-PROCESS_DATA = ('reader_reader_process.c.o',)
+PROCESS_DATA = ('file_reader_process.c.o',)
 C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
 CODE = (*C, *GLSL, '.css', '.js', '.py', '.sh', '.build')

@@ -1,4 +1,5 @@
-/* renderer_sample.c: submits samples of an image and of the environment cube, and reads them back. */
+/* renderer_sample.c: submits samples of an image and of the environment cube, and reads them back.
+ */
 #include <math.h>
 #include <string.h>
 #include "src/render/frame/thin_lens.h"
