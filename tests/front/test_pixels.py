@@ -225,7 +225,8 @@ class PngBits(Pixels):
 
     def tonemap_settings(self):
         """Each setting of tone mapping, except dithering, with one value or with all choices."""
-        for row in json.loads(self.succeed('list', 'settings', '--json').stdout):
+        rows = json.loads(self.succeed('list', 'settings', '--json').stdout)
+        for row in rows['settings']:
             if row['name'].startswith('tonemap.') and row['name'] != 'tonemap.dither':
                 values = row.get('choices', ['on']) if row['type'] != 'number' else [
                     row['min'] + 9 / 16 * (row['max'] - row['min'])]
