@@ -83,9 +83,8 @@ static enum status describe(struct profile *p, const struct setup_image *image,
                             const struct scene *scene, char *const *args)
 {
     const struct setup_scene *options = &image->scene;
-    const struct settings settled =
-        frame_resolve_settings(&options->settings, image->refraction, image->height);
-    const struct settings settings = frame_settings(&settled, scene);
+    const struct settings settings =
+        frame_resolve_settings(&options->settings, scene, image->refraction, image->height);
     p->scene = strdup(options->name);
     p->command = shell_quote_join(args);
     describe_material(p, options);

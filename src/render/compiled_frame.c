@@ -71,7 +71,7 @@ void compiled_frame_describe(struct compiled_frame_params *described,
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
     struct compiled_frame_params *d = described;
     const struct settings settled =
-        frame_resolve_settings(params->settings, params->refraction, params->height);
+        frame_resolve_settings(params->settings, params->scene, params->refraction, params->height);
     d->constants = frame_view_constants(params->scene, &settled, params->refraction);
     d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
     d->constants.values[CONSTANT_ORTHOGRAPHIC] = params->is_orthographic;

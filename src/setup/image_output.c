@@ -103,9 +103,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
     const struct setup_image *p = output->image;
     const struct frame_layer *show = is_png ? p->show : NULL;
     const struct camera *camera = &output->shot.camera;
-    const struct settings settled =
-        frame_resolve_settings(&p->scene.settings, p->refraction, p->height);
-    struct settings settings = frame_settings(&settled, output->scene);
+    struct settings settings =
+        frame_resolve_settings(&p->scene.settings, output->scene, p->refraction, p->height);
     size_t size;
     FILE *out = open_memstream(text, &size);
     bool ok = out != NULL;

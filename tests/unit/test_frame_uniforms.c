@@ -364,7 +364,8 @@ static void test_faces_by_height(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
         assert_int_equal(frame_face_size(&settings, sizes[i][0]), sizes[i][1]);
-    const struct settings settled = frame_resolve_settings(&settings, NULL, 768);
+    const struct settings settled =
+        frame_resolve_settings(&settings, &(struct scene){ 0 }, NULL, 768);
     assert_int_equal(frame_face_size(&settled, 1), 1024);
     assert_int_equal(settings_assign(&settings, "env_cube.size=64", SETTING_USER, NULL), STATUS_OK);
     assert_int_equal(frame_face_size(&settings, 768), 64);

@@ -335,10 +335,10 @@ uint32_t frame_face_size(const struct settings *settings, uint32_t height)
     return cube->size ? cube->size : size;
 }
 
-struct settings frame_resolve_settings(const struct settings *settings,
+struct settings frame_resolve_settings(const struct settings *settings, const struct scene *scene,
                                        const struct technique *refraction, uint32_t height)
 {
-    struct settings copy = *settings;
+    struct settings copy = frame_settings(settings, scene);
     for (const struct technique *const *t = techniques; *t; t++) {
         if ((*t)->resolve_auto)
             (*t)->resolve_auto(&copy, refraction);

@@ -48,8 +48,9 @@ struct settings frame_settings(const struct settings *settings, const struct sce
  * power of two from 128 to 2048 that is at least 0.9 times the image's `height`. */
 uint32_t frame_face_size(const struct settings *settings, uint32_t height);
 
-/* Returns the settings with `auto` values replaced for a refraction model and an image height. */
-struct settings frame_resolve_settings(const struct settings *settings,
+/* Returns the settings with which an image is drawn: what follows from the scene is set, and `auto`
+ * is resolved for a refraction model (NULL for none) and an image height in pixels. */
+struct settings frame_resolve_settings(const struct settings *settings, const struct scene *scene,
                                        const struct technique *refraction, uint32_t height);
 
 #endif
