@@ -21,8 +21,8 @@ WORDS = {'clock': ('auto', 'timestamps', 'submits'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),
          'samples': ('auto',), 'up': ('y', 'z')}
-FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
-         'truth', 'screenshot', 'watch', 'preset'}
+FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'mask', 'truth',
+         'screenshot', 'watch', 'preset'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')
 
 

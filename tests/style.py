@@ -28,8 +28,8 @@ THEIR_DATA = ('lab_ladder_canvas.c.o',)
 PROCESS_DATA = ('file_reader_process.c.o',)
 C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
-CODE = (*C, *GLSL, '.css', '.js', '.py', '.sh', '.build')
-TEXT = (*CODE, '.md', '.txt', '.json', '.html', '.supp')
+CODE = (*C, *GLSL, '.py', '.sh', '.build')
+TEXT = (*CODE, '.md', '.txt', '.json', '.supp')
 SHELL_NAMES = ('run',)  # files without a suffix
 TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitignore')
 
@@ -378,7 +378,7 @@ SAMPLES = (
     ('src/a.c', 'x' * 101 + '\n', '101 columns'),
     ('run', 'x' * 101 + '\n', '101 columns'),
     ('src/a.cpp', 'x' * 101 + '\n', '101 columns'),
-    ('src/a.js', 'x' * 101 + '\n', '101 columns'),
+    ('src/a.py', 'x' * 101 + '\n', '101 columns'),
     ('docs/a.md', 'x' * 101 + '\n', None),
     ('src/a.c', 'void f(void)\n{\n' + LONG * 59 + '}\n', 'a.c:2: function of 61 lines'),
     ('shaders/a.frag', 'void main()\n{\n' + LONG * 59 + '}\n', 'function of 61 lines'),

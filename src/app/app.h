@@ -50,9 +50,9 @@ struct app_render {
 struct app_profile {
     enum rg_clock clock; /* RG_CLOCK_NONE: chosen by a test */
     uint32_t warmup, run_count;
-    double time_step;                      /* seconds of scene time per run */
-    const char *json, *csv, *trace, *html; /* report files, or NULL */
-    const char *baseline;                  /* profile to compare with, or NULL */
+    double time_step;               /* seconds of scene time per run */
+    const char *json, *csv, *trace; /* report files, or NULL */
+    const char *baseline;           /* profile to compare with, or NULL */
     bool each, capture;
 };
 

@@ -9,7 +9,6 @@
 #include "src/lab/profile/baseline_comparison.h"
 #include "src/lab/profile/chrome_trace.h"
 #include "src/lab/profile/csv.h"
-#include "src/lab/profile/html_page.h"
 #include "src/lab/profile/json.h"
 #include "src/lab/profile/table.h"
 
@@ -17,7 +16,7 @@
 
 static enum status check_reports(const struct app_profile *options)
 {
-    const char *const paths[] = { options->json, options->csv, options->trace, options->html };
+    const char *const paths[] = { options->json, options->csv, options->trace };
     uint32_t stdout_count = 0;
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(paths) / sizeof(paths[0]) && status == STATUS_OK; i++) {
@@ -65,10 +64,6 @@ static enum status write_reports(const struct profile_job *job, const struct pro
         enum status made = profile_write_trace(profile, &text, &size);
         status = profile_job_write_text(to->trace, made, text, size);
     }
-    if (to->html && status == STATUS_OK) {
-        enum status made = profile_write_html(profile, NULL, &text, &size);
-        status = profile_job_write_text(to->html, made, text, size);
-    }
     return status;
 }
 
@@ -101,9 +96,7 @@ static enum status refuse_reports(const struct app_profile *options, const char 
 {
     if (!options->baseline && !options->csv && !options->trace && !options->capture)
         return STATUS_OK;
-    log_error(
-        "--csv, --trace, --baseline and --capture: not available with %s; use --json or --html",
-        many);
+    log_error("--csv, --trace, --baseline and --capture: not available with %s; use --json", many);
     return STATUS_USAGE;
 }
 

@@ -121,46 +121,7 @@ static const struct profile_contrast paper_claims[] = {
 };
 
 enum {
-    CLAIM_COUNT = sizeof(paper_claims) / sizeof(paper_claims[0]),
-    FIGURE_COUNT = 4
-};
-
-static const struct profile_figure figures[FIGURE_COUNT] = {
-    {
-        .title = "Figure 6: increasingly complex objects",
-        .axis = "triangles",
-        .columns = { "960", "4800", "14400" },
-        .series = { "without cracks and air", "with them" },
-        .points = { { SPHERE_PLAIN, CUBE_PLAIN, TEAPOT_PLAIN },
-                    { SPHERE_FULL, CUBE_FULL, TEAPOT_FULL } },
-        .column_count = 3,
-    },
-    {
-        .title = "Figure 7: one and two interfaces",
-        .axis = "refraction",
-        .is_bars = true,
-        .columns = { "one-sided", "two-sided" },
-        .series = { "dynamic environment", "static environment" },
-        .points = { { ONE_SIDED_DYNAMIC, TWO_SIDED_DYNAMIC },
-                    { ONE_SIDED_STATIC, TWO_SIDED_STATIC } },
-        .column_count = 2,
-    },
-    {
-        .title = "Section 5: targets of what is in the ice",
-        .axis = "inclusions.scale",
-        .columns = { "1/4", "1/2", "1" },
-        .series = { "ice cube" },
-        .points = { { TARGETS_QUARTER, TARGETS_HALF, CUBE_FULL } },
-        .column_count = 3,
-    },
-    {
-        .title = "The dynamic environment cube",
-        .axis = "texels along an edge",
-        .columns = { "256", "512", "1024" },
-        .series = { "ice cube" },
-        .points = { { CUBE_256, TWO_SIDED_DYNAMIC, CUBE_1024 } },
-        .column_count = 3,
-    },
+    CLAIM_COUNT = sizeof(paper_claims) / sizeof(paper_claims[0])
 };
 
 /* ---- measuring ---- */
@@ -278,8 +239,6 @@ enum status profile_paper(struct profile_job *job)
     memcpy(contrasts, paper_claims, sizeof(paper_claims));
     job->sweep.contrasts = contrasts;
     job->sweep.contrast_count = CLAIM_COUNT;
-    job->sweep.figures = figures;
-    job->sweep.figure_count = FIGURE_COUNT;
     if (job->o.profile.time_step <= 0)
         job->o.profile.time_step = 0.04; /* time step (seconds) that moves objects and lights */
     struct setup_image *images = calloc(CASE_COUNT, sizeof(*images));

@@ -8,7 +8,6 @@
 #include "src/base/shell_quote.h"
 #include "src/file/atomic_file.h"
 #include "src/gpu/gpu_capture.h"
-#include "src/lab/profile/html_page.h"
 #include "src/lab/profile/json.h"
 #include "src/render/frame/pass_list.h"
 #include "src/render/make_frame_request.h"
@@ -165,8 +164,7 @@ static bool is_stdout(const char *path)
 
 bool profile_job_has_table(const struct app_profile *options)
 {
-    return !is_stdout(options->json) && !is_stdout(options->csv) && !is_stdout(options->trace) &&
-           !is_stdout(options->html);
+    return !is_stdout(options->json) && !is_stdout(options->csv) && !is_stdout(options->trace);
 }
 
 enum status profile_job_write_text(const char *path, enum status made, char *text, size_t size)
@@ -179,17 +177,10 @@ enum status profile_job_write_text(const char *path, enum status made, char *tex
 enum status profile_job_write_sweep(const struct profile_job *job)
 {
     const struct app_profile *to = &job->o.profile;
-    enum status status = STATUS_OK;
     char *text;
     size_t size;
-    if (to->json) {
-        enum status made = profile_write_sweep_json(&job->sweep, &text, &size);
-        status = profile_job_write_text(to->json, made, text, size);
-    }
-    if (to->html && status == STATUS_OK) {
-        const struct profile *last = &job->sweep.points[job->sweep.point_count - 1];
-        enum status made = profile_write_html(last, &job->sweep, &text, &size);
-        status = profile_job_write_text(to->html, made, text, size);
-    }
-    return status;
+    if (!to->json)
+        return STATUS_OK;
+    enum status made = profile_write_sweep_json(&job->sweep, &text, &size);
+    return profile_job_write_text(to->json, made, text, size);
 }

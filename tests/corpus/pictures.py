@@ -185,7 +185,7 @@ def profile(**changes):
                'first_frame', 'memory_used', 'memory_without_aliasing', 'memory_bound',
                'memory_persistent')
     document = {
-        'type': 'profile', 'format': 1, **{name: 'a' for name in texts},
+        'type': 'profile', 'format': 2, **{name: 'a' for name in texts},
         **{name: 0 for name in numbers}, 'width': 8, 'height': 8, 'has_statistics': False,
         'fragments_are_exact': False, 'run_count': 1, 'pass_count': 1,
         'settings': [{'name': 'a.b', 'value': '1'}],

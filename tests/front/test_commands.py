@@ -88,7 +88,7 @@ class CommandLine(Case):
                 (('merge', 'merged.exr', 'b.exr'), ["input 'merged.exr'"]),
                 (('bake', 'sphere', '--env', 'env.exr'), ['env.exr']),
                 (('diff', 'b.exr', 'in.exr', '-o', 'sub/../in.exr'), ["input 'in.exr'"]),
-                (('profile', 'sphere', '--csv', 'a', '--html', 'a'), ['--csv', '--html']),
+                (('profile', 'sphere', '--csv', 'a', '--json', 'a'), ['--csv', '--json']),
                 (('profile', 'sphere', '--baseline', 'in.exr', '--json', 'in.exr'),
                  ['--json', '--baseline']),
                 (('ladder', '--truth', 'in.exr', '-o', 'in.exr'), ['--output', '--truth'])):

@@ -86,9 +86,9 @@ static const struct {
     const char *from, *to;
     enum status status;
 } damages[] = {
-    { "\"format\":1", "\"format\":1", STATUS_OK },
+    { "\"format\":2", "\"format\":2", STATUS_OK },
     { "\"outliers\":[", "\"surplus\":[", STATUS_OK },
-    { "\"format\":1", "\"format\":2", STATUS_DATA },
+    { "\"format\":2", "\"format\":3", STATUS_DATA },
     { "\"type\":\"profile\"", "\"type\":\"sweep\"", STATUS_DATA },
     { "\"type\"", "\"tipe\"", STATUS_DATA },
     { "\"width\":1024", "\"width\":-1", STATUS_DATA },
@@ -128,7 +128,7 @@ static const struct {
     { "\"frame\":{", "\"frame\":{\"ms\":[],", STATUS_DATA },
     { "\"plain\":{", "\"plane\":{", STATUS_DATA },
     { "{\"format\"", "[{\"format\"", STATUS_DATA },
-    { "{\"format\":1", "[1]", STATUS_DATA },
+    { "{\"format\":2", "[1]", STATUS_DATA },
 };
 
 static void test_damaged_files(void **state)

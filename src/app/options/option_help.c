@@ -16,7 +16,8 @@ static const char *const examples[] = {
                   "  firn view statue.glb --env studio.hdr --set motion.ice=0\n"
                   "  firn view sphere --frames 100 --time-step 0.04 --screenshot last.png\n"),
     [APP_PROFILE] = ("  firn profile ice-cube\n"
-                     "  firn profile ice-cube --json before.json --html before.html\n"
+                     "  firn profile ice-cube --trace trace.json\n"
+                     "  firn profile ice-cube --json before.json\n"
                      "  firn profile ice-cube --baseline before.json\n"
                      "  firn profile ice-cube --sweep cracks.count=1,4,16,64\n"
                      "  firn profile paper\n"),

@@ -10,8 +10,7 @@
 #include "src/lab/profile/profile_data.h"
 
 /* Writes a profile to *text, which the caller frees. *size excludes the text's final '\0'. When out
- * of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL. In HTML, every '<' must be
- * escaped as \u003c, because strings may contain "</script>". */
+ * of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL. */
 MUST_USE enum status profile_write_json(const struct profile *profile, char **text, size_t *size);
 
 /*

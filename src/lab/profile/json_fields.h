@@ -6,7 +6,7 @@
 #include "src/lab/profile/profile_data.h"
 
 enum {
-    PROFILE_JSON_FORMAT = 1,
+    PROFILE_JSON_FORMAT = 2,
     PROFILE_JSON_DIGITS = 17, /* significant digits, exact for doubles */
     PROFILE_TRACE_DIGITS = 15 /* nanosecond precision up to 11 days */
 };

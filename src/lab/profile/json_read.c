@@ -295,7 +295,7 @@ static enum status check_type(const struct reader *reader, const json_t *root)
     if (!type || strcmp(type, "profile") != 0)
         return fault(reader, "type", "is not \"profile\"");
     if (json_integer_value(json_object_get(root, "format")) != PROFILE_JSON_FORMAT)
-        return fault(reader, "format", "is not 1, the only supported format");
+        return fault(reader, "format", "is not 2, the only supported format");
     return STATUS_OK;
 }
 

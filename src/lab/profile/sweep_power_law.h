@@ -30,30 +30,13 @@ struct profile_contrast {
     double p;                         /* Mann-Whitney p-value, Holm-adjusted over all contrasts */
 };
 
-enum {
-    PROFILE_FIGURE_SERIES = 2,
-    PROFILE_FIGURE_COLUMNS = 3
-};
-
-/* Chart of frame rates with columns along the x axis. Each series is a curve or a set of bars. */
-struct profile_figure {
-    const char *title, *axis; /* label of the column axis */
-    bool is_bars;
-    const char *columns[PROFILE_FIGURE_COLUMNS];
-    const char *series[PROFILE_FIGURE_SERIES]; /* the second may be NULL */
-    uint32_t points[PROFILE_FIGURE_SERIES][PROFILE_FIGURE_COLUMNS];
-    uint32_t column_count;
-};
-
 struct profile_sweep {
     struct profile_parameter parameters[PROFILE_SWEEP_PARAMETERS];
     uint32_t parameter_count;
     struct profile *points; /* the last parameter varies fastest */
     uint32_t point_count;
-    struct profile_contrast *contrasts; /* contrasts and figures are borrowed */
+    struct profile_contrast *contrasts; /* borrowed */
     uint32_t contrast_count;
-    const struct profile_figure *figures;
-    uint32_t figure_count;
 };
 
 /* Computes `rate` and `p` of all contrasts from the frames without measurement (profile.plain).

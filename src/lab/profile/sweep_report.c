@@ -188,26 +188,6 @@ static bool add_contrast(json_t *contrasts, const struct profile_contrast *contr
            profile_json_put(json, "p", json_real(contrast->p));
 }
 
-static bool add_figure(json_t *figures, const struct profile_figure *figure)
-{
-    json_t *json = profile_json_put(figures, NULL, json_object());
-    bool ok = profile_json_put(json, "title", json_string(figure->title)) &&
-              profile_json_put(json, "axis", json_string(figure->axis)) &&
-              profile_json_put(json, "is_bars", json_boolean(figure->is_bars));
-    json_t *columns = profile_json_put(json, "columns", json_array());
-    json_t *series = profile_json_put(json, "series", json_array());
-    for (uint32_t c = 0; c < figure->column_count; c++)
-        ok = profile_json_put(columns, NULL, json_string(figure->columns[c])) && ok;
-    for (uint32_t s = 0; s < PROFILE_FIGURE_SERIES && figure->series[s]; s++) {
-        json_t *one = profile_json_put(series, NULL, json_object());
-        ok = profile_json_put(one, "name", json_string(figure->series[s])) && ok;
-        json_t *points = profile_json_put(one, "points", json_array());
-        for (uint32_t c = 0; c < figure->column_count; c++)
-            ok = profile_json_put(points, NULL, json_integer(figure->points[s][c])) && ok;
-    }
-    return ok;
-}
-
 enum status profile_write_sweep_json(const struct profile_sweep *sweep, char **text, size_t *size)
 {
     struct profile_growth *growths = NULL;
@@ -230,10 +210,6 @@ enum status profile_write_sweep_json(const struct profile_sweep *sweep, char **t
     json_t *contrasts = profile_json_put(root, "contrasts", json_array());
     for (uint32_t i = 0; i < sweep->contrast_count && ok; i++)
         ok = add_contrast(contrasts, &sweep->contrasts[i]);
-    json_t *figures = profile_json_put(root, "figures", json_array());
-    for (uint32_t i = 0; i < sweep->figure_count && ok; i++)
-        ok = add_figure(figures, &sweep->figures[i]);
     free(growths);
-    return profile_json_end(root, ok && fits && contrasts && figures, PROFILE_JSON_DIGITS, text,
-                            size);
+    return profile_json_end(root, ok && fits && contrasts, PROFILE_JSON_DIGITS, text, size);
 }
