@@ -48,7 +48,7 @@ struct app_render {
 
 /* Options of firn profile. */
 struct app_profile {
-    enum rg_clock clock; /* RG_CLOCK_NONE: chosen by a test */
+    enum rg_clock clock; /* RG_CLOCK_NONE: chosen by the device's type */
     uint32_t warmup, run_count;
     double time_step;               /* seconds of scene time per run */
     const char *json, *csv, *trace; /* report files, or NULL */

@@ -10,11 +10,24 @@
 #include "src/gpu/gpu_capture.h"
 #include "src/lab/profile/json.h"
 #include "src/render/frame/pass_list.h"
+#include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 
 /* ---- device and clock ---- */
+
+/* Returns the requested clock if the device has it. By default passes are timed by timestamps,
+ * except on CPU devices, where the host's clock measures the same cores. */
+static enum rg_clock choose_clock(const struct gpu *gpu, enum rg_clock requested)
+{
+    const bool has_timestamps = gpu->properties.limits.timestampComputeAndGraphics;
+    if (requested == RG_CLOCK_NONE)
+        requested = lavapipe_tuning_is_cpu(gpu) ? RG_CLOCK_SUBMITS : RG_CLOCK_EXACT;
+    else if (requested == RG_CLOCK_EXACT && !has_timestamps)
+        log_warning("--clock: the device has no timestamps, so each pass is submitted alone");
+    return has_timestamps ? requested : RG_CLOCK_SUBMITS;
+}
 
 static enum status open_device(struct profile_job *job)
 {
@@ -26,12 +39,7 @@ static enum status open_device(struct profile_job *job)
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)
-        status = timestamp_check_run(&job->gpu, o->clock, &job->clock);
-    if (status != STATUS_OK || o->clock == RG_CLOCK_NONE || o->clock == job->clock.clock)
-        return status;
-    job->clock.clock = o->clock;
-    if (o->clock != RG_CLOCK_SUBMITS)
-        log_warning("--clock: %s", job->clock.reason);
+        job->clock = choose_clock(&job->gpu, o->clock);
     return status;
 }
 
@@ -106,7 +114,6 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
     const struct app_profile *o = &job->o.profile;
     struct setup_image *p = &subject->image;
     *request = (struct profile_request){
-        .clock = &job->clock,
         .warmup = o->warmup,
         .run_count = o->run_count,
         .capture = o->capture ? job->capture : NULL,
@@ -124,6 +131,7 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
         setup_check_rays(&p->scene.settings, &job->gpu);
     if (status == STATUS_OK) {
         const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
+        request->clock = job->clock;
         request->time = (double)motion->time;
         request->renderer = setup_renderer_params(p, &job->gpu, &subject->scene);
         renderer_set_camera(&request->renderer, &request->camera);

@@ -9,8 +9,8 @@
 
 struct profile_job {
     struct app_options o;
-    struct gpu gpu; /* opened by the first frame */
-    struct profile_clock clock;
+    struct gpu gpu;      /* opened by the first frame */
+    enum rg_clock clock; /* RG_CLOCK_EXACT or RG_CLOCK_SUBMITS */
     struct progress progress;
     struct profile baseline;
     struct profile_sweep sweep; /* {0} if there is no sweep */

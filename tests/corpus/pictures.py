@@ -179,15 +179,14 @@ def profile(**changes):
     rows = [{'name': name, 'kind': kind, **row} for name, kind in (
         ('gbuffer.draw', 'raster'), ('record', 'host'), ('submit', 'host'),
         ('unattributed', 'rest'))]
-    texts = ('command', 'scene', 'rung', 'material', 'device', 'driver', 'host', 'clock',
-             'clock_reason')
-    numbers = ('submit_cost', 'warmup', 'time', 'time_step', 'upload', 'compile', 'realise',
+    texts = ('command', 'scene', 'rung', 'material', 'device', 'driver', 'host', 'clock')
+    numbers = ('warmup', 'time', 'time_step', 'upload', 'compile', 'realise',
                'first_frame', 'memory_used', 'memory_without_aliasing', 'memory_bound',
                'memory_persistent')
     document = {
         'type': 'profile', 'format': 2, **{name: 'a' for name in texts},
         **{name: 0 for name in numbers}, 'width': 8, 'height': 8, 'has_statistics': False,
-        'fragments_are_exact': False, 'run_count': 1, 'pass_count': 1,
+        'run_count': 1, 'pass_count': 1,
         'settings': [{'name': 'a.b', 'value': '1'}],
         'residents': [{'name': 'a', 'first_pass': 0, 'last_pass': 0, 'block': 0, 'offset': 0,
                        'size': 1}],

@@ -145,9 +145,7 @@ class LayerCase(Case):
     def check(self, fault, words, code, left, picture):
         lines = words.splitlines()
         self.assertIn(f'fail_layer: {fault.command} {fault.call}', lines)
-        # a busy machine's clocks may be warned of
-        lines = [line for line in lines
-                 if not line.startswith(('fail_layer: ', 'firn: warning: --clock: '))]
+        lines = [line for line in lines if not line.startswith('fail_layer: ')]
         if code == 0:
             if CODES[fault.result]:
                 self.assertIn(fault.command, NEEDLESS)

@@ -1,7 +1,4 @@
-/*
- * test_profile.c: what a profile says of a frame, and what is made of the clocks' answers. How long
- * anything takes is no test's business.
- */
+/* test_profile.c: what a profile says of a frame. How long anything takes is no test's business. */
 #include <math.h>
 #include <string.h>
 
@@ -17,41 +14,6 @@ enum {
     WARMUP = 2,
     SIDE = 64,
 };
-
-/* ---- clocks ---- */
-
-/* Times of a driver that bills each pass to the one before, as some do. */
-static void billing_another_pass_is_an_error(void **state)
-{
-    (void)state;
-    const struct timestamp_check_times right = {
-        .alone = { 8.01, 0.51, 4.01, 0.51, 8.01, 0.11, 0.01 },
-        .stamped = { 8, 0.5, 4, 0.5, 8, 0.1, 0.001 },
-    };
-    const struct timestamp_check_times shifted = {
-        .alone = { 8.01, 0.51, 4.01, 0.51, 8.01, 0.11, 0.01 },
-        .stamped = { 0.5, 4, 0.5, 8, 0.1, 0.001, 8 },
-    };
-    struct timestamp_check_times slow = right;
-    assert_true(timestamp_check_error(&right) < 1e-9);
-    assert_true(timestamp_check_error(&shifted) > 1);
-    slow.stamped[2] = 4.4; /* a tenth too much */
-    assert_float_equal((float)timestamp_check_error(&slow), 0.1F, 1e-6F);
-    slow.stamped[2] = 4;
-    slow.stamped[1] = 0.7; /* a light pass: in parts of a tenth of all */
-    assert_float_equal((float)timestamp_check_error(&slow), 0.2F / 2.11F, 1e-3F);
-}
-
-static void a_clock_is_found(void **state)
-{
-    struct profile_clock clock;
-    assert_int_equal(timestamp_check_run(*state, RG_CLOCK_NONE, &clock), STATUS_OK);
-    assert_true(clock.clock == RG_CLOCK_EXACT || clock.clock == RG_CLOCK_SUBMITS);
-    assert_true(strlen(clock.reason) > 0);
-    assert_true(clock.submit_cost > 0);
-}
-
-/* ---- a profile ---- */
 
 struct progress {
     uint32_t calls, stop_at; /* 0: never */
@@ -70,7 +32,6 @@ static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress
                            struct profile *profile)
 {
     const struct settings settings = picture_settings("motion.ice=20");
-    const struct profile_clock by = { .clock = clock, .reason = "it is said so" };
     struct scene scene = { 0 };
     assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
     const enum status status = profile_measure(&(struct profile_run){
@@ -83,7 +44,7 @@ static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress
                               .width = SIDE,
                               .height = SIDE },
                 .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
-                .clock = &by,
+                .clock = clock,
                 .warmup = WARMUP,
                 .run_count = RUNS,
                 .time = 1,
@@ -297,8 +258,6 @@ static void a_picture_that_does_not_fit_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(billing_another_pass_is_an_error),
-        ON_DEVICE(a_clock_is_found),
         ON_DEVICE(rows_are_the_frame),
         ON_DEVICE(it_can_be_stopped),
         ON_DEVICE(a_kept_frame_is_the_picture),

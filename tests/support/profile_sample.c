@@ -74,8 +74,6 @@ void profile_sample(struct profile *p, double scale)
         .driver = "CPU, 1.3.230, Mesa 22.3.6",
         .host = "A processor, 2 threads",
         .clock = "timestamps",
-        .clock_reason = "agree with passes submitted alone within 1.2 %",
-        .submit_cost = 0.02,
         .has_statistics = true,
         .warmup = 3,
         .run_count = SAMPLE_RUN_COUNT,

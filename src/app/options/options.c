@@ -156,7 +156,8 @@ static const struct option options[] = {
       AT(double, profile.time_step, option_time_step),
       "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (default: 0)" },
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
-      "timer: timestamps, submits (each pass submitted alone) or auto (default: auto)" },
+      "timer: timestamps, submits (each pass submitted alone) or auto (submits on CPU devices, "
+      "else timestamps; default)" },
     { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, SWEEP,
       "setting or option, and values to profile; repeatable: profiles all combinations" },
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),

@@ -138,11 +138,8 @@ static void describe(struct profile *p, const struct profile_request *request)
     p->width = request->renderer.width;
     p->height = request->renderer.height;
     snprintf(p->clock, sizeof(p->clock), "%s",
-             request->clock->clock == RG_CLOCK_SUBMITS ? "submits" : "timestamps");
-    snprintf(p->clock_reason, sizeof(p->clock_reason), "%s", request->clock->reason);
-    p->submit_cost = request->clock->submit_cost;
+             request->clock == RG_CLOCK_SUBMITS ? "submits" : "timestamps");
     p->has_statistics = gpu->has_statistics;
-    p->fragments_are_exact = request->clock->fragments_are_exact;
     p->warmup = request->warmup;
     p->run_count = request->run_count;
     p->time = request->time;
@@ -193,7 +190,7 @@ static void keep_counts(struct profile *p, const struct rg_times *times)
 static enum status run_once(struct measure *m, uint32_t index)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
-    const struct rg_measure passes = { m->request->clock->clock, false };
+    const struct rg_measure passes = { m->request->clock, false };
     const uint32_t run = index > m->request->warmup ? index - m->request->warmup : 0;
     const double time = m->request->time + run * m->request->time_step;
     double frame_ms[2];

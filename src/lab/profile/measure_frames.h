@@ -6,8 +6,8 @@
 #ifndef FIRN_LAB_PROFILE_MEASURE_FRAMES_H
 #define FIRN_LAB_PROFILE_MEASURE_FRAMES_H
 
+#include "graph/rg_profile.h"
 #include "src/lab/profile/profile_data.h"
-#include "src/lab/profile/timestamp_check.h"
 #include "src/render/renderer.h"
 
 enum {
@@ -19,7 +19,7 @@ struct profile_request {
      * values are ignored. */
     struct renderer_params renderer;
     struct camera camera;
-    const struct profile_clock *clock;
+    enum rg_clock clock;        /* RG_CLOCK_EXACT or RG_CLOCK_SUBMITS */
     uint32_t warmup, run_count; /* `run_count` must be at least 1 */
     char *capture;              /* path, MEASURE_PATH_SIZE bytes, or NULL */
     double time, time_step;     /* seconds: first run's scene time, step */

@@ -70,10 +70,7 @@ struct profile {
     char device[256], driver[256]; /* GPU name; kind, Vulkan, driver version */
     char host[256];                /* CPU name and thread count */
     char clock[32];                /* "timestamps" or "submits" */
-    char clock_reason[256];        /* why the timestamp check chose it */
-    double submit_cost;            /* part of passes timed by submits */
     bool has_statistics;           /* the device has pipeline statistics */
-    bool fragments_are_exact;      /* false if drivers count whole blocks */
     uint32_t warmup;               /* warm-up runs */
     uint32_t run_count;
     double time, time_step; /* seconds: first run's scene time, step */

@@ -103,12 +103,8 @@ static void print_work(const struct profile_table_rows *lines, const struct prof
     for (uint32_t i = 0; i < lines->pass_count; i++)
         print_work_of(&lines->lines[i], p, out);
     if (p->has_statistics)
-        profile_print_wrapped(
-            p->fragments_are_exact
-                ? "covered: samples that passed the depth test; shaded: fragments or invocations"
-                : "covered: samples that passed the depth test; shaded: fragments (this driver "
-                  "counts whole blocks of them) or invocations",
-            2, out);
+        fputs("covered: samples that passed the depth test; shaded: fragments or invocations\n",
+              out);
 }
 
 /* Sample outside the Tukey fences of its table line. */
@@ -175,11 +171,8 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
     const double frame = lines->frame.median, plain = lines->plain.median;
     char text[TEXT_SIZE];
 
-    snprintf(text, sizeof(text), "clock: %s: %s", p->clock, p->clock_reason);
-    profile_print_wrapped(text, 2, out);
-    if (strcmp(p->clock, "submits") == 0)
-        fprintf(out, "an empty submit takes %.4f ms, which is included in every pass\n",
-                p->submit_cost);
+    const bool is_submits = strcmp(p->clock, "submits") == 0;
+    fprintf(out, "clock: %s\n", is_submits ? "submits; each pass includes a submit" : p->clock);
     fprintf(
         out, "measurement overhead: %+.1f %% (median frame %.*f ms, without measurement %.*f ms)\n",
         profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain), plain);

@@ -13,7 +13,8 @@ LEFT, COST = 0.02, 0.03
 
 def profile(firn):
     """(unattributed, overhead), in parts of the frame"""
-    command = [firn, 'profile', 'valley', '--runs', '15', '--json', '-', '--quiet']
+    command = [firn, 'profile', 'valley', '--runs', '15', '--clock', 'timestamps',
+               '--json', '-', '--quiet']
     text = subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout
     found = json.loads(text)
     frame = found['frame']['ms']
