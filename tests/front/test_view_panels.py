@@ -169,6 +169,7 @@ class Panels(PanelsCase):
             self.fold(window, group, row, shown)
         self.wait_for_command(window, f' --refraction {second} ',
                               act=lambda: self.choose(window, 'Refraction model', second))
+        self.desktop.do('windowsize', '--sync', window, 305, 300)  # room for the whole list
         self.find(rf'sphere, {second} \| reference, paused',
                   act=lambda: self.choose(window, 'Compare with', 'reference'))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
