@@ -2,10 +2,8 @@
 #include "src/render/make_frame_request.h"
 #include "src/render/denoise.h"
 #include "src/render/frame/frame_uniforms.h"
-#include "src/scene/gpu_material_table.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/frame_media.h"
 #include "src/tech/technique.h"
 
 void renderer_set_camera(struct renderer_params *params, const struct camera *camera)
@@ -37,7 +35,7 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
-/* Returns true if the image should be denoised: it is read back, drawn whole, and has few samples.
+/* Returns true if the image may be denoised: it is read back, drawn whole, and has few samples.
  * An image with many samples must equal progressive rendering, which does not denoise. */
 static bool should_denoise(const struct renderer_params *params)
 {
@@ -45,7 +43,8 @@ static bool should_denoise(const struct renderer_params *params)
     const bool is_read = params->linear || params->display;
     const bool is_kept = params->keep || params->scales || params->refines;
     const bool is_few = params->is_adaptive || params->samples < DENOISE_SAMPLES_ENOUGH;
-    return ground->denoise && is_few && is_read && !is_kept && params->columns * params->rows <= 1;
+    return params->refraction && params->refraction->refraction.traces_bvh && ground->denoise &&
+           is_few && is_read && !is_kept && params->columns * params->rows <= 1;
 }
 
 static struct technique_config choose(const struct renderer_params *params,
@@ -55,30 +54,22 @@ static struct technique_config choose(const struct renderer_params *params,
         .settings = params->settings,
         .purpose = purpose,
         .refraction = params->refraction,
-        .is_convex = params->scene->is_convex,
-        .has_pool = params->scene->has_pool,
-        .has_materials = params->scene->material_table != NULL,
+        .scene = params->scene,
         .may_exceed_image = purpose == TECHNIQUE_IMAGE && params->may_exceed_image,
-        .has_extras = params->scene->vertex_extra_table != NULL,
-        .has_mirrors =
-            params->scene->material_table && material_table_has_reflective(&params->scene->model),
-        .is_dispersive = frame_media_disperse(params->scene, params->settings),
-        .has_cube = params->scene->cube.texels != NULL,
-        .has_rays = params->gpu && params->gpu->has_rays, /* `firn graph` has no device */
-        .has_fast_rays = params->gpu && params->gpu->has_rays &&
-                         params->gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU,
+        .uses_queries = params->gpu && params->gpu->has_rays, /* `firn graph` has no device */
+        .has_fast_queries =
+            params->gpu && params->gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
-        .is_lighting_denoised = purpose == TECHNIQUE_IMAGE && should_denoise(params),
+        .denoises_light = purpose == TECHNIQUE_IMAGE && should_denoise(params),
     };
     if (params->refraction && params->refraction->refraction.choose)
-        params->refraction->refraction.choose(&config, params->scene);
-    config.is_lighting_denoised = config.is_lighting_denoised && config.has_diffuse_light;
+        params->refraction->refraction.choose(&config);
     return config;
 }
 
 bool renderer_denoises(const struct renderer_params *params)
 {
-    return choose(params, TECHNIQUE_IMAGE).is_lighting_denoised;
+    return choose(params, TECHNIQUE_IMAGE).denoises_light;
 }
 
 bool renderer_draws_beyond_image(const struct renderer_params *params)
@@ -93,7 +84,6 @@ struct frame_request renderer_image_request(const struct renderer_params *params
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {
         .config = choose(params, TECHNIQUE_IMAGE),
-        .scene = params->scene,
         .face_size = params->face_size,
         .view = { params->width, params->height },
         .layers = params->layers,
@@ -113,7 +103,6 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
 {
     return (struct frame_request){
         .config = choose(params, TECHNIQUE_CAPTURE),
-        .scene = params->scene,
         .face_size = params->face_size,
         .view = { params->width, params->height },
         .keep_cube = true,
@@ -126,7 +115,6 @@ struct frame_request renderer_bake_request(const struct renderer_params *params)
 {
     return (struct frame_request){
         .config = choose(params, TECHNIQUE_BAKE),
-        .scene = params->scene,
         .face_size = params->face_size,
         .view = { params->width, params->height },
         .cube_back = true,

@@ -77,7 +77,7 @@ enum status renderer_upload_bvh(struct renderer *r)
     enum status status = STATUS_OK;
     if (!r->bvh.imports)
         status = uploaded_scene_init_bvh(&r->bvh, p->gpu, p->scene);
-    if (status == STATUS_OK && renderer_image_request(p).config.queries)
+    if (status == STATUS_OK && renderer_image_request(p).config.uses_queries)
         status = uploaded_scene_build_acceleration(&r->bvh, p->gpu, p->scene);
     return status;
 }

@@ -285,17 +285,17 @@ static void warn_of_media(const struct setup_image *image, const struct scene *s
 {
     const struct settings *settings = &image->scene.settings;
     const struct refraction_model *refraction = &image->refraction->refraction;
-    struct technique_config config = { .settings = settings, .refraction = image->refraction };
+    const struct technique_config config = { .scene = scene,
+                                             .settings = settings,
+                                             .refraction = image->refraction };
+    const bool is_drawn = refraction->traces_bvh ? trace_hits_surroundings(scene, settings)
+                                                 : refract_has_medium(&config);
     if (!scene->scattering_media.count)
         return;
-    if (refraction->traces_bvh)
-        refraction->choose(&config, scene);
-    if (refract_has_medium(image->refraction, scene, settings))
-        config.renders_media = true;
-    else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
+    if (!is_drawn && air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
         log_warning("air.model=medium: drawn as planes by this refraction model; use --refraction "
                     "bounce, one-sided, trace or reference to draw a medium");
-    else if (refraction->shaders && !config.hits_surroundings && !image->scene.quiet)
+    else if (!is_drawn && refraction->shaders && !image->scene.quiet)
         log_note("%s: its scattering medium is drawn clear; --refraction trace and bounce draw "
                  "scattering%s",
                  image->scene.name,

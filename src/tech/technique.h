@@ -28,35 +28,23 @@ enum technique_purpose {
     TECHNIQUE_RESOLVE, /* tone-mapped mean of many samples */
 };
 
-/* State that determines which passes a plan has. */
+/* State that determines which passes and specialisation constants a plan has. */
 struct technique_config {
     const struct settings *settings;
+    const struct scene *scene; /* may be zeroed */
     enum technique_purpose purpose;
     /* refraction model; may be NULL in a pool and for purposes other than images */
     const struct technique *refraction;
-    bool is_convex;        /* the object is convex */
-    bool has_pool;         /* the scene is a pool */
-    bool has_materials;    /* surroundings have materials (scene.material_table) */
-    bool has_extras;       /* surroundings have scene.vertex_extra_table */
-    bool has_mirrors;      /* surroundings have reflective surfaces */
-    bool has_cube;         /* the scene has a baked cube */
     bool keeps_depth;      /* objects are redrawn on finished images */
     bool is_limited;       /* draw only the pixels rays read */
-    bool is_dispersive;    /* dispersive media: paths per colour channel */
     bool may_exceed_image; /* the object may exceed the image */
+    bool has_fast_queries; /* the device's ray queries are not emulated */
+    /* Set or changed by refraction_model.choose: */
     uint32_t object_count; /* number of refractive objects with own passes; 0 counts as 1 */
-    bool has_rays;         /* the device has ray queries */
-    bool has_fast_rays;    /* hardware ray queries, not emulated ones */
-    /* Set by refraction_model.choose: */
-    bool is_textured;       /* objects have textured or tinted surfaces */
-    bool renders_media;     /* raster model with scattering media */
-    bool is_wide;           /* maps extend beyond the image (ice_gbuffer.h) */
-    bool is_nested;         /* nested objects are rendered together (ice_nested.h) */
-    bool hits_surroundings; /* rays hit triangles of the surroundings */
-    bool has_diffuse_light; /* ray-traced lighting of all surroundings */
-    /* is_lighting_denoised: traced lighting is denoised if the request allows it */
-    bool is_lighting_denoised;
-    bool queries; /* rays use hardware acceleration structures */
+    bool is_wide;          /* maps extend beyond the image (ice_gbuffer.h) */
+    bool is_nested;        /* nested objects are rendered together (ice_nested.h) */
+    bool denoises_light;   /* traced lighting is denoised; before: the request allows it */
+    bool uses_queries;     /* rays use ray queries; before: the device has them */
 };
 
 /* Order of the pass groups in a frame. Groups of one phase follow the order of techniques.h. */
@@ -105,17 +93,15 @@ struct refraction_model {
     /* True if the model shades a full-screen triangle instead of front faces
      * (shaders/refract/refract_deferred_front_face.glsl), for slow fragment shaders. */
     bool shades_fullscreen;
-    bool follows_paper;     /* `auto` settings follow the paper */
-    bool draws_all_objects; /* one pass draws all objects */
-    bool traces_bvh;        /* traces rays through scene->bvh */
+    bool follows_paper; /* `auto` settings follow the paper */
+    bool traces_bvh;    /* traces rays through scene->bvh; one pass draws all objects */
     /* Returns true if refracted rays can hit air-filled cracks. NULL means that they never can. */
     bool (*refracts_cracks)(const struct settings *settings);
-    bool (*refracts_bubbles)(const struct settings *settings);
     /* Optional. Sets the members of `config` that depend on the model, once all others are set. */
-    void (*choose)(struct technique_config *config, const struct scene *scene);
-    /* Makes a photon pass of ice_caustics.c trace photons through the scene's triangles if rays hit
-     * surroundings. Adds the uses `own`, a list that {0} ends. If NULL, photons are rasterised. */
-    void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
+    void (*choose)(struct technique_config *config);
+    /* Makes a photon pass of ice_caustics.c trace photons through the scene's triangles. Adds the
+     * uses `own`, a list that {0} ends. Returns false if rays hit no surroundings. */
+    bool (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_arena *builder, const struct rg_use *own);
 };
 
@@ -152,13 +138,6 @@ struct technique_import {
     bool is_structure; /* acceleration structures of the BVH */
 };
 
-/* Inputs from which the specialisation constants of a scene's plans are computed. */
-struct technique_inputs {
-    const struct scene *scene;
-    const struct settings *settings;    /* from frame_resolve_settings() */
-    const struct technique *refraction; /* NULL: one without rays */
-};
-
 enum {
     TECHNIQUE_PASS_GROUP_COUNT = 4,
 };
@@ -188,8 +167,9 @@ struct technique {
     void (*resolve_auto)(struct settings *settings, const struct technique *refraction);
     /* Optional. Writes the technique's members of struct globals. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
-    /* Optional. Writes the technique's specialisation constants to values[CONSTANT_...]. */
-    void (*write_constants)(const struct technique_inputs *subject, uint32_t *values);
+    /* Optional. Writes the technique's specialisation constants to values[CONSTANT_...]. Of
+     * `config`, only scene, refraction, and settings from frame_resolve_settings() are set. */
+    void (*write_constants)(const struct technique_config *config, uint32_t *values);
 };
 
 #endif

@@ -82,7 +82,9 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
                                struct frame_list *list)
 {
     const struct settings settings = settings_default();
-    const struct technique_config config = { .settings = &settings, .purpose = TECHNIQUE_CAPTURE };
+    const struct technique_config config = { .settings = &settings,
+                                             .scene = scene,
+                                             .purpose = TECHNIQUE_CAPTURE };
     const struct rg_technique *pass_groups[] = { NULL, &copy };
     const struct environment *environment = &scene->environment;
     const uint32_t side =

@@ -69,7 +69,8 @@ static double run_once(struct run *run, const struct rg_frame *frame, const stru
 static void run_method(struct gpu *gpu, const struct settings *settings,
                        const struct globals *globals, uint32_t run_count, struct light_map *map)
 {
-    const struct technique_config config = { .settings = settings, .has_pool = true };
+    static const struct scene scene = { .has_pool = true };
+    const struct technique_config config = { .settings = settings, .scene = &scene };
     const struct rg_technique technique = caustics.pass_groups[0].make_passes(&config, NULL);
     const struct rg_frame frame = { .settings = settings };
     struct rg_pass rows[ROWS_MAX];

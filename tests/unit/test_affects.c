@@ -52,7 +52,7 @@ static char *describe_plan(const struct settings *settings, bool has_pool)
     const struct frame_request request = {
         .config = { .settings = settings,
                     .refraction = techniques_find_refraction("paper"),
-                    .has_pool = has_pool },
+                    .scene = &scene },
         .view = { 64, 64 },
         .layers = UINT32_MAX,
         .beauty = true,

@@ -63,6 +63,9 @@ enum {
     OTHER_COUNT = 6, /* tests without a golden file */
 };
 
+static const struct scene of_object = { 0 }, of_pool = { .has_pool = true },
+                          of_convex = { .is_convex = true };
+
 /* `settings` is for the request, and gets the golden's. */
 static struct frame_request request_of(const struct golden *golden, struct settings *settings)
 {
@@ -85,7 +88,7 @@ static struct frame_request request_of(const struct golden *golden, struct setti
             .purpose = purposes[golden->list],
             .refraction =
                 golden->refraction ? techniques_find_refraction(golden->refraction) : NULL,
-            .has_pool = golden->pool,
+            .scene = golden->pool ? &of_pool : &of_object,
             .object_count = golden->objects,
         },
         .view = { 1024, 768 },
@@ -344,7 +347,7 @@ static void test_objects_draw_where_they_are(void **state)
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
         const struct objects_cost two = cost_of(refraction->refraction.name, 2);
         const uint32_t each = two.limited;
-        assert_true(each || refraction->refraction.draws_all_objects);
+        assert_true(each || refraction->refraction.traces_bvh);
         for (uint32_t count = 5; count <= 50; count *= 10) {
             const struct objects_cost more = cost_of(refraction->refraction.name, count);
             assert_int_equal(more.whole, two.whole);
@@ -366,8 +369,8 @@ static void test_no_cracks_no_passes(void **state)
         assert_int_equal(settings_assign(&settings, switches[i], SETTING_USER, NULL), STATUS_OK);
         const struct frame_request request = {
             .config = { .settings = &settings,
-                        .refraction = techniques_refraction(0),
-                        .is_convex = i == 2 },
+                        .scene = i == 2 ? &of_convex : &of_object,
+                        .refraction = techniques_refraction(0) },
             .view = { 64, 64 },
             .display = true,
         };

@@ -8,6 +8,7 @@
 
 #include "graph/compile/spirv_reflection.h"
 #include "src/render/frame/pass_list.h"
+#include "src/scene/scene.h"
 #include "src/tech/techniques.h"
 #include "tests/support/assertions.h"
 #include "tests/unit/shared_headers.inc"
@@ -176,14 +177,15 @@ static void check_table(const struct rg_technique *technique, struct checked *ch
 static void check_settings(const struct settings *settings, const struct technique *refraction,
                            struct checked *checked)
 {
+    static const struct scene object = { 0 }, convex = { .is_convex = true },
+                              pool = { .has_pool = true };
     static const struct technique_config choices[] = {
-        { 0 },
-        { .is_convex = true },
-        { .hits_surroundings = true },
-        { .has_pool = true },
-        { .purpose = TECHNIQUE_CAPTURE },
-        { .purpose = TECHNIQUE_BAKE },
-        { .purpose = TECHNIQUE_RESOLVE },
+        { .scene = &object },
+        { .scene = &convex },
+        { .scene = &pool },
+        { .scene = &object, .purpose = TECHNIQUE_CAPTURE },
+        { .scene = &object, .purpose = TECHNIQUE_BAKE },
+        { .scene = &object, .purpose = TECHNIQUE_RESOLVE },
     };
     for (size_t i = 0; i < sizeof(choices) / sizeof(choices[0]); i++) {
         struct technique_config config = choices[i];

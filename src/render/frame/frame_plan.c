@@ -72,7 +72,7 @@ static void add_outputs(struct frame_plan *p, const struct frame_request *reques
         if (request->layers & 1u << i && is_drawn(p, layer->image))
             add_readback(p, layer->image);
     }
-    for (size_t i = 0; i < FRAME_DENOISE_COUNT && request->config.is_lighting_denoised; i++)
+    for (size_t i = 0; i < FRAME_DENOISE_COUNT && request->config.denoises_light; i++)
         add_readback(p, frame_denoise_layers[i].image);
     if (request->display)
         add_readback(p, &frame_display);
@@ -95,7 +95,6 @@ static uint32_t count_mips(const struct technique_texels *texels)
 
 static struct rg_import describe(const struct technique_import *import, const struct scene *scene)
 {
-    struct technique_texels texels = { 0 };
     if (import->is_structure)
         return (struct rg_import){ .buffer = import->buffer,
                                    .access = RG_TRACE,
@@ -103,10 +102,8 @@ static struct rg_import describe(const struct technique_import *import, const st
     if (import->buffer)
         return (struct rg_import){ .buffer = import->buffer,
                                    .access = import->buffer->format ? RG_SAMPLED : RG_STORAGE_READ,
-                                   .size =
-                                       scene ? import->find_bytes(scene, import->buffer).size : 0 };
-    if (scene)
-        texels = import->find(scene);
+                                   .size = import->find_bytes(scene, import->buffer).size };
+    const struct technique_texels texels = import->find(scene);
     if (!texels.width)
         return (struct rg_import){ .image = import->image, .access = RG_SAMPLED };
     return (struct rg_import){
@@ -195,7 +192,7 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
     if (!list_techniques(p))
         return out_of_memory();
     add_outputs(p, request);
-    if (!import_all(p, request->scene))
+    if (!import_all(p, request->config.scene))
         return out_of_memory();
     p->readback = (struct rg_technique){ "readback", p->readback_passes, p->readback_count };
     p->techniques[p->technique_count++] = &p->readback;

@@ -13,16 +13,15 @@ enum {
 /* Description of a frame: what it imports, draws and reads back. */
 struct frame_request {
     struct technique_config config;
-    const struct scene *scene; /* NULL: fallbacks replace its images */
-    VkExtent2D view;           /* pixels */
-    uint32_t face_size;        /* cube face width, texels; 0: automatic */
-    VkExtent2D max_view;       /* limit of frame_plan_change_view(); 0: `view` */
-    VkExtent2D max_region;     /* largest tile, pixels; 0: whole view */
-    uint32_t layers;           /* bit i: read back techniques_layer(i) */
-    bool beauty, display;      /* read back linear; 8-bit image */
-    bool cube_back;            /* read frame_env_cube_baked back */
-    bool keep_cube;            /* keep frame_env_cube for other frames */
-    bool keep_display;         /* keep the 8-bit image */
+    VkExtent2D view;       /* pixels */
+    uint32_t face_size;    /* cube face width, texels; 0: automatic */
+    VkExtent2D max_view;   /* limit of frame_plan_change_view(); 0: `view` */
+    VkExtent2D max_region; /* largest tile, pixels; 0: whole view */
+    uint32_t layers;       /* bit i: read back techniques_layer(i) */
+    bool beauty, display;  /* read back linear; 8-bit image */
+    bool cube_back;        /* read frame_env_cube_baked back */
+    bool keep_cube;        /* keep frame_env_cube for other frames */
+    bool keep_display;     /* keep the 8-bit image */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
 };

@@ -369,7 +369,9 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
     };
     const struct light_params *light = settings_of(settings, &light_settings);
-    const struct technique_inputs subject = { scene, settings, refraction };
+    const struct technique_config config = { .scene = scene,
+                                             .settings = settings,
+                                             .refraction = refraction };
     struct frame_constants constants = { {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
         [CONSTANT_TEXTURED] = textured(&scene->model),
@@ -385,7 +387,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
            sizeof(scene->environment.turn));
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_constants)
-            (*technique)->write_constants(&subject, constants.values);
+            (*technique)->write_constants(&config, constants.values);
     }
     return constants;
 }

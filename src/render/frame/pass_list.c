@@ -26,7 +26,7 @@ static bool is_applicable(const struct technique *technique,
                           const struct technique_config *config)
 {
     const uint32_t purposes = group->purposes ? group->purposes : 1u << TECHNIQUE_IMAGE;
-    const enum technique_scene scene = config->has_pool ? SCENE_OF_POOL : SCENE_OF_OBJECT;
+    const enum technique_scene scene = config->scene->has_pool ? SCENE_OF_POOL : SCENE_OF_OBJECT;
     if (!(purposes & 1u << config->purpose))
         return false;
     if (group->scene != SCENE_OF_ANY && group->scene != scene)
@@ -270,7 +270,7 @@ static bool keep_shared(struct frame_list *list)
 static bool add_all(struct frame_list *list, const struct technique_config *config)
 {
     const bool are_many = (config->object_count > 1 || config->is_nested) && config->refraction &&
-                          !config->refraction->refraction.draws_all_objects;
+                          !config->refraction->refraction.traces_bvh;
     bool done = true;
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;

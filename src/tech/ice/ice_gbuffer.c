@@ -184,6 +184,13 @@ static const struct rg_use front_uses[] = {
     { 0 },
 };
 
+bool ice_gbuffer_has_materials(const struct technique_config *config)
+{
+    const struct technique *refraction = config->refraction;
+    return refraction && refraction->refraction.shaders && !refraction->refraction.traces_bvh &&
+           scene_has_textured_objects(config->scene) && !bump.is_on(config->settings);
+}
+
 /* Makes a G-buffer pass evaluate the textures of an object's material. */
 static void texture_pass(struct rg_pass *pass, bool is_front)
 {
@@ -217,7 +224,7 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
 static bool keeps_depth(const struct technique_config *config)
 {
     const bool are_many = config->object_count > 1;
-    return config->has_pool || config->keeps_depth ||
+    return config->scene->has_pool || config->keeps_depth ||
            (are_many && !config->refraction->refraction.shades_fullscreen);
 }
 
@@ -234,15 +241,15 @@ static void clear_normals(struct pass_arena *builder, struct rg_pass *pass)
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
 {
-    const bool bumped = !config->has_pool && bump.is_on(config->settings);
+    const bool bumped = !config->scene->has_pool && bump.is_on(config->settings);
     const size_t count = config->is_wide ? PASS_COUNT : WIDE_PASS;
     struct rg_pass *copies = pass_arena_copy_passes(builder, passes, count);
-    if (!copies || (config->has_pool && !pool_has_ice(config->settings)))
+    if (!copies || (config->scene->has_pool && !pool_has_ice(config->settings)))
         return (struct rg_technique){ 0 };
     copies[FRONT_PASS].vert = bumped ? &refract_bump_vert : &refract_vert;
     copies[FRONT_PASS].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
     copies[FRONT_PASS].uses = bumped ? bumped_uses : plain_uses;
-    if (config->is_textured) {
+    if (ice_gbuffer_has_materials(config)) {
         texture_pass(&copies[BACK_PASS], false);
         texture_pass(&copies[FRONT_PASS], true);
     }
@@ -264,12 +271,12 @@ static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_arena *builder)
 {
     const bool are_many = config->object_count > 1 && config->refraction &&
-                          !config->refraction->refraction.draws_all_objects;
+                          !config->refraction->refraction.traces_bvh;
     struct rg_pass *pass = are_many ? pass_arena_copy_passes(builder, &passes[BACK_PASS], 1) : NULL;
     if (!pass)
         return (struct rg_technique){ 0 };
     pass->name = "ice_normal.all_back";
-    if (config->is_textured)
+    if (ice_gbuffer_has_materials(config))
         texture_pass(pass, false);
     clear_normals(builder, pass);
     return (struct rg_technique){ "ice_normal", pass, 1 };

@@ -13,10 +13,10 @@ extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the 
 extern const struct rg_image ice_normal_shading;
 
 /* Surface materials. rgb: tinted transmittance, or 1 in pixels without a face; a: roughness. Drawn
- * only if technique_config.is_textured. */
+ * only if ice_gbuffer_has_materials(). */
 extern const struct rg_image ice_normal_front_material, ice_normal_back_material;
 
-/* Radiance of the opaque base at front faces. Drawn only if technique_config.is_textured. */
+/* Radiance of the opaque base at front faces. Drawn only if ice_gbuffer_has_materials(). */
 extern const struct rg_image ice_normal_front_base;
 
 /* Reversed depth of the faces: near-plane distance / view-space depth, or 0 without a face. */
@@ -27,5 +27,9 @@ extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 #define ICE_NORMAL_WIDE 1.5f
 extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
 extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;
+
+/* Returns true if a raster refraction model draws objects with textured or tinted surfaces and bump
+ * mapping is off. The G-buffers then contain surface materials. */
+bool ice_gbuffer_has_materials(const struct technique_config *config);
 
 #endif

@@ -221,10 +221,11 @@ bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
         settings_of(config->settings, &inclusions_settings);
-    return is_on(config->settings) && config->refraction &&
-           config->refraction->refraction.refracts_bubbles &&
-           config->refraction->refraction.refracts_bubbles(config->settings) &&
-           config->object_count <= 1 && target->scale >= 1.0f;
+    const struct refract_bounce_params *bounce =
+        settings_of(config->settings, &refract_bounce_settings);
+    return is_on(config->settings) && config->refraction == &refract_bounce &&
+           bounce->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL && config->object_count <= 1 &&
+           target->scale >= 1.0f;
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
@@ -243,7 +244,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
     refracted_pass->color = refracted_targets;
     refracted_pass->color_count = sizeof(refracted_targets) / sizeof(refracted_targets[0]);
     const bool traces_light = !config->is_nested,
-               renders_media = traces_light && config->renders_media;
+               renders_media = traces_light && refract_has_medium(config);
     const struct rg_use *const all_uses[] = {
         uses,
         refracted_uses,

@@ -126,7 +126,7 @@ static struct clipping find_clipping(const struct technique_config *config,
     struct clipping found = none;
     if (params->clip == CRACKS_CLIP_CONVEX || params->clip == CRACKS_CLIP_INTERVAL)
         found = convex;
-    if (params->clip == CRACKS_CLIP_INTERVAL && !config->is_convex) {
+    if (params->clip == CRACKS_CLIP_INTERVAL && !config->scene->is_convex) {
         found = interval;
         found.uses = use_intervals(builder, ice_interval_index(config->settings));
         found.normal_uses = found.uses;
@@ -381,9 +381,9 @@ static const struct frame_layer layers[] = {
     { 0 },
 };
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    values[CONSTANT_CRACKS_TRACED] = cracks_are_traced(subject->settings, subject->refraction);
+    values[CONSTANT_CRACKS_TRACED] = cracks_are_traced(config->settings, config->refraction);
 }
 
 const struct technique cracks = {

@@ -142,7 +142,7 @@ struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
     const struct inclusion_target_params *params =
         settings_of(config->settings, &inclusions_settings);
     struct rg_technique more = { 0 };
-    if (params->scale >= 1.0f || config->has_pool || small->builder->failed)
+    if (params->scale >= 1.0f || config->scene->has_pool || small->builder->failed)
         return more;
     if (phase == PHASE_DEPTHS)
         more = draw_depths_again(small, group, params->scale);

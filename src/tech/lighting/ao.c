@@ -243,7 +243,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
 {
     (void)builder;
-    if (!is_on(config->settings) || !config->has_materials)
+    if (!is_on(config->settings) || !config->scene->material_table)
         return (struct rg_technique){ 0 };
     return (struct rg_technique)RG_TECHNIQUE("ao", passes);
 }
@@ -258,10 +258,10 @@ static const struct technique_upload uploads[] = {
     { 0 },
 };
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    const bool uses_bvh = subject->refraction && subject->refraction->refraction.traces_bvh;
-    values[CONSTANT_AO] = is_on(subject->settings) && !uses_bvh;
+    const bool uses_bvh = config->refraction && config->refraction->refraction.traces_bvh;
+    values[CONSTANT_AO] = is_on(config->settings) && !uses_bvh;
 }
 
 const struct technique ao = {

@@ -106,9 +106,9 @@ static void write_globals(const struct frame_view *view, struct globals *g)
     g->bump_scale = params->mapping == BUMP_UV ? params->scale : params->scale / width;
 }
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    const struct bump_params *params = settings_of(subject->settings, &bump_settings);
+    const struct bump_params *params = settings_of(config->settings, &bump_settings);
     values[CONSTANT_BUMP_UV] = params->mapping == BUMP_UV;
 }
 

@@ -394,22 +394,19 @@ static struct rg_technique make_maps(const struct technique_config *config,
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
     const struct rg_use *const uses[] = { photon_uses, bump_uses };
-    if (!is_on(config->settings))
-        return (struct rg_technique){ 0 };
-    const bool is_traced = config->refraction && config->refraction->refraction.trace_photons &&
-                           config->hits_surroundings;
-    if (!is_traced && !bump.is_on(config->settings))
-        return (struct rg_technique)RG_TECHNIQUE("ice_caustics", passes);
-    struct rg_pass *made = pass_arena_copy_passes(builder, passes, count);
+    struct rg_pass *made =
+        is_on(config->settings) ? pass_arena_copy_passes(builder, passes, count) : NULL;
     if (!made)
         return (struct rg_technique){ 0 };
-    if (is_traced) {
-        config->refraction->refraction.trace_photons(&made[PHOTONS_PASS], config, builder,
-                                                     traced_uses);
-        return (struct rg_technique){ "ice_caustics", made, count };
+    const struct refraction_model *refraction =
+        config->refraction ? &config->refraction->refraction : NULL;
+    const bool is_traced =
+        refraction && refraction->trace_photons &&
+        refraction->trace_photons(&made[PHOTONS_PASS], config, builder, traced_uses);
+    if (!is_traced && bump.is_on(config->settings)) {
+        made[PHOTONS_PASS].uses = pass_arena_join_uses(builder, uses, 2);
+        draw_bumps(&made[PHOTONS_PASS]);
     }
-    made[PHOTONS_PASS].uses = pass_arena_join_uses(builder, uses, 2);
-    draw_bumps(&made[PHOTONS_PASS]);
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 
@@ -486,10 +483,10 @@ static const struct technique_upload uploads[] = {
     { 0 },
 };
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
     const struct ice_caustics_params *params =
-        settings_of(subject->settings, &ice_caustics_settings);
+        settings_of(config->settings, &ice_caustics_settings);
     values[CONSTANT_ICE_SHADOW] = params->shadow;
 }
 

@@ -49,16 +49,18 @@ static const struct rg_pass passes[] = {
 };
 
 /* Returns COMPOSITE_* flags of the layers that the refraction model has not drawn itself. */
-static uint32_t layers_of(const struct settings *settings, const struct technique *refraction,
-                          bool renders_media)
+static uint32_t layers_of(const struct technique_config *config)
 {
+    const struct settings *settings = config->settings;
+    const struct technique *refraction = config->refraction;
     const bool uses_bvh = refraction && refraction->refraction.traces_bvh;
     const struct inclusion_target_params *target = settings_of(settings, &inclusions_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
     /* Traced cracks are already in the image, except for their highlights of light sources. */
     const bool is_without_cracks = cracks_are_traced(settings, refraction) && !light->count;
     return (highlight.is_on(settings) ? COMPOSITE_HAS_HIGHLIGHT : 0u) |
-           (air.is_on(settings) && !((uses_bvh || renders_media) && air_is_medium(settings))
+           (air.is_on(settings) &&
+                    !((uses_bvh || refract_has_medium(config)) && air_is_medium(settings))
                 ? COMPOSITE_HAS_AIR
                 : 0u) |
            (bubbles.is_on(settings) && !uses_bvh ? COMPOSITE_HAS_BUBBLES : 0u) |
@@ -70,7 +72,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
 {
-    const uint32_t bits = layers_of(config->settings, config->refraction, config->renders_media);
+    const uint32_t bits = layers_of(config);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
     struct rg_pass *copies = pass_arena_copy_passes(builder, passes, 1);
     if (!(bits & ~COMPOSITE_IS_LOW_RES) || !copies)
@@ -98,11 +100,9 @@ static void record_area(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    const bool renders_media =
-        refract_has_medium(subject->refraction, subject->scene, subject->settings);
-    values[CONSTANT_COMPOSITE] = layers_of(subject->settings, subject->refraction, renders_media);
+    values[CONSTANT_COMPOSITE] = layers_of(config);
 }
 
 const struct technique composite = {

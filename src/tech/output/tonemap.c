@@ -80,9 +80,9 @@ struct tonemap_params tonemap_params_of(const struct settings *settings)
     return (struct tonemap_params){ .gain = exp2f(values->exposure), .curve = values->curve };
 }
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    values[CONSTANT_TONEMAP_CURVE] = tonemap_params_of(subject->settings).curve;
+    values[CONSTANT_TONEMAP_CURVE] = tonemap_params_of(config->settings).curve;
 }
 
 const struct technique tonemap = {

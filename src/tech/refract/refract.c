@@ -1,6 +1,5 @@
 /* refract.c: passes, layers and settings shared by all raster refraction models. */
 #include "src/tech/refract/refract.h"
-#include <assert.h>
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
@@ -116,20 +115,13 @@ static bool has_bumps(const struct technique_config *config)
     return config->refraction->refraction.shaders->bump_frag && bump.is_on(config->settings);
 }
 
-bool refract_has_medium(const struct technique *refraction, const struct scene *scene,
-                        const struct settings *settings)
+bool refract_has_medium(const struct technique_config *config)
 {
-    const struct air_params *air_of = settings_of(settings, &air_settings);
-    return refraction && !refraction->refraction.traces_bvh && refraction->refraction.shaders &&
+    const struct technique *refraction = config->refraction;
+    const struct air_params *air_of = settings_of(config->settings, &air_settings);
+    return refraction && refraction->refraction.shaders &&
            refraction->refraction.shaders->medium_shaders && air_of->steps > 0 &&
-           medium_field_exists(scene, settings);
-}
-
-void refract_choose(struct technique_config *config, const struct scene *scene)
-{
-    config->is_textured = config->refraction->refraction.shaders->material_frag &&
-                          scene_has_textured_objects(scene) && !bump.is_on(config->settings);
-    config->renders_media = refract_has_medium(config->refraction, scene, config->settings);
+           medium_field_exists(config->scene, config->settings);
 }
 
 /* Makes a pass draw front faces. */
@@ -146,7 +138,7 @@ static const struct rg_shader *plain_frag(const struct technique_config *config,
     const struct refract_shaders *refraction = config->refraction->refraction.shaders;
     if (config->is_nested)
         return is_layers ? refraction->nested_layers_frag : refraction->nested_frag;
-    if (config->is_textured)
+    if (ice_gbuffer_has_materials(config))
         return is_layers ? refraction->material_layers_frag : refraction->material_frag;
     if (bumped)
         return is_layers ? refraction->bump_layers_frag : refraction->bump_frag;
@@ -160,7 +152,7 @@ static const struct rg_shader *scattering_frag(const struct technique_config *co
         config->refraction->refraction.shaders->medium_shaders;
     if (config->is_nested)
         return is_layers ? medium_shaders->nested_layers_frag : medium_shaders->nested_frag;
-    if (config->is_textured)
+    if (ice_gbuffer_has_materials(config))
         return is_layers ? medium_shaders->material_layers_frag : medium_shaders->material_frag;
     if (bumped)
         return is_layers ? medium_shaders->bump_layers_frag : medium_shaders->bump_frag;
@@ -174,7 +166,6 @@ static struct rg_technique make_pass(const struct technique_config *config,
     const struct technique *technique = config->refraction;
     const struct refract_shaders *refraction = technique->refraction.shaders;
     const bool bumped = has_bumps(config);
-    assert(technique->refraction.choose || !refraction->material_frag);
     const struct rg_use *const uses[] = {
         technique->refraction.shades_fullscreen ? pixel_uses : face_uses,
         technique->refraction.shades_fullscreen && is_layers ? scene_uses : NULL,
@@ -183,8 +174,8 @@ static struct rg_technique make_pass(const struct technique_config *config,
         : config->is_wide                    ? refraction->wide_uses
                                              : refraction->uses,
         bumped ? bump_uses : NULL,
-        config->is_textured ? refract_material_uses : NULL,
-        config->renders_media ? refract_medium_uses : NULL,
+        ice_gbuffer_has_materials(config) ? refract_material_uses : NULL,
+        refract_has_medium(config) ? refract_medium_uses : NULL,
     };
     struct rg_pass *pass = pass_arena_copy_passes(builder, base, 1);
     if (!pass)
@@ -195,8 +186,8 @@ static struct rg_technique make_pass(const struct technique_config *config,
         pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
         draw_faces(pass, refraction, bumped);
-    pass->frag = config->renders_media ? scattering_frag(config, bumped, is_layers)
-                                       : plain_frag(config, bumped, is_layers);
+    pass->frag = refract_has_medium(config) ? scattering_frag(config, bumped, is_layers)
+                                            : plain_frag(config, bumped, is_layers);
     pass->push_size = refraction->push_size;
     pass->record = refraction->record ? refraction->record : frame_draw_object;
     return (struct rg_technique){ technique->name, pass, 1 };
@@ -349,9 +340,9 @@ static void resolve_auto(struct settings *settings, const struct technique *refr
                      is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
 }
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    const struct refract_params *params = settings_of(subject->settings, &refract_settings);
+    const struct refract_params *params = settings_of(config->settings, &refract_settings);
     values[CONSTANT_REFRACT_FRESNEL] = params->fresnel;
     values[CONSTANT_REFRACT_LOOKUP] = params->lookup;
     values[CONSTANT_REFRACT_STEPS] = params->steps;

@@ -46,7 +46,7 @@ struct refract_shaders {
     /* Fragment shaders of the image and of the AOV layers, without and with bump mapping.
      * `bump_frag` is NULL if the model has no bump mapping. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
-    /* Variants for textured or tinted objects (ice_normal's material images); NULL if none. */
+    /* Variants for textured or tinted objects (ice_normal's material images). */
     const struct rg_shader *material_frag, *material_layers_frag;
     /* Variants for nested objects, if technique_config.is_nested. */
     const struct rg_shader *nested_frag, *nested_layers_frag;
@@ -66,16 +66,11 @@ struct refract_shaders {
     rg_record_fn *record;                  /* NULL: frame_draw_object() */
 };
 
-/* Returns true if the scene has scattering media and the refraction model renders them. */
-bool refract_has_medium(const struct technique *refraction, const struct scene *scene,
-                        const struct settings *settings);
+/* Returns true if the scene has scattering media and a raster refraction model renders them. */
+bool refract_has_medium(const struct technique_config *config);
 
 /* Resource uses for material images and for scattering media; an empty use {0} ends each list. */
 extern const struct rg_use refract_material_uses[], refract_medium_uses[];
-
-/* Implements refraction_model.choose for raster models. Selects material images if the model has a
- * shader for them and bump mapping is off. */
-void refract_choose(struct technique_config *config, const struct scene *scene);
 
 /* Resource use of the environment cube for models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \

@@ -233,18 +233,18 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
 }
 
 /* Implements refraction_model.choose. Textures and refractive cracks disable config->is_wide. */
-static void choose(struct technique_config *config, const struct scene *scene)
+static void choose(struct technique_config *config)
 {
     const struct refract_bounce_params *params =
         settings_of(config->settings, &refract_bounce_settings);
     const struct cracks_params *cracks_of = settings_of(config->settings, &cracks_settings);
-    refract_choose(config, scene);
     config->is_nested =
-        config->object_count > 0 && refract_bounce_is_nested(config->settings, scene);
+        config->object_count > 0 && refract_bounce_is_nested(config->settings, config->scene);
     if (config->is_nested)
-        config->object_count = ice_nested_outermost_count(scene);
+        config->object_count = ice_nested_outermost_count(config->scene);
     config->is_wide = params->margin && config->may_exceed_image && config->object_count == 1 &&
-                      !config->is_textured && cracks_of->refract == CRACKS_REFRACT_OFF;
+                      !ice_gbuffer_has_materials(config) &&
+                      cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
 static bool refracts_cracks(const struct settings *settings)
@@ -253,16 +253,10 @@ static bool refracts_cracks(const struct settings *settings)
     return params->inclusions != REFRACT_BOUNCE_INCLUSIONS_OFF;
 }
 
-static bool refracts_bubbles(const struct settings *settings)
-{
-    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
-    return params->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
-}
-
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
     const struct refract_bounce_params *params =
-        settings_of(subject->settings, &refract_bounce_settings);
+        settings_of(config->settings, &refract_bounce_settings);
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
@@ -288,6 +282,5 @@ const struct technique refract_bounce = {
                     .shaders = &refraction,
                     .shades_fullscreen = true,
                     .refracts_cracks = refracts_cracks,
-                    .refracts_bubbles = refracts_bubbles,
                     .choose = choose },
 };

@@ -40,5 +40,5 @@ const struct technique refract_one_sided = {
     .name = "refract_one_sided",
     .help = "refraction at the front face only",
     .pass_groups = REFRACT_PASS_GROUPS,
-    .refraction = { .name = "one-sided", .shaders = &refraction, .choose = refract_choose },
+    .refraction = { .name = "one-sided", .shaders = &refraction },
 };

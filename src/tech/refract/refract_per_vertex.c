@@ -30,5 +30,5 @@ const struct technique refract_per_vertex = {
     .name = "refract_per_vertex",
     .help = "refraction at the front face only, with directions computed at the vertices",
     .pass_groups = REFRACT_PASS_GROUPS,
-    .refraction = { .name = "per-vertex", .shaders = &refraction, .choose = refract_choose },
+    .refraction = { .name = "per-vertex", .shaders = &refraction },
 };

@@ -73,5 +73,5 @@ const struct technique refract_search = {
     .help = "two refractions; the exit point is found by ray marching the depth of back faces",
     .settings = &refract_search_settings,
     .pass_groups = REFRACT_PASS_GROUPS,
-    .refraction = { .name = "search", .shaders = &refraction, .choose = refract_choose },
+    .refraction = { .name = "search", .shaders = &refraction },
 };

@@ -37,8 +37,5 @@ const struct technique refract_wyman = {
     .help = "two refractions; the exit point is estimated from two thicknesses (Wyman 2005)",
     .pass_groups = REFRACT_PASS_GROUPS,
     /* reach: lookups extend one diameter beyond the object, 3 radii from its centre */
-    .refraction = { .name = "wyman",
-                    .shaders = &refraction,
-                    .choose = refract_choose,
-                    .reach = 3.0f },
+    .refraction = { .name = "wyman", .shaders = &refraction, .reach = 3.0f },
 };

@@ -59,14 +59,13 @@ static struct rg_technique make_passes(const struct technique_config *config,
         .color = is_baked ? &frame_env_cube_baked : &frame_env_cube,
         .depth = is_baked ? &env_cube_baked_depth : &frame_env_cube_depth,
         .caustics = is_image && ice_caustics.is_on(config->settings),
-        .has_materials = config->has_materials,
-        .has_extras = config->has_extras,
+        .scene = config->scene,
         .repeat = RG_PER_LAYER,
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
         .when = is_baked ? NULL : is_due,
     };
-    if (is_image && (!params->dynamic || config->has_cube))
+    if (is_image && (!params->dynamic || config->scene->cube.texels))
         return (struct rg_technique){ 0 };
     return surroundings_make(builder, &pass_params);
 }

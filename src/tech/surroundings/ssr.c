@@ -21,6 +21,7 @@
 #include <cglm/struct.h>
 #include "shaders/embedded.h"
 #include "shaders/surroundings/ssr.h"
+#include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_gbuffer.h"
@@ -288,8 +289,9 @@ static bool is_on(const struct settings *settings)
 bool ssr_is_drawn(const struct technique_config *config)
 {
     const struct ground_params *ground = settings_of(config->settings, &ground_settings);
-    return is_on(config->settings) && ground->shading == GROUND_PIXELS && config->has_mirrors &&
-           !config->has_pool && config->purpose == TECHNIQUE_IMAGE && config->refraction &&
+    return is_on(config->settings) && ground->shading == GROUND_PIXELS &&
+           config->scene->material_table && material_table_has_reflective(&config->scene->model) &&
+           !config->scene->has_pool && config->purpose == TECHNIQUE_IMAGE && config->refraction &&
            !config->refraction->refraction.traces_bvh;
 }
 
@@ -310,10 +312,10 @@ static const struct rg_shader *refracted_frag(const struct technique_config *con
     const struct refract_shaders *refraction = config->refraction->refraction.shaders;
     if (!params->refract || !refraction || config->object_count > 1 || config->is_nested)
         return NULL;
-    if (config->renders_media)
-        return config->is_textured ? refraction->medium_shaders->ssr_material_frag
-                                   : refraction->medium_shaders->ssr_frag;
-    return config->is_textured ? refraction->ssr_material_frag : refraction->ssr_frag;
+    if (refract_has_medium(config))
+        return ice_gbuffer_has_materials(config) ? refraction->medium_shaders->ssr_material_frag
+                                                 : refraction->medium_shaders->ssr_frag;
+    return ice_gbuffer_has_materials(config) ? refraction->ssr_material_frag : refraction->ssr_frag;
 }
 
 static struct rg_technique make_refracted_passes(const struct technique_config *config,
@@ -327,8 +329,8 @@ static struct rg_technique make_refracted_passes(const struct technique_config *
     const struct rg_use *const uses[] = {
         refracted_uses,
         config->is_wide ? refraction->wide_uses : refraction->uses,
-        config->is_textured ? refract_material_uses : NULL,
-        config->renders_media ? refract_medium_uses : NULL,
+        ice_gbuffer_has_materials(config) ? refract_material_uses : NULL,
+        refract_has_medium(config) ? refract_medium_uses : NULL,
     };
     own[1].uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     own[1].vert = refraction->vert;

@@ -116,7 +116,7 @@ static void light_vertices(struct rg_pass *pass, struct pass_arena *builder,
     struct rg_use *uses = pass_arena_copy_uses(builder, pass->uses);
     for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
         u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    pass->vert = vertices_verts[params->has_extras][params->caustics];
+    pass->vert = vertices_verts[params->scene->vertex_extra_table != NULL][params->caustics];
     pass->frag = vertices_frags[params->caustics];
     pass->uses = uses;
 }
@@ -127,13 +127,16 @@ struct rg_technique surroundings_make(struct pass_arena *builder,
     /* Colour needs no clear, because the sky covers all pixels without surroundings. */
     const enum rg_load color_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
-    const bool has_extras = params->has_materials && params->has_extras;
+    const bool has_materials = params->scene->material_table;
+    const bool has_extras = has_materials && params->scene->vertex_extra_table;
     const struct rg_use *const textures =
         params->repeat == RG_PER_LAYER || params->per_vertex ? cube_texture_uses : texture_uses;
     const struct rg_use *const uses[] = {
-        params->has_materials ? textures : plain_uses, params->has_materials ? material_uses : NULL,
-        params->caustics ? ice_caustics_uses : NULL,   has_extras ? extra_uses : NULL,
-        params->has_materials ? ao_uses : NULL,
+        has_materials ? textures : plain_uses,
+        has_materials ? material_uses : NULL,
+        params->caustics ? ice_caustics_uses : NULL,
+        has_extras ? extra_uses : NULL,
+        has_materials ? ao_uses : NULL,
     };
     struct rg_pass *copies = pass_arena_copy_passes(builder, passes, 2);
     if (!copies)
@@ -150,11 +153,10 @@ struct rg_technique surroundings_make(struct pass_arena *builder,
     if (has_extras)
         copies[0].vert = &surroundings_extra_vert;
     copies[0].frag =
-        (params->has_ssr ? ssr_frags
-                         : frags)[has_extras ? 2 : params->has_materials][params->caustics];
+        (params->has_ssr ? ssr_frags : frags)[has_extras ? 2 : has_materials][params->caustics];
     copies[0].uses = pass_arena_join_uses(builder, uses, 5);
     copies[0].record = params->record_surroundings;
-    if (params->per_vertex && params->has_materials)
+    if (params->per_vertex && has_materials)
         light_vertices(&copies[0], builder, params);
     copies[1].name = pass_arena_name(builder, params->name, "sky");
     copies[1].color = pass_arena_target(builder, (struct rg_target){ params->color, RG_LOAD_KEEP });
@@ -177,10 +179,9 @@ static struct rg_technique make_passes(const struct technique_config *config,
         .name = "surroundings",
         .color = &frame_color,
         .depth = &frame_depth,
-        .keep = !config->has_pool,
-        .caustics = !config->has_pool && ice_caustics.is_on(config->settings),
-        .has_materials = config->has_materials,
-        .has_extras = config->has_extras,
+        .keep = !config->scene->has_pool,
+        .caustics = !config->scene->has_pool && ice_caustics.is_on(config->settings),
+        .scene = config->scene,
         .per_vertex = ground->shading == GROUND_VERTICES,
         .has_ssr = ssr_is_drawn(config),
         .record_surroundings = record_surroundings,

@@ -10,9 +10,9 @@ struct surroundings_pass_params {
     const struct rg_image *color, *depth; /* reversed depth: 0 is infinity */
     bool keep;                            /* load instead of clear the images */
     bool caustics;                        /* apply ice caustics and shadow */
-    bool has_materials, has_extras;       /* as in technique_config */
-    bool per_vertex;                      /* per-vertex lighting; excludes `has_ssr` */
-    bool has_ssr;                         /* write the SSR inputs */
+    const struct scene *scene;
+    bool per_vertex; /* per-vertex lighting; excludes `has_ssr` */
+    bool has_ssr;    /* write the SSR inputs */
     enum rg_repeat repeat;
     rg_record_fn *record_surroundings, *record_sky; /* both push a struct surroundings_push */
     rg_when_fn *when;                               /* condition for both passes */

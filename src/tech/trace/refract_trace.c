@@ -312,6 +312,13 @@ static const struct refract_shaders refraction = {
     .layers_frag = &refract_trace_aov_frag,
 };
 
+/* Returns true if the lighting of all surroundings is ray traced. */
+static bool has_diffuse_light(const struct technique_config *config)
+{
+    return trace_hits_surroundings(config->scene, config->settings) &&
+           trace_has_diffuse_light(config->scene, config->settings);
+}
+
 static struct rg_technique make_pass(const struct technique_config *config,
                                      struct pass_arena *builder, bool is_layers)
 {
@@ -331,15 +338,17 @@ static struct rg_technique make_pass(const struct technique_config *config,
         { &refract_trace_rays_query_denoise_frag,
           &refract_trace_rays_query_denoise_dispersion_frag },
     };
+    const bool hits = trace_hits_surroundings(config->scene, config->settings);
+    const bool disperses = frame_media_disperse(config->scene, config->settings);
     const struct rg_use *const uses[] = {
         bvh_uses,
-        config->hits_surroundings ? surface_uses : cube_uses,
-        config->hits_surroundings ? light_uses : NULL,
-        config->hits_surroundings ? sun_uses
-        : is_layers               ? scene_uses
-                                  : NULL,
+        hits ? surface_uses : cube_uses,
+        hits ? light_uses : NULL,
+        hits        ? sun_uses
+        : is_layers ? scene_uses
+                    : NULL,
         is_layers ? layer_uses : NULL,
-        config->queries ? query_uses : NULL,
+        config->uses_queries ? query_uses : NULL,
     };
     struct rg_pass *pass =
         pass_arena_copy_passes(builder, is_layers ? &layer_pass : &color_pass, 1);
@@ -347,27 +356,29 @@ static struct rg_technique make_pass(const struct technique_config *config,
         return (struct rg_technique){ 0 };
     pass->name = pass_arena_name(builder, refract_trace.name, is_layers ? "layers" : "color");
     pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
-    pass->vert =
-        config->hits_surroundings ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
-    pass->frag =
-        frags[config->queries][config->hits_surroundings][config->is_dispersive][is_layers];
-    if (config->is_lighting_denoised && !is_layers) {
+    pass->vert = hits ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
+    pass->frag = frags[config->uses_queries][hits][disperses][is_layers];
+    if (config->denoises_light && !is_layers) {
         pass->color = denoise_targets;
         pass->color_count = sizeof(denoise_targets) / sizeof(denoise_targets[0]);
-        pass->frag = denoise_frags[config->queries][config->is_dispersive];
+        pass->frag = denoise_frags[config->uses_queries][disperses];
     }
-    pass->record = config->has_diffuse_light || is_layers ? frame_draw_screen : record_objects;
+    pass->record = has_diffuse_light(config) || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, pass, 1 };
 }
 
-static void trace_photons(struct rg_pass *pass, const struct technique_config *config,
+static bool trace_photons(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_arena *builder, const struct rg_use *own)
 {
     const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
+    if (!trace_hits_surroundings(config->scene, config->settings))
+        return false;
     pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     pass->vert = &refract_fullscreen_vert;
-    pass->frag = config->is_dispersive ? &refract_trace_rays_photons_dispersion_frag
-                                       : &refract_trace_rays_photons_frag;
+    pass->frag = frame_media_disperse(config->scene, config->settings)
+                     ? &refract_trace_rays_photons_dispersion_frag
+                     : &refract_trace_rays_photons_frag;
+    return true;
 }
 
 static struct rg_technique make_color_passes(const struct technique_config *config,
@@ -388,20 +399,18 @@ static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static void choose(struct technique_config *config, const struct scene *scene)
+static void choose(struct technique_config *config)
 {
     const struct trace_params *params = settings_of(config->settings, &trace_settings);
-    config->queries = params->rays == TRACE_BY_DEVICE
-                          ? config->has_fast_rays
-                          : params->rays == TRACE_BY_QUERY && config->has_rays;
-    config->hits_surroundings = trace_hits_surroundings(scene, config->settings);
-    config->has_diffuse_light =
-        config->hits_surroundings && trace_has_diffuse_light(scene, config->settings);
+    config->uses_queries =
+        config->uses_queries && (params->rays == TRACE_BY_DEVICE ? config->has_fast_queries
+                                                                 : params->rays == TRACE_BY_QUERY);
+    config->denoises_light = config->denoises_light && has_diffuse_light(config);
 }
 
-static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    values[CONSTANT_TRACE] = trace_features(subject->scene, subject->settings);
+    values[CONSTANT_TRACE] = trace_features(config->scene, config->settings);
 }
 
 static const struct frame_layer layers[] = {
@@ -432,7 +441,6 @@ const struct technique refract_trace = {
     .refraction = { .name = "trace",
                     .shaders = &refraction,
                     .shades_fullscreen = true,
-                    .draws_all_objects = true,
                     .traces_bvh = true,
                     .choose = choose,
                     .trace_photons = trace_photons },
