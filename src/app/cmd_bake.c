@@ -73,7 +73,7 @@ static enum status load(struct job *job)
     const struct motion_params *motion =
         settings_of(&job->o.image.scene.settings, &motion_settings);
     enum status status = setup_load_scene(&job->scene, &job->o.image.scene);
-    if (status == STATUS_OK && job->scene.cube.texels) {
+    if (status == STATUS_OK && job->scene.background.cube.texels) {
         log_error("--env %s: expected an equirectangular image, got a cube of firn bake",
                   job->o.image.scene.environment);
         status = STATUS_USAGE;

@@ -22,7 +22,8 @@ bool renderer_uses_bvh(const struct renderer_params *params)
 
 bool renderer_wants_capture(const struct renderer_params *params)
 {
-    return !frame_draws_cube(params->settings, params->scene) && !params->scene->cube.texels;
+    return !frame_draws_cube(params->settings, params->scene) &&
+           !params->scene->background.cube.texels;
 }
 
 bool renderer_wants_resolve(const struct renderer_params *params)

@@ -244,18 +244,15 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
 
 static enum status load_background(struct scene *scene, const struct scene_params *params)
 {
-    scene->is_hidden = params->is_hidden;
+    scene->background.is_hidden = params->is_hidden;
     if (params->background) {
-        scene->background = SCENE_COLOR;
-        scene->background_color = *params->background;
+        scene->background.kind = SCENE_COLOR;
+        scene->background.color = *params->background;
     }
     if (!params->environment)
         return STATUS_OK;
     if (params->previous_pose) {
         scene->background = params->previous_pose->background;
-        scene->environment = params->previous_pose->environment;
-        scene->cube = params->previous_pose->cube;
-        scene->prefiltered_environment = params->previous_pose->prefiltered_environment;
         return STATUS_OK;
     }
     struct environment environment;
@@ -269,11 +266,11 @@ static enum status load_background(struct scene *scene, const struct scene_param
     if (params->environment_exposure < 0.0f || params->environment_exposure > 0.0f)
         environment_apply_exposure(&environment, params->environment_exposure);
     if (environment.is_cube) {
-        scene->cube = environment;
+        scene->background.cube = environment;
     } else {
         environment.turn = params->environment_turn;
-        scene->background = SCENE_ENVIRONMENT;
-        scene->environment = environment;
+        scene->background.kind = SCENE_ENVIRONMENT;
+        scene->background.environment = environment;
     }
     return STATUS_OK;
 }
@@ -301,35 +298,36 @@ static enum status add_extras(struct scene *scene)
                   MESH_EXTRA_HEIGHT * (MESH_EXTRA_WIDTH / MESH_EXTRA_TEXELS), mesh->vertex_count);
         return STATUS_DATA;
     }
-    scene->vertex_extra_table = material_table_make_extras(mesh);
-    return scene->vertex_extra_table ? STATUS_OK : log_out_of_memory("texture coordinates");
+    scene->tables.vertex_extras = material_table_make_extras(mesh);
+    return scene->tables.vertex_extras ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
 /* Finds the scattering media, and builds the GPU tables of materials and lights. */
 static enum status add_surfaces(struct scene *scene, bool has_scattering_medium)
 {
     if (scene->model.object.index_count)
-        scene->scattering_media = scattering_media_find(&scene->model, has_scattering_medium);
+        scene->inclusions.media = scattering_media_find(&scene->model, has_scattering_medium);
     const bool is_lit =
         material_table_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
     const bool needs_light =
-        (is_lit || scene->scattering_media.count) && scene->background == SCENE_ENVIRONMENT;
-    const bool is_lit_by_table = has_lights || (is_lit && scene->background != SCENE_SKY);
-    if (needs_light && !scene->prefiltered_environment)
-        scene->prefiltered_environment = image_based_lighting_prefilter(&scene->environment);
-    if (needs_light && !scene->prefiltered_environment)
+        (is_lit || scene->inclusions.media.count) && scene->background.kind == SCENE_ENVIRONMENT;
+    const bool is_lit_by_table = has_lights || (is_lit && scene->background.kind != SCENE_SKY);
+    if (needs_light && !scene->background.prefiltered)
+        scene->background.prefiltered =
+            image_based_lighting_prefilter(&scene->background.environment);
+    if (needs_light && !scene->background.prefiltered)
         return log_out_of_memory("environment lighting");
     if (!is_lit_by_table && !material_table_needs_full_shading(&scene->model) &&
         !scene_has_textured_objects(scene))
         return STATUS_OK;
-    scene->material_table = material_table_make(&scene->model);
-    scene->brdf_table = image_based_lighting_brdf_table();
+    scene->tables.materials = material_table_make(&scene->model);
+    scene->tables.brdf = image_based_lighting_brdf_table();
     if (has_lights)
-        scene->punctual_light_table =
+        scene->tables.punctual_lights =
             punctual_light_table_make(scene->model.lights, scene->model.light_count);
-    const bool done =
-        scene->material_table && scene->brdf_table && (scene->punctual_light_table || !has_lights);
+    const bool done = scene->tables.materials && scene->tables.brdf &&
+                      (scene->tables.punctual_lights || !has_lights);
     if (!done)
         return log_out_of_memory("materials");
     return add_extras(scene);
@@ -356,10 +354,10 @@ static void move_rest_pose(struct scene *scene, struct scene *before)
 /* Clears a scene's environment and prefiltered lighting, which another scene now owns. */
 static void release_environment(struct scene *scene, const struct scene *before)
 {
-    if (scene == before || scene->prefiltered_environment == before->prefiltered_environment)
-        scene->prefiltered_environment = NULL;
-    scene->environment = (struct environment){ 0 };
-    scene->cube = (struct environment){ 0 };
+    if (scene == before || scene->background.prefiltered == before->background.prefiltered)
+        scene->background.prefiltered = NULL;
+    scene->background.environment = (struct environment){ 0 };
+    scene->background.cube = (struct environment){ 0 };
 }
 
 /* Loads the surroundings that the parameters or the built-in scene name. Otherwise, loads the
@@ -372,7 +370,8 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
     if (builtin && builtin->surround)
         return add_builtin_surroundings(scene, builtin);
     const bool is_bare = !scene->model.surroundings.index_count;
-    return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
+    return is_bare && scene->background.kind == SCENE_SKY ? add_landscape(scene, params)
+                                                          : STATUS_OK;
 }
 
 /* Sorts the surroundings by distance from the object's centre, which is near all cameras and is
@@ -446,8 +445,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     measure_shape(scene);
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);
-    scene->lookup_box =
-        scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
+    if (!scene->model.has_box)
+        scene->model.box = mesh_box(&scene->model.surroundings);
     if (status == STATUS_OK)
         status = sort_surroundings(scene);
     if (status == STATUS_OK && params->orbiting_ball_count)
@@ -456,7 +455,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = melt_ice(scene, params);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene, params->has_scattering_medium);
-    if (status == STATUS_OK && scene->material_table && has_object)
+    if (status == STATUS_OK && scene->tables.materials && has_object)
         status = ao_find(&scene->ao, &scene->model.object, scene->model.objects,
                          scene->model.object_count);
     if (status == STATUS_OK && has_object && !scene->has_pool)
@@ -475,8 +474,8 @@ enum status scene_build_bvh(const struct scene *scene, bool is_cached)
     const struct bvh_params params = {
         .model = &scene->model,
         .sorted = scene->sorted,
-        .cracks = &scene->cracks,
-        .bubbles = &scene->bubbles,
+        .cracks = &scene->inclusions.cracks,
+        .bubbles = &scene->inclusions.bubbles,
         .rest = scene->rest,
         .is_cached = is_cached && (scene->rest || !scene->is_animated),
     };
@@ -492,20 +491,20 @@ void scene_finish(struct scene *scene)
     free(scene->sorted.all);
     model_finish(&scene->model);
     melted_finish(&scene->melted);
-    environment_finish(&scene->environment);
-    environment_finish(&scene->cube);
-    free(scene->material_table);
-    free(scene->vertex_extra_table);
+    environment_finish(&scene->background.environment);
+    environment_finish(&scene->background.cube);
+    free(scene->tables.materials);
+    free(scene->tables.vertex_extras);
     free(scene->previous_positions);
-    free(scene->punctual_light_table);
-    free(scene->brdf_table);
-    free(scene->prefiltered_environment);
+    free(scene->tables.punctual_lights);
+    free(scene->tables.brdf);
+    free(scene->background.prefiltered);
     bump_maps_finish(&scene->bump);
-    scattering_media_finish(&scene->scattering_media);
-    mesh_finish(&scene->air);
-    free(scene->air_layers.texels);
-    free(scene->bubbles.all);
-    mesh_finish(&scene->cracks);
+    scattering_media_finish(&scene->inclusions.media);
+    mesh_finish(&scene->inclusions.air);
+    free(scene->inclusions.air_layers.texels);
+    free(scene->inclusions.bubbles.all);
+    mesh_finish(&scene->inclusions.cracks);
     mesh_finish(&scene->files.crack_sheet);
     free(scene->files.heights);
     free(scene->files.smoothness);

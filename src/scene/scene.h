@@ -15,10 +15,36 @@
 #include "src/scene/melt/melt.h"
 #include "src/scene/model_transform.h"
 
-enum scene_background {
+enum scene_background_kind {
     SCENE_SKY,
     SCENE_COLOR,
     SCENE_ENVIRONMENT,
+};
+
+struct scene_background {
+    enum scene_background_kind kind;
+    bool is_hidden; /* true to write alpha 0 in the background; lighting is unaffected */
+    vec3s color;    /* linear radiance, for SCENE_COLOR */
+    struct environment environment;
+    struct environment cube; /* environment cube from a file; may be empty */
+    uint16_t *prefiltered;   /* prefiltered `environment`; NULL if not needed */
+};
+
+/* GPU tables of surface materials; NULL if no material needs them. */
+struct scene_tables {
+    vec4s *materials;
+    vec4s *punctual_lights; /* NULL if no surface is lit by one */
+    vec4s *vertex_extras;   /* gpu_material_table.h; NULL for none */
+    uint16_t *brdf;         /* GGX split-sum table (image_based_lighting.h) */
+};
+
+/* Inclusions in the object's space; each may be empty. */
+struct scene_inclusions {
+    struct mesh cracks;
+    struct mesh air;              /* planes of air bubbles */
+    struct air_layers air_layers; /* textures of the air planes */
+    struct bubbles bubbles;
+    struct scattering_media media; /* scattering media, in the space of the objects' mesh */
 };
 
 /* Data read from files; members are NULL or empty for data that is generated. */
@@ -30,39 +56,20 @@ struct scene_files {
 
 struct scene {
     struct model model; /* loaded model, with ranked objects (medium priorities) */
-    enum scene_background background;
-    vec3s background_color; /* linear radiance, for SCENE_COLOR */
-    bool is_hidden;         /* true to write alpha 0 in the background; lighting is unaffected */
-    struct environment environment;
-    vec4s *material_table; /* GPU table of materials; NULL if no material needs one */
-    /* GPU table of punctual lights; NULL if no surface is lit by one */
-    vec4s *punctual_light_table;
-    /* GPU table of vertex extras (gpu_material_table.h); NULL for none */
-    vec4s *vertex_extra_table;
-    /* GGX split-sum table (image_based_lighting.h); NULL if material_table is NULL */
-    uint16_t *brdf_table;
-    uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube;           /* environment cube from a file; may be empty */
-    struct bump_maps bump;             /* bump map of the object's surface; may be empty */
-    struct box box;                    /* bounding box of the object or pool */
-    struct box framing_box;            /* bounding box at time 0, for the default camera */
-    float time;                        /* animation time, seconds */
-    vec4s *
-        /* vertex positions of the previous frame, objects first; NULL if no vertex has moved */
-        previous_positions;
-    uint32_t previous_position_rows;
-    struct box floating_ice;      /* bounding box of floating ice in the pool; may be empty */
-    struct box lookup_box;        /* default box of refract.lookup=box */
-    struct mesh cracks;           /* cracks, in object space; may be empty */
-    struct mesh air;              /* planes of air bubbles, in object space; may be empty */
-    struct air_layers air_layers; /* textures of the air planes */
+    struct scene_background background;
+    struct scene_tables tables;
+    struct scene_inclusions inclusions;
+    struct bump_maps bump;  /* bump map of the object's surface; may be empty */
+    struct box box;         /* bounding box of the object or pool */
+    struct box framing_box; /* bounding box at time 0, for the default camera */
+    float time;             /* animation time, seconds */
+    /* vertex positions of the previous frame, objects first; NULL if no vertex has moved */
+    vec4s *previous_positions;
+    struct box floating_ice; /* bounding box of floating ice in the pool; may be empty */
     struct scene_files files;
     struct melted melted; /* result of melting; zeroed if nothing has melted */
-    struct scattering_media
-        scattering_media;   /* scattering media, in the space of the objects' mesh */
-    struct ao ao;           /* ambient occlusion occluders, in object space */
-    struct bubbles bubbles; /* bubbles, in object space */
-    struct bvh *bvh;        /* BVH of all triangles; empty before scene_build_bvh() */
+    struct ao ao;         /* ambient occlusion occluders, in object space */
+    struct bvh *bvh;      /* BVH of all triangles; empty before scene_build_bvh() */
     /* rest pose (time 0) of an animated scene; NULL for a static scene */
     struct bvh_rest_pose *rest;
     struct mesh_order sorted; /* triangle order of the surroundings; only in animated scenes */
@@ -105,7 +112,7 @@ struct scene_params {
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background;      /* background colour; NULL for the sky */
-    bool is_hidden;               /* see scene.is_hidden */
+    bool is_hidden;               /* see scene_background.is_hidden */
     bool is_one_object;           /* true to treat an opaque model as one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
     uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */

@@ -47,8 +47,8 @@ static struct box unmelted_box(const struct scene *scene)
 
 static enum status add_air(struct scene *scene, const struct generate_air *air)
 {
-    bool done = generate_air_planes(&scene->air, unmelted_box(scene), air) &&
-                generate_air_clip(&scene->air, &scene->model.object);
+    bool done = generate_air_planes(&scene->inclusions.air, unmelted_box(scene), air) &&
+                generate_air_clip(&scene->inclusions.air, &scene->model.object);
     return done ? STATUS_OK : log_out_of_memory("air");
 }
 
@@ -64,8 +64,8 @@ static enum status add_bubbles(struct scene *scene, const struct generate_bubble
         model->materials[model->objects[0].material].scattering_optical_depth > 0.0f;
     struct generate_bubbles params = *bubbles;
     params.rim = has_core ? CLEAR_RIM : 0.0f;
-    bool done = generate_bubbles(&scene->bubbles, unmelted, &params) &&
-                (!has_melted || melt_bubbles(&scene->bubbles, &scene->model.object));
+    bool done = generate_bubbles(&scene->inclusions.bubbles, unmelted, &params) &&
+                (!has_melted || melt_bubbles(&scene->inclusions.bubbles, &scene->model.object));
     return done ? STATUS_OK : log_out_of_memory("bubbles");
 }
 
@@ -73,15 +73,16 @@ enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks
 {
     const struct mesh *object = &scene->model.object;
     struct closed_mesh closed_mesh = { 0 };
-    mesh_finish(&scene->cracks);
+    mesh_finish(&scene->inclusions.cracks);
     const struct generate_cracks params = { cracks->count, cracks->seed, cracks->size };
-    bool done =
-        generate_cracks(&scene->cracks, unmelted_box(scene), &params, &scene->files.crack_sheet);
+    bool done = generate_cracks(&scene->inclusions.cracks, unmelted_box(scene), &params,
+                                &scene->files.crack_sheet);
     if (done && cracks->count && scene->melted.lost_fraction > 0.0f)
-        done = melt_cracks(&scene->cracks, object, scene->melted.lost_fraction);
+        done = melt_cracks(&scene->inclusions.cracks, object, scene->melted.lost_fraction);
     if (done && cracks->count && cracks->cut) {
         done = closed_mesh_init(&closed_mesh, object) &&
-               closed_mesh_clip(&closed_mesh, &scene->cracks, box_diagonal(scene->box) / 128.0f);
+               closed_mesh_clip(&closed_mesh, &scene->inclusions.cracks,
+                                box_diagonal(scene->box) / 128.0f);
         closed_mesh_finish(&closed_mesh);
     }
     return done ? STATUS_OK : log_out_of_memory("cracks");
@@ -98,12 +99,12 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     air.opacity = scene->files.air_opacity;
     if (params->bump && !bump_maps_init(&scene->bump, &maps))
         return "bump maps";
-    if (air.count && !generate_air_layers(&scene->air_layers, &air))
+    if (air.count && !generate_air_layers(&scene->inclusions.air_layers, &air))
         return "air";
     struct model unmelted = scene->model; /* density depends on the shape before melting */
     if (scene->melted.lost_fraction > 0.0f)
         unmelted.object = scene->melted.unmelted;
-    if (!scattering_media_fill(&scene->scattering_media, &unmelted))
+    if (!scattering_media_fill(&scene->inclusions.media, &unmelted))
         return "scattering media";
     return NULL;
 }
@@ -114,8 +115,8 @@ static void size_textures(struct scene *scene, const struct scene_params *params
     if (params->bump)
         scene->bump.size = BUMP_MAPS_SIZE;
     if (params->air.count)
-        scene->air_layers = (struct air_layers){ .size = GENERATE_AIR_LAYER_SIZE,
-                                                 .count = GENERATE_AIR_LAYER_COUNT };
+        scene->inclusions.air_layers = (struct air_layers){ .size = GENERATE_AIR_LAYER_SIZE,
+                                                            .count = GENERATE_AIR_LAYER_COUNT };
 }
 
 static enum status read_maps(struct scene *scene, const struct scene_params *params)

@@ -235,17 +235,19 @@ static void warn_of_files(const struct setup_image *image, const struct scene *s
     const bool traces_bvh = image->refraction->refraction.traces_bvh;
     const bool has_bumps =
         bump.is_on(&options->settings) && draws_bumps(&image->refraction->refraction);
-    const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !traces_bvh;
+    const bool has_more =
+        (scene->inclusions.bubbles.count || scene->inclusions.cracks.index_count) && !traces_bvh;
     const bool is_scaled = is_set(options, "inclusions.scale");
 
     const struct {
         const char *option, *file;
         bool has_effect;
     } files[] = {
-        { "--cracks", options->cracks, scene->cracks.index_count > 0 },
-        { "--air", options->air, scene->air.index_count > 0 },
+        { "--cracks", options->cracks, scene->inclusions.cracks.index_count > 0 },
+        { "--air", options->air, scene->inclusions.air.index_count > 0 },
         { "inclusions.scale", is_scaled ? options->name : NULL,
-          image->refraction->refraction.shaders && (scene->air.index_count || has_more) },
+          image->refraction->refraction.shaders &&
+              (scene->inclusions.air.index_count || has_more) },
         { "--bump", options->bump, has_bumps && !scene->has_pool },
         { "--bump-mask", options->bump_mask, has_bumps && !scene->has_pool },
     };
@@ -270,12 +272,12 @@ static void warn_of_ground(const struct setup_image *image, const struct scene *
     const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
     const struct refraction_model *refraction = &image->refraction->refraction;
     if (ground->light == GROUND_TRACED && is_set(&image->scene, "ground.light") &&
-        refraction->shaders && !refraction->traces_bvh && scene->material_table &&
+        refraction->shaders && !refraction->traces_bvh && scene->tables.materials &&
         material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
         log_note("ground.light=traced: not supported by this refraction model, which lights "
                  "surroundings without occlusion; use --refraction trace");
     if (ground->light == GROUND_TRACED && ground->denoise && image->columns &&
-        refraction->traces_bvh && scene->material_table &&
+        refraction->traces_bvh && scene->tables.materials &&
         material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
         log_note("ground.denoise: no effect with tiles, since the filter needs the whole image");
 }
@@ -290,7 +292,7 @@ static void warn_of_media(const struct setup_image *image, const struct scene *s
                                              .refraction = image->refraction };
     const bool is_drawn = refraction->traces_bvh ? trace_hits_surroundings(scene, settings)
                                                  : refract_has_medium(&config);
-    if (!scene->scattering_media.count)
+    if (!scene->inclusions.media.count)
         return;
     if (!is_drawn && air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
         log_warning("air.model=medium: drawn as planes by this refraction model; use --refraction "
@@ -300,9 +302,9 @@ static void warn_of_media(const struct setup_image *image, const struct scene *s
                  "scattering%s",
                  image->scene.name,
                  refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
-    if (scene->scattering_media.left_out)
+    if (scene->inclusions.media.left_out)
         log_warning("%s: more than %d objects contain scattering media; %u of them are drawn clear",
-                    image->scene.name, SCATTERING_MEDIA_MAX, scene->scattering_media.left_out);
+                    image->scene.name, SCATTERING_MEDIA_MAX, scene->inclusions.media.left_out);
 }
 
 void setup_choose_refraction(struct setup_image *image, const struct scene *scene,

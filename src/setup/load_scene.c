@@ -100,7 +100,7 @@ static void check_inclusions(struct setup_scene *options, const struct scene *sc
 /* Warns that a file's lights have no effect if there is no opaque surface for them to light. */
 static void check_lights(const struct setup_scene *options, const struct scene *scene)
 {
-    if (scene->model.light_count > 0 && !scene->punctual_light_table)
+    if (scene->model.light_count > 0 && !scene->tables.punctual_lights)
         log_warning(
             "%s: its lights have no effect, because the scene has no opaque surface to light",
             options->name);
@@ -112,7 +112,7 @@ static void note_brightness(const struct setup_scene *options, const struct scen
     const struct setting *exposure = settings_find("tonemap.exposure");
     const float radius = 0.5f * box_diagonal(scene->box);
     float brightest = 0.0f; /* illuminance, lux */
-    for (uint32_t i = 0; i < scene->model.light_count && scene->punctual_light_table; i++) {
+    for (uint32_t i = 0; i < scene->model.light_count && scene->tables.punctual_lights; i++) {
         const struct light *light = &scene->model.lights[i];
         const float distance = glms_vec3_distance(light->position, box_center(scene->box));
         const float d = light->kind == LIGHT_DIRECTIONAL ? 1.0f : fmaxf(distance, radius);
@@ -358,7 +358,7 @@ static enum status check_environment(const struct setup_scene *options, const st
         log_error("--env-%s: --env is missing", is_rotated ? "rotate" : "exposure");
         return STATUS_USAGE;
     }
-    if (is_rotated && scene->cube.texels) {
+    if (is_rotated && scene->background.cube.texels) {
         log_error("--env-rotate: not available for a cube: expected an equirectangular image "
                   "as --env");
         return STATUS_USAGE;

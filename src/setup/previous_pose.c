@@ -3,10 +3,9 @@
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
-#include "shaders/output/first_surface.h"
 #include "src/base/log.h"
 #include "src/setup/layer_quantize.h"
-#include "src/tech/frame_resources.h"
+#include "src/tech/output/first_surface.h"
 
 bool previous_pose_is_needed(const struct setup_image *image)
 {
@@ -17,11 +16,9 @@ bool previous_pose_is_needed(const struct setup_image *image)
 static enum status copy(struct previous_pose *previous, const struct model *model)
 {
     const struct mesh *const meshes[] = { &model->object, &model->surroundings };
-    const size_t count = (size_t)model->object.vertex_count + model->surroundings.vertex_count;
-    const size_t rows = count / FIRST_SURFACE_WIDTH + 1;
-    vec4s *to = calloc(rows * FIRST_SURFACE_WIDTH, sizeof(*to));
-    *previous = (struct previous_pose){ to, (uint32_t)rows, model->object.vertex_count,
-                                        model->surroundings.vertex_count };
+    vec4s *to = calloc((size_t)first_surface_rows(model) * FIRST_SURFACE_WIDTH, sizeof(*to));
+    *previous =
+        (struct previous_pose){ to, model->object.vertex_count, model->surroundings.vertex_count };
     if (!to)
         return log_out_of_memory("the layer motion");
     for (size_t m = 0; m < 2; m++) {
@@ -52,7 +49,6 @@ void previous_pose_move_to(struct previous_pose *previous, struct scene *scene)
         previous->surroundings_count == model->surroundings.vertex_count) {
         free(scene->previous_positions);
         scene->previous_positions = previous->positions;
-        scene->previous_position_rows = previous->rows;
         previous->positions = NULL;
     }
     free(previous->positions);

@@ -7,7 +7,7 @@
 /* Vertex positions in the previous frame. The caller frees them or moves them to a scene. */
 struct previous_pose {
     vec4s *positions; /* NULL if unchanged */
-    uint32_t rows, object_count, surroundings_count;
+    uint32_t object_count, surroundings_count;
 };
 
 /* Returns true if an image has the layer `motion`. */

@@ -23,11 +23,11 @@ static void move_sun(struct settings *settings, const struct setting *azimuth,
 /* Returns why the light cannot be rotated; NULL if it can. */
 static const char *refusal(const struct scene *scene, const struct env_params *env, bool is_sun)
 {
-    if (scene->cube.texels)
+    if (scene->background.cube.texels)
         return "a baked cube map cannot be rotated: open a panorama or a model without one";
-    if (scene->background == SCENE_COLOR)
+    if (scene->background.kind == SCENE_COLOR)
         return "the background is a single colour: open a panorama to rotate the light";
-    if (scene->background == SCENE_ENVIRONMENT && is_sun && env->sun != ENV_SUN_CUSTOM)
+    if (scene->background.kind == SCENE_ENVIRONMENT && is_sun && env->sun != ENV_SUN_CUSTOM)
         return "the sun is part of this panorama: set env.sun to own to move it";
     return NULL;
 }
@@ -42,7 +42,7 @@ void view_rotate_light(struct view *v, double right, double down, bool is_sun)
         ui_show_message(v->ui, why);
         return;
     }
-    if (scene->background != SCENE_ENVIRONMENT)
+    if (scene->background.kind != SCENE_ENVIRONMENT)
         move_sun(&state.settings,
                  settings_row(&sky_settings, offsetof(struct sky_params, sun_azimuth)),
                  settings_row(&sky_settings, offsetof(struct sky_params, sun_elevation)), right,

@@ -264,13 +264,13 @@ bool viewport_is_split(const struct viewport *p)
 enum status viewport_rotate_panorama(struct viewport *p, float degrees)
 {
     const float before = p->state.scene.env_rotate;
-    const float rotation = p->scene.environment.turn;
+    const float rotation = p->scene.background.environment.turn;
     p->state.scene.env_rotate = degrees;
-    p->scene.environment.turn = degrees / 360.0f - floorf(degrees / 360.0f);
+    p->scene.background.environment.turn = degrees / 360.0f - floorf(degrees / 360.0f);
     const enum status status = viewport_rebuild(p);
     if (status != STATUS_OK) {
         p->state.scene.env_rotate = before;
-        p->scene.environment.turn = rotation;
+        p->scene.background.environment.turn = rotation;
         return restore(p, status);
     }
     return STATUS_OK;

@@ -96,13 +96,13 @@ static void clipped_to_the_ice(void **state)
 static void set_plane(struct scene *scene, float z)
 {
     static const uint32_t corners[6] = { 0, 1, 2, 2, 1, 3 };
-    mesh_finish(&scene->air);
-    assert_true(mesh_init(&scene->air, 4, 6));
+    mesh_finish(&scene->inclusions.air);
+    assert_true(mesh_init(&scene->inclusions.air, 4, 6));
     for (uint32_t i = 0; i < 6; i++)
-        scene->air.indices[i] = corners[i];
+        scene->inclusions.air.indices[i] = corners[i];
     for (uint32_t i = 0; i < 4; i++) {
         const vec2s uv = { { (float)(i % 2), i < 2 ? 0 : 1 } };
-        scene->air.vertices[i] = (struct mesh_vertex){
+        scene->inclusions.air.vertices[i] = (struct mesh_vertex){
             .position = { { 2 * uv.x - 1, 1 - 2 * uv.y, z } },
             .normal = { { 0, 0, 1 } },
             .uv = uv,
@@ -187,7 +187,8 @@ static void use_bright_cap(struct scene *scene)
 {
     picture_use_directions(scene, 64);
     for (size_t i = 0; i < (size_t)64 * 32 * 4; i++)
-        scene->environment.texels[i] = half_from_float(i < (size_t)64 * 8 * 4 ? 1.0F : 0.0F);
+        scene->background.environment.texels[i] =
+            half_from_float(i < (size_t)64 * 8 * 4 ? 1.0F : 0.0F);
 }
 
 static void lit_from_all_sides(void **state)
@@ -201,13 +202,13 @@ static void lit_from_all_sides(void **state)
     const struct settings sun = picture_settings("sky.sun_strength=1");
     assert_true(check_light(*state, &scene, &sun, sky) > 0.1);
     use_bright_cap(&scene);
-    scene.background = SCENE_ENVIRONMENT;
+    scene.background.kind = SCENE_ENVIRONMENT;
     const double cap = (1 - sqrt(0.5)) / 2 * 2; /* of the upper half, twice of the whole */
     assert_true(check_light(*state, &scene, NULL, vec_scale((struct vec){ 1, 1, 1 }, cap / 2)) >
                 0.1);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
-    assert_true(check_light(*state, &scene, NULL, vec_from(scene.background_color)) > 0.1);
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
+    assert_true(check_light(*state, &scene, NULL, vec_from(scene.background.color)) > 0.1);
     scene_finish(&scene);
 }
 
@@ -217,8 +218,8 @@ static void strengths(void **state)
     static const char *const assignments[] = { "air.strength=0", "air.haze=0", "air.strength=0.7" };
     struct scene scene;
     open_scene(&scene, "sphere", 19, 1);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 0.5F, 0.5F, 0.5F } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 0.5F, 0.5F, 0.5F } };
     const struct vec gray = { 0.5, 0.5, 0.5 };
     const double usual = check_light(*state, &scene, NULL, gray);
     double shares[3];
@@ -271,9 +272,9 @@ static void order_does_not_count(void **state)
     open_scene(&scene, "sphere", 19, 1);
     const struct picture_request request = request_of(&scene, 30, 20);
     struct render_result a = picture_render(*state, &request);
-    uint32_t *indices = scene.air.indices;
-    for (uint32_t i = 0; i < scene.air.index_count / 2; i++) {
-        const uint32_t other = scene.air.index_count - 1 - i;
+    uint32_t *indices = scene.inclusions.air.indices;
+    for (uint32_t i = 0; i < scene.inclusions.air.index_count / 2; i++) {
+        const uint32_t other = scene.inclusions.air.index_count - 1 - i;
         const uint32_t swapped = indices[i];
         indices[i] = indices[other];
         indices[other] = swapped;

@@ -37,7 +37,7 @@ static struct scene box_scene(void)
         struct mesh_vertex *v = &scene.model.surroundings.vertices[i];
         v->color = glms_vec3_div(glms_vec3_sub(v->position, sides.min), extent);
     }
-    scene.lookup_box = mesh_box(&scene.model.surroundings);
+    scene.model.box = mesh_box(&scene.model.surroundings);
     return scene;
 }
 
@@ -242,7 +242,7 @@ static void boxes_of_the_settings(void **state)
         render_result_finish(&s.result);
     }
     picture_end(&stage);
-    scene.lookup_box = (struct box){ 0 }; /* nothing around it */
+    scene.model.box = (struct box){ 0 }; /* nothing around it */
     struct shown none = draw(*state, &scene, "search", automatic);
     check_same(&none, &far, true);
     render_result_finish(&none.result);

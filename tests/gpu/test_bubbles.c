@@ -23,11 +23,11 @@ static struct scene open_scene(const struct bubble *spheres, uint32_t count)
     const vec3s center = { { 0, 0, 0 } };
     struct scene scene = picture_sphere_scene(center, 4000);
     picture_use_directions(&scene, 1024);
-    scene.bubbles.all = calloc(count, sizeof(*scene.bubbles.all));
-    assert_non_null(scene.bubbles.all);
+    scene.inclusions.bubbles.all = calloc(count, sizeof(*scene.inclusions.bubbles.all));
+    assert_non_null(scene.inclusions.bubbles.all);
     for (uint32_t i = 0; i < count; i++)
-        scene.bubbles.all[i] = spheres[i];
-    scene.bubbles.count = count;
+        scene.inclusions.bubbles.all[i] = spheres[i];
+    scene.inclusions.bubbles.count = count;
     return scene;
 }
 
@@ -301,7 +301,7 @@ static void extremes(void **state)
         .bubbles = { .count = BUBBLES_COUNT_MAX, .seed = 1, .size = 0.02F },
     };
     assert_int_equal(scene_load(&scene, &params), STATUS_OK);
-    assert_int_equal(scene.bubbles.count, BUBBLES_COUNT_MAX);
+    assert_int_equal(scene.inclusions.bubbles.count, BUBBLES_COUNT_MAX);
     request = request_of(&scene, 0, 4, 40);
     assert_true(count_on_ice(*state, &request) > 10000);
     scene_finish(&scene);
@@ -312,8 +312,8 @@ static void in_even_light(void **state)
 {
     const struct bubble sphere = { { { 0, 0, 0 } }, 0.5F };
     struct scene scene = open_scene(&sphere, 1);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
     struct picture_request request = request_of(&scene, 0, 4, 40);
     const struct settings settings = picture_settings("refract_bounce.inclusions=all");
     static const char *const refraction_models[] = { NULL, "bounce" };
@@ -323,7 +323,7 @@ static void in_even_light(void **state)
         struct render_result result = picture_render(*state, &request);
         const float *alpha = image_find(&result.image, "bubbles.A");
         for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
-            const struct vec color = vec_from(scene.background_color);
+            const struct vec color = vec_from(scene.background.color);
             const struct vec bubble = picture_at(picture_layer(&result.image, "bubbles"), i);
             const struct vec seen = picture_at(picture_layer(&result.image, ""), i);
             CHECK_NEAR(vec_difference(bubble, vec_scale(color, (double)alpha[i])), 0, 1e-3);
@@ -367,8 +367,8 @@ static void long_ones(void **state)
     };
     const struct settings settings = picture_settings("bubbles.shape=grown");
     struct scene scene = open_scene(both, 2);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
     struct picture_request request = request_of(&scene, 0, 4, 40);
     request.settings = &settings;
     struct render_result result = picture_render(*state, &request);
@@ -381,7 +381,7 @@ static void long_ones(void **state)
         const bool is_hit = bubble_intersect(&both[0], request.camera.eye, dir, at) ||
                             bubble_intersect(&both[1], request.camera.eye, dir, at);
         const struct vec bubble = picture_at(picture_layer(&result.image, "bubbles"), i);
-        const struct vec even = vec_scale(vec_from(scene.background_color), (double)alpha[i]);
+        const struct vec even = vec_scale(vec_from(scene.background.color), (double)alpha[i]);
         CHECK_NEAR(vec_difference(bubble, even), 0, 1e-3);
         wrong += is_hit != (alpha[i] > 0.0F);
         seen += is_hit;

@@ -69,8 +69,8 @@ static void make_torus(struct mesh *mesh, float tilt)
 /* In front of one colour, so that nothing but the object counts. */
 static struct scene open_scene(const char *name)
 {
-    struct scene scene = { .background = SCENE_COLOR,
-                           .background_color = { { 0.25f, 0.25f, 0.25f } } };
+    struct scene scene = { .background.kind = SCENE_COLOR,
+                           .background.color = { { 0.25f, 0.25f, 0.25f } } };
     struct mesh *object = &scene.model.object;
     if (!strcmp(name, "torus"))
         make_torus(object, 1.3f);
@@ -128,7 +128,7 @@ static void count_fragments(struct tally *tally, const struct picture_request *r
     const float *intervals = image_find(image, "intervals.Z");
     struct tiles cracks;
     struct tiles object;
-    screen_tiles_init(&cracks, &request->scene->cracks, request);
+    screen_tiles_init(&cracks, &request->scene->inclusions.cracks, request);
     screen_tiles_init(&object, &request->scene->model.object, request);
     for (size_t i = 0; i < PIXELS; i += step) {
         double at[HITS_MAX];
@@ -281,7 +281,7 @@ static void test_precut_is_as_interval(void **state)
         const size_t shown = count_above(&a.image, "cracks.A", 0.03f);
         const size_t wrong = count_different(&a.image, &b.image, "cracks.A", 0.01f);
         print_message("%s: %u triangles, %zu of %zu pixels differ from intervals\n", names[n],
-                      scene.cracks.index_count / 3, wrong, shown);
+                      scene.inclusions.cracks.index_count / 3, wrong, shown);
         assert_true(shown > 2000);
         assert_true(wrong * 200 < shown);
         render_result_finish(&a);
@@ -413,17 +413,17 @@ static void add_flat_crack(struct scene *scene, double degrees)
     const float c = (float)cos(degrees * pi / 180);
     const float s = (float)sin(degrees * pi / 180);
     const vec3s right = { { c, 0, -s } };
-    mesh_finish(&scene->cracks);
-    assert_true(mesh_init(&scene->cracks, 4, 6));
+    mesh_finish(&scene->inclusions.cracks);
+    assert_true(mesh_init(&scene->inclusions.cracks, 4, 6));
     for (uint32_t i = 0; i < 4; i++) { /* no diagonal through the centre */
         const float x = i == 1 || i == 2 ? 0.7f : -0.4f;
         const float y = i >= 2 ? 0.4f : -0.6f;
-        scene->cracks.vertices[i].position = glms_vec3_scale(right, x);
-        scene->cracks.vertices[i].position.y = y;
-        scene->cracks.vertices[i].normal = (vec3s){ { s, 0, c } };
-        scene->cracks.vertices[i].color = glms_vec3_one();
+        scene->inclusions.cracks.vertices[i].position = glms_vec3_scale(right, x);
+        scene->inclusions.cracks.vertices[i].position.y = y;
+        scene->inclusions.cracks.vertices[i].normal = (vec3s){ { s, 0, c } };
+        scene->inclusions.cracks.vertices[i].color = glms_vec3_one();
     }
-    memcpy(scene->cracks.indices, corners, sizeof(corners));
+    memcpy(scene->inclusions.cracks.indices, corners, sizeof(corners));
 }
 
 enum {

@@ -24,7 +24,7 @@ struct sheet {
 static void add_sheets(struct scene *scene, const struct sheet *sheets, uint32_t count)
 {
     static const uint32_t corners[6] = { 0, 1, 2, 0, 2, 3 };
-    struct mesh *mesh = &scene->cracks;
+    struct mesh *mesh = &scene->inclusions.cracks;
     assert_true(mesh_init(mesh, 4 * count, 6 * count));
     for (uint32_t k = 0; k < count; k++) {
         const float c = (float)cos(sheets[k].turn * pi / 180);
@@ -143,8 +143,8 @@ static void even_light(void **state)
                                         "refract_bounce.min_throughput=0.1" };
     for (size_t way = 0; way < sizeof(ways) / sizeof(ways[0]); way++) {
         struct settings settings = picture_settings("cracks.refract=gap");
-        struct scene scene = { .background = SCENE_COLOR,
-                               .background_color = { { 0.25f, 0.25f, 0.25f } } };
+        struct scene scene = { .background.kind = SCENE_COLOR,
+                               .background.color = { { 0.25f, 0.25f, 0.25f } } };
         const struct scene_cracks cracks = { .count = 5, .seed = 4, .size = 1 };
         assert_int_equal(
             settings_assign(&settings, "refract_bounce.inclusions=all", SETTING_USER, NULL),

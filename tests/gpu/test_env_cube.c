@@ -86,7 +86,7 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
                                              .scene = scene,
                                              .purpose = TECHNIQUE_CAPTURE };
     const struct rg_technique *pass_groups[] = { NULL, &copy };
-    const struct environment *environment = &scene->environment;
+    const struct environment *environment = &scene->background.environment;
     const uint32_t side =
         environment->width > environment->height ? environment->width : environment->height;
     assert_int_equal(frame_list_init(list, &config), STATUS_OK);
@@ -153,7 +153,7 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
         { .image = uploaded_scene_image(&on_gpu, &frame_textures) },
     };
     const uint32_t background =
-        scene->background == SCENE_COLOR ? GLOBALS_COLOR : GLOBALS_ENVIRONMENT;
+        scene->background.kind == SCENE_COLOR ? GLOBALS_COLOR : GLOBALS_ENVIRONMENT;
     const VkSpecializationMapEntry entry = { CONSTANT_BACKGROUND, 0, sizeof(background) };
     struct rg_exec *exec = rg_exec_create(
         &(struct rg_exec_params){
@@ -171,7 +171,7 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
         },
         NULL);
     const struct globals globals = {
-        .background_color = scene->background_color,
+        .background_color = scene->background.color,
     };
     const struct rg_frame frame = make_frame(&on_gpu, center);
     uint32_t slot;
@@ -218,7 +218,7 @@ static void surroundings_are_where_they_are(void **state)
 {
     static const vec3s centers[] = { { { 0, 0, 0 } }, { { 3, -2, 50 } } };
     for (size_t i = 0; i < 2; i++) {
-        struct scene scene = { .background = SCENE_COLOR };
+        struct scene scene = { .background.kind = SCENE_COLOR };
         picture_add_directions(&scene, centers[i], 7);
         uint16_t *cube = capture(*state, &scene, centers[i]);
         check_directions(cube, 1e-3, 1e-3);
@@ -362,10 +362,11 @@ static void check_triangles(const uint16_t *cube, const struct mesh *mesh, vec3s
 static void no_face_shows_what_belongs_to_another(void **state)
 {
     for (uint32_t seed = 1; seed <= 3; seed++) {
-        struct scene scene = { .background = SCENE_COLOR, .background_color = { { 0, 0, 1 } } };
+        struct scene scene = { .background.kind = SCENE_COLOR,
+                               .background.color = { { 0, 0, 1 } } };
         add_triangles(&scene.model.surroundings, seed);
         uint16_t *cube = capture(*state, &scene, (vec3s){ { 0, 0, 0 } });
-        check_triangles(cube, &scene.model.surroundings, scene.background_color);
+        check_triangles(cube, &scene.model.surroundings, scene.background.color);
         free(cube);
         scene_finish(&scene);
     }

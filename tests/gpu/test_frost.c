@@ -119,8 +119,8 @@ static void frost_is_as_computed(void **state)
 static void white_stays_white(void **state)
 {
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 960);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 1, 1, 1 } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 1, 1, 1 } };
     bump_reference_make_constant(&scene, 0, 0, 0, 1);
     struct frost_picture p = draw(*state, &scene, "frost.amount=0.7", "frost.roughness=1");
     for (size_t i = 0; i < PIXEL_COUNT; i++)

@@ -42,8 +42,8 @@ static struct surface_picture draw(struct gpu *gpu, const char *const *assignmen
             .time = time,
         },
     };
-    p.scene.background = SCENE_COLOR;
-    p.scene.background_color = (vec3s){ { (float)gray, (float)gray, (float)gray } };
+    p.scene.background.kind = SCENE_COLOR;
+    p.scene.background.color = (vec3s){ { (float)gray, (float)gray, (float)gray } };
     if (bumps)
         bump_reference_make_constant(&p.scene, bumps->slope_u, bumps->slope_v, 0, 0);
     assert_int_equal(settings_assign(&p.settings, "highlight.shininess=300", SETTING_USER, NULL),

@@ -317,8 +317,8 @@ static void light_goes_through_objects_in_objects(void **state)
         assert_true(count > 300);
         assert_in_range(wrong, 0, count / 50);
         render_result_finish(&result);
-        scene.background = SCENE_COLOR;
-        scene.background_color = glms_vec3_one();
+        scene.background.kind = SCENE_COLOR;
+        scene.background.color = glms_vec3_one();
         request.layers = 0;
         result = picture_render(*state, &request);
         for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)

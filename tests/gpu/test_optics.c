@@ -402,8 +402,8 @@ static void walls_of_the_room(void **state)
         asked[i] = (struct optics_question){
             .e = glms_vec3_normalize(random_box(&random)),
             .point = glms_vec3_muladds(random_box(&random), 0.8F, center),
-            .low = scene.lookup_box.min,
-            .high = scene.lookup_box.max,
+            .low = scene.model.box.min,
+            .high = scene.model.box.max,
             .captured = center,
         };
     }
@@ -411,7 +411,7 @@ static void walls_of_the_room(void **state)
     for (size_t i = 0; i < COUNT; i++) {
         const struct vec dir = vec_from(asked[i].e);
         const struct vec end = meet(&scene.model.surroundings, vec_from(asked[i].point), dir);
-        if (!is_on_wall(scene.lookup_box, end))
+        if (!is_on_wall(scene.model.box, end))
             continue;
         const struct vec right = vec_add(end, -1, vec_from(center));
         worst = fmax(worst, vec_angle_deg(vec_from(got[i].local), right));

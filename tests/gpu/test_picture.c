@@ -233,7 +233,7 @@ static void up_is_up_and_right_is_right(void **state)
         { { -0.5F, 2, -5 } }, { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 1, 0 } }, MESH_UNLIT,
     };
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 20 } }, 20);
-    scene.background = SCENE_COLOR;
+    scene.background.kind = SCENE_COLOR;
     picture_add_quad(&scene, &right);
     picture_add_quad(&scene, &above);
     const struct picture_request request = {
@@ -333,7 +333,7 @@ static void edges_show_the_share_of_samples(void **state)
         { { -1.4F, 20, -5 } }, { { 40, 0, 0 } }, { { 3, -40, 0 } }, { { 1, 1, 1 } }, MESH_UNLIT,
     };
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 20 } }, 20);
-    scene.background = SCENE_COLOR;
+    scene.background.kind = SCENE_COLOR;
     picture_add_quad(&scene, &half_plane);
     const struct picture_request request = {
         .scene = &scene,

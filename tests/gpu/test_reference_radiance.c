@@ -127,8 +127,8 @@ static void one_color(void **state)
 {
     struct scene scene = picture_sphere_scene((vec3s){ { 1, 2, 3 } }, 960);
     const struct settings settings = picture_settings("sky.strength=0.5");
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 0.25F, 2, 0.75F } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 0.25F, 2, 0.75F } };
     check_scene(*state,
                 (struct picture_request){
                     .scene = &scene,

@@ -173,7 +173,7 @@ static void pane_moves_light_aside(void **state)
     } refraction_models[] = {
         { "wyman", 0.02 }, { "search", 2e-3 }, { "bounce", 2e-3 }, { "trace", 2e-4 }
     };
-    struct scene scene = { .background = SCENE_COLOR };
+    struct scene scene = { .background.kind = SCENE_COLOR };
     make_box(&scene.model.object, (vec3s){ { 1.2F, 1.2F, 0.15F } });
     scene.box = mesh_box(&scene.model.object);
     for (size_t r = 0; r < sizeof(refraction_models) / sizeof(refraction_models[0]); r++) {
@@ -284,7 +284,7 @@ struct mark {
 
 static void check_shape(struct gpu *gpu, void (*make)(struct mesh *mesh), const struct mark *marks)
 {
-    struct scene scene = { .background = SCENE_COLOR };
+    struct scene scene = { .background.kind = SCENE_COLOR };
     make(&scene.model.object);
     scene.box = mesh_box(&scene.model.object);
     struct trace_path *ways = calloc((size_t)SIDE * SIDE, sizeof(*ways));
@@ -358,7 +358,7 @@ static void white_furnace_is_white(void **state)
 {
     static const char *const exact[] = { "refract.fresnel=exact", "refract.dispersion=1", NULL };
     const struct settings settings = set_all(exact);
-    struct scene scene = { .background = SCENE_COLOR, .background_color = { { 1, 1, 1 } } };
+    struct scene scene = { .background.kind = SCENE_COLOR, .background.color = { { 1, 1, 1 } } };
     make_ice_cube(&scene.model.object);
     scene.box = mesh_box(&scene.model.object);
     const struct technique *refraction;
@@ -381,8 +381,8 @@ static void light_is_absorbed_along_the_way(void **state)
     };
     const struct settings settings = set_all(blue);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 4800);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 1, 1, 1 } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 1, 1, 1 } };
     const struct technique *refraction;
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
         if (refraction->refraction.traces_bvh)

@@ -293,8 +293,8 @@ static void second_exit_has_the_rest(void **state)
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
         assert_int_equal(settings_assign(&settings, all[i], SETTING_USER, NULL), STATUS_OK);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 1, 1, 1 } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 1, 1, 1 } };
     const struct picture_request request = {
         .scene = &scene,
         .settings = &settings,
@@ -349,8 +349,8 @@ static double ball_error(struct gpu *gpu, const char *lookup)
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
         assert_int_equal(settings_assign(&settings, all[i], SETTING_USER, NULL), STATUS_OK);
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 1, 1, 1 } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 1, 1, 1 } };
     picture_add_directions(&scene, center, 1);
     const struct picture_request request = {
         .scene = &scene,

@@ -28,8 +28,8 @@ static struct scene one_square(uint32_t material, vec3s color)
     struct picture_quad quad = square;
     quad.material = material;
     quad.color = color;
-    scene.background = SCENE_COLOR;
-    scene.background_color = (vec3s){ { 0, 0, 0.125F } };
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = (vec3s){ { 0, 0, 0.125F } };
     picture_add_quad(&scene, &quad);
     return scene;
 }
@@ -97,7 +97,7 @@ static void check_texels(struct gpu *gpu, uint32_t material, vec3s color, vec3s 
     check_color(&result, pixel_at(&request, 0.5, 0.5), (vec3s){ { 0, color.y, 0 } });
     check_color(&result, pixel_at(&request, -0.5, -0.5), (vec3s){ { 0, 0, color.z } });
     check_color(&result, pixel_at(&request, 0.5, -0.5), fourth);
-    check_color(&result, pixel_at(&request, 1.2, 0), scene.background_color);
+    check_color(&result, pixel_at(&request, 1.2, 0), scene.background.color);
     render_result_finish(&result);
     scene_finish(&scene);
 }
@@ -238,7 +238,7 @@ static void what_is_near_is_reflected(void **state)
         { { -50, -1.01F, -50 } }, { { 100, 0, 0 } }, { { 0, 0, 100 } }, { { 1, 0, 0 } }, MESH_UNLIT,
     };
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 960);
-    scene.background = SCENE_COLOR;
+    scene.background.kind = SCENE_COLOR;
     picture_add_quad(&scene, &floor);
     struct picture_request request = view_of(&scene);
     request.layers = PICTURE_ALL_LAYERS;

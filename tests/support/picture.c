@@ -211,8 +211,8 @@ void picture_add_directions(struct scene *scene, vec3s center, float radius)
 
 void picture_use_directions(struct scene *scene, uint32_t width)
 {
-    struct environment *e = &scene->environment;
-    scene->background = SCENE_ENVIRONMENT;
+    struct environment *e = &scene->background.environment;
+    scene->background.kind = SCENE_ENVIRONMENT;
     *e = (struct environment){ .width = width, .height = width / 2 };
     e->texels = malloc((size_t)e->width * e->height * 4 * sizeof(*e->texels));
     assert_non_null(e->texels);

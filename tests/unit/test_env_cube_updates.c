@@ -83,7 +83,7 @@ static void test_only_what_changes(void **state)
         assert_int_equal(draw(f), FRAME_CUBE_ALL);
         assert_int_equal(draw(f), 0);
     }
-    f->scene.background_color.y = 0.5f;
+    f->scene.background.color.y = 0.5f;
     assert_int_equal(draw(f), FRAME_CUBE_ALL);
     change(f, "env_cube.always=on");
     assert_int_equal(draw(f), FRAME_CUBE_ALL);

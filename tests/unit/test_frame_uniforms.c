@@ -278,7 +278,7 @@ static void test_bubbles_are_sorted(void **state)
     struct bubble all[3];
     for (int i = 0; i < 3; i++)
         all[i] = (struct bubble){ spheres[i].center, spheres[i].radius };
-    const struct scene scene = { .bubbles = { all, 3 } };
+    const struct scene scene = { .inclusions.bubbles = { all, 3 } };
     const struct frame_view view = { .scene = &scene };
     struct bubbles_drawn sorted[3];
     struct globals globals = { .world_from_object = glms_mat4_identity(),
@@ -333,7 +333,7 @@ static void test_environment_lod(void **state)
 {
     (void)state;
     const struct settings settings = settings_default();
-    struct scene scene = { .environment = { .width = 8192, .height = 4096 },
+    struct scene scene = { .background.environment = { .width = 8192, .height = 4096 },
                            .box = { { { -1, -1, -1 } }, { { 1, 1, 1 } } } };
     struct frame_view view = {
         .scene = &scene,
@@ -348,7 +348,7 @@ static void test_environment_lod(void **state)
     CHECK_NEAR(frame_view_face(&view, 0).environment_lod, log2(2.0 / 512 / texel), 1e-4);
     view.height = 8192; /* pixels are smaller than texels */
     CHECK_NEAR(frame_view_push(&view).environment_lod, 0, 0);
-    scene.environment.width = 0;
+    scene.background.environment.width = 0;
     view.height = 64;
     CHECK_NEAR(frame_view_push(&view).environment_lod, 0, 0);
 }

@@ -52,8 +52,8 @@ static void test_environment(void **state)
 
     uint16_t halves[WIDTH * HEIGHT * 4] = { 0 };
     const struct scene scene = {
-        .background = SCENE_ENVIRONMENT,
-        .environment = { halves, WIDTH, HEIGHT },
+        .background.kind = SCENE_ENVIRONMENT,
+        .background.environment = { halves, WIDTH, HEIGHT },
     };
     const struct globals globals = { .sky_strength = 1.0F };
     const struct radiance radiance = radiance_of(&scene, &globals);

@@ -25,8 +25,8 @@ enum {
 static struct scene sphere_scene(void)
 {
     struct scene scene = picture_sphere_scene(glms_vec3_zero(), 160000);
-    scene.background = SCENE_COLOR;
-    scene.background_color = glms_vec3_one();
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = glms_vec3_one();
     return scene;
 }
 
@@ -136,7 +136,7 @@ static void put_end(struct mesh *mesh, const struct vec *points, uint32_t count,
 /* Upright on a polygon, counter-clockwise seen from +Y. */
 static struct scene prism_scene(const struct vec *points, uint32_t count)
 {
-    struct scene scene = { .background = SCENE_COLOR };
+    struct scene scene = { .background.kind = SCENE_COLOR };
     struct mesh *mesh = &scene.model.object;
     assert_true(mesh_init(mesh, 6 * count, 6 * count + 6 * (count - 2)));
     for (uint32_t i = 0; i < count; i++)
@@ -232,7 +232,7 @@ static void test_dispersion(void **state)
     const double indices[3] = { 1.4875, 1.5, 1.5125 };
     struct scene scene = slab_scene(2);
     (void)state;
-    scene.background_color = glms_vec3_one();
+    scene.background.color = glms_vec3_one();
     const struct reference_ray seen =
         reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(1));
     const double got[3] = { seen.color.x, seen.color.y, seen.color.z };
@@ -321,7 +321,7 @@ static void test_tilted_front(void **state)
     const struct settings flat = SETTINGS("reference.normals=flat");
     struct scene scene = slab_scene(2);
     (void)state;
-    scene.background_color = glms_vec3_one();
+    scene.background.color = glms_vec3_one();
     tilt_wall(&scene, 0, 8);
     const double in = 80 * REFERENCE_RAY_PI / 180;
     const struct vec entry = { 5, 3, 0 }; /* on no edge */
@@ -343,7 +343,7 @@ static void test_tilted_front(void **state)
 static void check_furnace(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles,
                           struct settings settings, double most_left)
 {
-    struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    struct scene scene = { .background.kind = SCENE_COLOR, .background.color = glms_vec3_one() };
     assert_true(generate(&scene.model.object, triangles));
     scene.box = mesh_box(&scene.model.object);
     const struct reference_request request = {
@@ -395,7 +395,7 @@ static void test_roulette(void **state)
     const struct settings settings =
         SETTINGS("reference.russian_roulette=on", "reference.cutoff=0.05", "reference.bounces=6",
                  "refract.dispersion=2");
-    struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    struct scene scene = { .background.kind = SCENE_COLOR, .background.color = glms_vec3_one() };
     (void)state;
     assert_true(generate_ice_cube(&scene.model.object, 4800));
     scene.box = mesh_box(&scene.model.object);

@@ -81,13 +81,13 @@ static void test_depth_in_ring(void **state)
 static struct scene cloudy_ball(void)
 {
     struct scene scene = picture_sphere_scene(glms_vec3_zero(), 8000);
-    scene.scattering_media = ball_clouds;
+    scene.inclusions.media = ball_clouds;
     return scene;
 }
 
 static void finish(struct scene *scene)
 {
-    scene->scattering_media = (struct scattering_media){ 0 };
+    scene->inclusions.media = (struct scattering_media){ 0 };
     scene_finish(scene);
 }
 
@@ -227,7 +227,7 @@ static void test_light_behind(void **state)
     struct scene scene = cloudy_ball();
     struct mesh lamp;
     (void)state;
-    scene.background = SCENE_COLOR;
+    scene.background.kind = SCENE_COLOR;
     assert_true(mesh_init(&lamp, 3, 3));
     for (uint32_t i = 0; i < 3; i++) {
         lamp.vertices[i] = (struct mesh_vertex){
@@ -253,8 +253,8 @@ static void test_white_furnace(void **state)
     struct scene scene = cloudy_ball();
     struct render_result results[2];
     (void)state;
-    scene.background = SCENE_COLOR;
-    scene.background_color = glms_vec3_one();
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = glms_vec3_one();
     for (int i = 0; i < 2; i++) {
         const struct settings settings =
             SETTINGS(i ? "air.model=planes" : "air.model=medium", "air.density=12");
@@ -298,8 +298,8 @@ static void test_eye_inside(void **state)
         SETTINGS("air.model=medium", "air.density=1000", "refract.ior=1.0003");
     struct scene scene = cloudy_ball();
     (void)state;
-    scene.background = SCENE_COLOR;
-    scene.background_color = glms_vec3_one();
+    scene.background.kind = SCENE_COLOR;
+    scene.background.color = glms_vec3_one();
     struct reference_ray seen =
         reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 0 }, reference_ray_direction(0));
     CHECK_NEAR(seen.color.x + seen.remaining.x, 1, 1e-4);

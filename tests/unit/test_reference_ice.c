@@ -20,7 +20,7 @@ static const double ice = 1.3091;
 static struct scene block_scene(void)
 {
     static const uint32_t corners[2][6] = { { 0, 2, 1, 1, 2, 3 }, { 0, 1, 2, 1, 3, 2 } };
-    struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    struct scene scene = { .background.kind = SCENE_COLOR, .background.color = glms_vec3_one() };
     struct mesh *box = &scene.model.object;
     assert_true(mesh_init(box, 24, 36));
     for (uint32_t i = 0; i < 24; i++) {
@@ -40,7 +40,7 @@ static struct scene block_scene(void)
 
 static void add_shape(struct scene *scene, struct bubble bubble)
 {
-    struct bubbles *bubbles = &scene->bubbles;
+    struct bubbles *bubbles = &scene->inclusions.bubbles;
     bubbles->all = realloc(bubbles->all, (bubbles->count + 1) * sizeof(*bubbles->all));
     assert_non_null(bubbles->all);
     bubbles->all[bubbles->count++] = bubble;
@@ -222,7 +222,7 @@ static void test_crack(void **state)
     const struct settings settings = SETTINGS("cracks.bump=0", "cracks.gap=1000");
     struct scene scene = block_scene();
     (void)state;
-    add_sheet(&scene.cracks, -2);
+    add_sheet(&scene.inclusions.cracks, -2);
     for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
         const double in = table[i][0] * REFERENCE_RAY_PI / 180;
         for (int back = 0; back < 2; back++) {
@@ -251,8 +251,8 @@ static void test_crack_in_air(void **state)
     const struct settings settings = settings_default();
     struct scene scene = block_scene();
     (void)state;
-    add_sheet(&scene.cracks, 52);
-    add_sheet(&scene.cracks, -5);
+    add_sheet(&scene.inclusions.cracks, 52);
+    add_sheet(&scene.inclusions.cracks, -5);
     add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
     struct reference_ray seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 60 },
                                                     reference_ray_direction(0));
@@ -281,11 +281,11 @@ static void test_air(void **state)
     (void)state;
     for (int i = 0; i < 8; i++)
         texels[i] = i % 2 ? 51 : 102;
-    scene.air_layers = (struct air_layers){ texels, 2, 1 };
-    scene.background_color = (vec3s){ { 1, 0.5F, 2 } };
-    add_sheet(&scene.air, 52);
-    add_sheet(&scene.air, -1);
-    add_sheet(&scene.air, -2);
+    scene.inclusions.air_layers = (struct air_layers){ texels, 2, 1 };
+    scene.background.color = (vec3s){ { 1, 0.5F, 2 } };
+    add_sheet(&scene.inclusions.air, 52);
+    add_sheet(&scene.inclusions.air, -1);
+    add_sheet(&scene.inclusions.air, -2);
     struct reference_ray seen =
         reference_ray_trace(&scene, &settings, (struct vec){ 1, 2, 0 }, reference_ray_direction(0));
     const double cover = 1 - clear * clear;
@@ -298,7 +298,7 @@ static void test_air(void **state)
     seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 60 },
                                reference_ray_direction(0));
     CHECK_NEAR(seen.color.x, 0, 0);
-    scene.air_layers = (struct air_layers){ 0 };
+    scene.inclusions.air_layers = (struct air_layers){ 0 };
     scene_finish(&scene);
 }
 
@@ -311,11 +311,11 @@ static void test_met(void **state)
     (void)state;
     for (int i = 0; i < 8; i++)
         texels[i] = 255;
-    scene.air_layers = (struct air_layers){ texels, 2, 1 };
+    scene.inclusions.air_layers = (struct air_layers){ texels, 2, 1 };
     add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
     add_bubble(&scene, (vec3s){ { 30, 0, -5 } }, 1);
-    add_sheet(&scene.cracks, -10);
-    add_sheet(&scene.air, -20);
+    add_sheet(&scene.inclusions.cracks, -10);
+    add_sheet(&scene.inclusions.air, -20);
 
     static const struct {
         double x, z, inclusion_bits;
@@ -331,7 +331,7 @@ static void test_met(void **state)
                            .inclusion_bits,
                        table[i].inclusion_bits, 0);
     }
-    scene.air_layers = (struct air_layers){ 0 };
+    scene.inclusions.air_layers = (struct air_layers){ 0 };
     scene_finish(&scene);
 }
 
@@ -469,8 +469,8 @@ static void test_frost_is_roughness(void **state)
         material.thickness = 1;
         material.ior = 1.3F;
         material.roughness = i ? 0 : 0.5F;
-        scene.background = SCENE_COLOR;
-        scene.background_color = glms_vec3_one();
+        scene.background.kind = SCENE_COLOR;
+        scene.background.color = glms_vec3_one();
         scene.model.objects = &object;
         scene.model.materials = &material;
         scene.model.object_count = scene.model.material_count = 1;
@@ -511,14 +511,15 @@ static struct scene whole_scene(void)
     };
     const struct generate_air planes = { 5, 1, 0.02F, 12 };
     const struct bump_maps_params bumps = { 0.4F, 0 };
-    struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    struct scene scene = { .background.kind = SCENE_COLOR, .background.color = glms_vec3_one() };
     assert_true(generate_ice_cube(&scene.model.object, 1200));
     scene.box = mesh_box(&scene.model.object);
-    assert_true(generate_bubbles(&scene.bubbles, &scene.model.object, &bubbles));
+    assert_true(generate_bubbles(&scene.inclusions.bubbles, &scene.model.object, &bubbles));
     const struct generate_cracks params = { 3, 1, 1 };
-    assert_true(generate_cracks(&scene.cracks, scene.box, &params, &scene.files.crack_sheet));
-    assert_true(generate_air_planes(&scene.air, scene.box, &planes));
-    assert_true(generate_air_layers(&scene.air_layers, &planes));
+    assert_true(
+        generate_cracks(&scene.inclusions.cracks, scene.box, &params, &scene.files.crack_sheet));
+    assert_true(generate_air_planes(&scene.inclusions.air, scene.box, &planes));
+    assert_true(generate_air_layers(&scene.inclusions.air_layers, &planes));
     assert_true(bump_maps_init(&scene.bump, &bumps));
     return scene;
 }

@@ -82,7 +82,7 @@ static struct material with_priority(struct material material, int32_t priority)
 
 static struct scene white_scene(void)
 {
-    return (struct scene){ .background = SCENE_COLOR, .background_color = glms_vec3_one() };
+    return (struct scene){ .background.kind = SCENE_COLOR, .background.color = glms_vec3_one() };
 }
 
 static void rank(struct scene *scene)

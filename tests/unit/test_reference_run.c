@@ -188,8 +188,8 @@ static void test_error(void **state)
 
     struct fixture *f = *state;
     struct render_result results[SAMPLES];
-    f->scene.background = SCENE_COLOR;
-    f->scene.background_color = (vec3s){ { 0.2F, 0.6F, 3 } };
+    f->scene.background.kind = SCENE_COLOR;
+    f->scene.background.color = (vec3s){ { 0.2F, 0.6F, 3 } };
     assert_int_equal(settings_assign(&f->settings, "absorb.green=3", SETTING_USER, NULL),
                      STATUS_OK);
     double noise = 0;
@@ -290,8 +290,8 @@ static bool is_partial(float coverage)
 static void test_samples(void **state)
 {
     struct fixture *f = *state;
-    f->scene.background = SCENE_COLOR;
-    f->scene.background_color = glms_vec3_one();
+    f->scene.background.kind = SCENE_COLOR;
+    f->scene.background.color = glms_vec3_one();
     f->request.samples = 1;
     struct render_result one = trace(&f->request);
     f->request.samples = 16;

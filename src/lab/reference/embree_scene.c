@@ -182,7 +182,7 @@ static bool add_mesh(struct embree_scene *embree_scene, RTCDevice device, uint32
 /* Adds the bubbles to the Embree scene as user geometry. Returns false when out of memory. */
 static bool add_bubbles(struct embree_scene *embree_scene, RTCDevice device)
 {
-    const struct bubbles *bubbles = &embree_scene->radiance->scene->bubbles;
+    const struct bubbles *bubbles = &embree_scene->radiance->scene->inclusions.bubbles;
     if (!bubbles->count)
         return true;
     embree_scene->bubbles = malloc(bubbles->count * sizeof(*embree_scene->bubbles));
@@ -239,8 +239,8 @@ enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice devic
         .is_textured = has_textured_object(&radiance->scene->model),
         .meshes[EMBREE_SCENE_OBJECT].mesh = &radiance->scene->model.object,
         .meshes[EMBREE_SCENE_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
-        .meshes[EMBREE_SCENE_CRACKS].mesh = &radiance->scene->cracks,
-        .meshes[EMBREE_SCENE_AIR].mesh = &radiance->scene->air,
+        .meshes[EMBREE_SCENE_CRACKS].mesh = &radiance->scene->inclusions.cracks,
+        .meshes[EMBREE_SCENE_AIR].mesh = &radiance->scene->inclusions.air,
     };
     enum status status = check_size(embree_scene, memory);
     if (status != STATUS_OK)

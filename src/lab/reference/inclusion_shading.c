@@ -16,9 +16,9 @@
 static vec3s air_radiance(const struct radiance *radiance)
 {
     const struct globals *g = radiance->globals;
-    if (radiance->scene->background == SCENE_COLOR)
+    if (radiance->scene->background.kind == SCENE_COLOR)
         return g->background_color;
-    if (radiance->scene->background == SCENE_ENVIRONMENT)
+    if (radiance->scene->background.kind == SCENE_ENVIRONMENT)
         return radiance_mean(radiance);
     const vec3s away = glms_vec3_negate(g->sun_dir);
     const vec3s light = glms_vec3_add(sky_reflected(g->sun_dir, g->sun_dir, g->sun_strength),
@@ -49,7 +49,8 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
         .air = air_is_medium(settings)
                    ? (struct air_push){ 0 }
                    : (struct air_push){ air_params->strength, air_params->haze },
-        .air_light = radiance->scene->air.index_count ? air_radiance(radiance) : glms_vec3_zero(),
+        .air_light =
+            radiance->scene->inclusions.air.index_count ? air_radiance(radiance) : glms_vec3_zero(),
     };
 }
 
@@ -82,7 +83,7 @@ static vec2s fetch_air(const struct air_layers *layers, uint32_t layer, uint32_t
 float inclusions_air_cover(const struct inclusions *inclusions, const struct mesh_vertex *surface,
                            vec3s dir)
 {
-    const struct air_layers *layers = &inclusions->radiance->scene->air_layers;
+    const struct air_layers *layers = &inclusions->radiance->scene->inclusions.air_layers;
     const uint32_t layer = (surface->material & MESH_TEXTURE_MASK) - 1;
     if (layer >= layers->count)
         return 0.0f;

@@ -346,11 +346,11 @@ static struct tracer tracing_of(const struct job *job)
         .pool_scene = job->reference->request.scene->has_pool ? &job->pool_scene : NULL,
         .earlier = &job->earlier,
         .has_layers = job->reference->request.layers != 0,
-        .guide = image_based_lighting_dominant_cone(&job->radiance.scene->environment,
-                                                    job->radiance.scene->prefiltered_environment),
+        .guide = image_based_lighting_dominant_cone(&job->radiance.scene->background.environment,
+                                                    job->radiance.scene->background.prefiltered),
         .params = *params,
     };
-    for (uint32_t i = 0; i < job->radiance.scene->scattering_media.count; i++) {
+    for (uint32_t i = 0; i < job->radiance.scene->inclusions.media.count; i++) {
         const struct volume_scattering volume_scattering =
             volume_scattering_of(&job->radiance, job->reference->request.settings, i);
         if (volume_scattering.majorant > 0.0f)

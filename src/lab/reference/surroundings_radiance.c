@@ -57,14 +57,14 @@ static vec4s fetch_number(const struct radiance *radiance, uint32_t layer, uint3
 static vec4s fetch_light(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
 {
     const size_t row = (size_t)layer * LIT_HEIGHT + y;
-    const uint16_t *texel = &radiance->scene->prefiltered_environment[(row * LIT_WIDTH + x) * 4];
+    const uint16_t *texel = &radiance->scene->background.prefiltered[(row * LIT_WIDTH + x) * 4];
     return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]),
                       1.0f } };
 }
 
 static vec4s fetch_split(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
 {
-    const uint16_t *texel = &radiance->scene->brdf_table[((size_t)y * LIT_SPLIT_SIDE + x) * 2];
+    const uint16_t *texel = &radiance->scene->tables.brdf[((size_t)y * LIT_SPLIT_SIDE + x) * 2];
     (void)layer;
     return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), 0.0f, 0.0f } };
 }
@@ -72,7 +72,7 @@ static vec4s fetch_split(const struct radiance *radiance, uint32_t layer, uint32
 static vec4s fetch_environment(const struct radiance *radiance, uint32_t layer, uint32_t x,
                                uint32_t y)
 {
-    const struct environment *environment = &radiance->scene->environment;
+    const struct environment *environment = &radiance->scene->background.environment;
     const uint16_t *texel = &environment->texels[((size_t)y * environment->width + x) * 4];
     (void)layer;
     return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]),
@@ -97,7 +97,7 @@ static vec3s scaled(const struct globals *globals, vec3s light)
 /* Returns the radiance of the environment map in a direction. */
 static vec3s environment_radiance(const struct radiance *radiance, vec3s dir)
 {
-    const struct environment *environment = &radiance->scene->environment;
+    const struct environment *environment = &radiance->scene->background.environment;
     const vec2s uv = surroundings_equirect_uv(dir, environment->turn);
     return glms_vec3(bilinear(radiance, fetch_environment, 0,
                               linear_filter_at(uv.x, environment->width, true),
@@ -107,9 +107,9 @@ static vec3s environment_radiance(const struct radiance *radiance, vec3s dir)
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
 {
     const struct globals *g = radiance->globals;
-    if (radiance->scene->background == SCENE_COLOR)
+    if (radiance->scene->background.kind == SCENE_COLOR)
         return g->background_color;
-    if (radiance->scene->background == SCENE_SKY)
+    if (radiance->scene->background.kind == SCENE_SKY)
         return scaled(g, sky_radiance_with_sun(dir, g->sun_dir, g->sun_strength));
     const vec3s light = environment_radiance(radiance, dir);
     if (!(g->sun_radius > 0.0f))
@@ -119,7 +119,7 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
 
 vec3s radiance_mean(const struct radiance *radiance)
 {
-    const struct environment *environment = &radiance->scene->environment;
+    const struct environment *environment = &radiance->scene->background.environment;
     double sum[3] = { 0 };
     double weights = 0.0;
     for (uint32_t y = 0; y < environment->height; y++) {
@@ -253,16 +253,16 @@ struct object_material radiance_material_at(const struct radiance *radiance,
 
 static vec3s environment_light(const struct radiance *radiance, uint32_t layer, vec3s dir)
 {
-    const vec2s uv = surroundings_equirect_uv(dir, radiance->scene->environment.turn);
+    const vec2s uv = surroundings_equirect_uv(dir, radiance->scene->background.environment.turn);
     return glms_vec3(bilinear(radiance, fetch_light, layer, linear_filter_at(uv.x, LIT_WIDTH, true),
                               linear_filter_at(uv.y, LIT_HEIGHT, false)));
 }
 
 static vec3s diffuse_irradiance(const struct radiance *radiance, vec3s n)
 {
-    if (radiance->scene->background == SCENE_COLOR)
+    if (radiance->scene->background.kind == SCENE_COLOR)
         return radiance->globals->background_color;
-    if (radiance->scene->prefiltered_environment)
+    if (radiance->scene->background.prefiltered)
         return environment_light(radiance, LIT_DIFFUSE_LAYER, n);
     return scaled(radiance->globals, sky_diffuse(n));
 }
@@ -270,9 +270,9 @@ static vec3s diffuse_irradiance(const struct radiance *radiance, vec3s n)
 static vec3s prefiltered_radiance(const struct radiance *radiance, vec3s dir, float roughness)
 {
     const struct globals *g = radiance->globals;
-    if (radiance->scene->background == SCENE_COLOR)
+    if (radiance->scene->background.kind == SCENE_COLOR)
         return g->background_color;
-    if (radiance->scene->background == SCENE_SKY)
+    if (radiance->scene->background.kind == SCENE_SKY)
         return scaled(g, sky_glossy(dir, roughness, g->sun_dir, g->sun_strength));
     const float layer = roughness * LIT_ROUGH_LAYERS;
     const uint32_t first = (uint32_t)fminf(layer, LIT_ROUGH_LAYERS - 1);
@@ -322,8 +322,8 @@ static vec3s shade_lights(const struct radiance *radiance, const struct lit_surf
 {
     const struct scene *scene = radiance->scene;
     vec3s sum = glms_vec3_zero();
-    for (uint32_t i = 0; scene->punctual_light_table && i < scene->model.light_count; i++) {
-        const vec4s *row = &scene->punctual_light_table[(size_t)i * LIT_LIGHT_WIDTH];
+    for (uint32_t i = 0; scene->tables.punctual_lights && i < scene->model.light_count; i++) {
+        const vec4s *row = &scene->tables.punctual_lights[(size_t)i * LIT_LIGHT_WIDTH];
         const vec3s axis = glms_vec3(row[LIT_LIGHT_DIRECTION]);
         const vec4s cone = row[LIT_LIGHT_CONE];
         const vec3s to_light = row[LIT_LIGHT_POSITION].w > 0.0f
@@ -443,7 +443,7 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
 
 vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir)
 {
-    if (radiance->scene->background == SCENE_ENVIRONMENT)
+    if (radiance->scene->background.kind == SCENE_ENVIRONMENT)
         return environment_radiance(radiance, dir);
     return prefiltered_radiance(radiance, dir, 0.0f);
 }

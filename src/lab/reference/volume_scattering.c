@@ -14,7 +14,7 @@ struct volume_scattering volume_scattering_of(const struct radiance *radiance,
                                               const struct settings *settings, uint32_t index)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
-    const struct scattering_media *fields = &radiance->scene->scattering_media;
+    const struct scattering_media *fields = &radiance->scene->inclusions.media;
     return (struct volume_scattering){
         .fields = fields,
         .index = index,

@@ -297,7 +297,7 @@ struct reference_ray_values whitted_trace(const struct tracer *tracing,
     if (is_hit && tracing->has_layers) {
         primary_hit_layers_fill(&primary, ray, forward, hit, &values);
     }
-    if (!is_hit && tracing->radiance->scene->is_hidden) {
+    if (!is_hit && tracing->radiance->scene->background.is_hidden) {
         values.alpha = 0.0f;
         return values;
     }

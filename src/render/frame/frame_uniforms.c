@@ -27,9 +27,11 @@ static float radians(float degrees)
 /* Returns the mip level of the environment map whose texels subtend an angle of `pixel` radians. */
 static float environment_lod(const struct scene *scene, float pixel)
 {
-    float texel = 6.2831853f / (float)(scene->environment.width ? scene->environment.width : 1);
+    float texel =
+        6.2831853f /
+        (float)(scene->background.environment.width ? scene->background.environment.width : 1);
     float lod = log2f(pixel / texel);
-    return scene->environment.width && lod > 0.0f ? lod : 0.0f;
+    return scene->background.environment.width && lod > 0.0f ? lod : 0.0f;
 }
 
 struct surroundings_push frame_view_push(const struct frame_view *view)
@@ -230,10 +232,11 @@ vec3s frame_sun_light(const struct scene *scene, const struct settings *settings
 {
     const struct sky_params *sky = settings_of(settings, &sky_settings);
     const struct env_params *env = settings_of(settings, &env_settings);
-    const vec3s own = env->sun == ENV_SUN_CUSTOM ? glms_vec3_one() : scene->environment.sun.light;
-    if (scene->background == SCENE_SKY || scene->has_pool)
+    const vec3s own =
+        env->sun == ENV_SUN_CUSTOM ? glms_vec3_one() : scene->background.environment.sun.light;
+    if (scene->background.kind == SCENE_SKY || scene->has_pool)
         return glms_vec3_scale(SKY_SUN_COLOR, sky->strength * sky->sun_strength);
-    if (scene->background != SCENE_ENVIRONMENT || env->sun == ENV_SUN_NONE)
+    if (scene->background.kind != SCENE_ENVIRONMENT || env->sun == ENV_SUN_NONE)
         return glms_vec3_zero();
     return glms_vec3_scale(own, env->sun_strength);
 }
@@ -242,7 +245,7 @@ vec3s frame_sun_light(const struct scene *scene, const struct settings *settings
 static void set_environment_sun(const struct frame_view *view, float radius, struct globals *g)
 {
     const struct env_params *params = settings_of(view->settings, &env_settings);
-    const struct environment *environment = &view->scene->environment;
+    const struct environment *environment = &view->scene->background.environment;
     const bool is_own = params->sun == ENV_SUN_CUSTOM;
     g->sun_spread = 0.5f * radius;
     if (params->sun == ENV_SUN_NONE || !(is_own || glms_vec3_max(environment->sun.light) > 0.0f))
@@ -260,7 +263,7 @@ static void set_sun(const struct frame_view *view, struct globals *g)
     g->sun_radius = 0.0f;
     g->sun_spread = LIT_SUN_SPREAD;
     g->sun_light = frame_sun_light(view->scene, view->settings);
-    if (view->scene->background == SCENE_ENVIRONMENT && !view->scene->has_pool)
+    if (view->scene->background.kind == SCENE_ENVIRONMENT && !view->scene->has_pool)
         set_environment_sun(view, radius, g);
 }
 
@@ -326,7 +329,7 @@ struct globals frame_view_globals(const struct frame_view *view,
         .clip_from_world = push->clip_from_world,
         .eye = view->camera.eye,
         .forward = camera_basis(&view->camera).forward,
-        .background_color = view->scene->background_color,
+        .background_color = view->scene->background.color,
         .sky_strength = sky->strength,
         .sun_dir = environment_direction(sky->sun_azimuth, sky->sun_elevation),
         .sun_strength = sky->sun_strength,
@@ -373,18 +376,18 @@ struct frame_constants frame_view_constants(const struct scene *scene,
                                              .settings = settings,
                                              .refraction = refraction };
     struct frame_constants constants = { {
-        [CONSTANT_BACKGROUND] = backgrounds[scene->background],
+        [CONSTANT_BACKGROUND] = backgrounds[scene->background.kind],
         [CONSTANT_TEXTURED] = textured(&scene->model),
         [CONSTANT_LIT] =
             material_table_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
         [CONSTANT_REFRACT_COLORS] = frame_media_disperse(scene, settings) ? 3 : 1,
-        [CONSTANT_HIDDEN] = scene->is_hidden,
-        [CONSTANT_SCENE_LIGHTS] = scene->punctual_light_table ? scene->model.light_count : 0,
+        [CONSTANT_HIDDEN] = scene->background.is_hidden,
+        [CONSTANT_SCENE_LIGHTS] = scene->tables.punctual_lights ? scene->model.light_count : 0,
     } };
-    memcpy(&constants.values[CONSTANT_ENVIRONMENT], &scene->environment.turn,
-           sizeof(scene->environment.turn));
+    memcpy(&constants.values[CONSTANT_ENVIRONMENT], &scene->background.environment.turn,
+           sizeof(scene->background.environment.turn));
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_constants)
             (*technique)->write_constants(&config, constants.values);

@@ -310,7 +310,7 @@ void frame_list_finish(struct frame_list *list)
 bool frame_draws_cube(const struct settings *settings, const struct scene *scene)
 {
     const struct env_cube_params *cube = settings_of(settings, &env_cube_settings);
-    return cube->dynamic && !scene->cube.texels;
+    return cube->dynamic && !scene->background.cube.texels;
 }
 
 struct settings frame_settings(const struct settings *settings, const struct scene *scene)

@@ -111,7 +111,7 @@ struct model {
     uint32_t animation;   /* index + 1; 0 at rest */
     struct camera camera; /* first perspective camera; valid if has_camera */
     float ior;            /* object's KHR_materials_ior; valid if has_ior */
-    struct box box;       /* environment lookup box; valid if has_box */
+    struct box box;       /* box of refract.lookup=box; scene_load() sets it if !has_box */
     bool has_camera;
     bool has_box;
     bool has_ior;

@@ -249,12 +249,12 @@ bool air_is_medium(const struct settings *settings)
 
 static const struct mesh *find_planes(const struct scene *scene)
 {
-    return &scene->air;
+    return &scene->inclusions.air;
 }
 
 static struct technique_texels find_layers(const struct scene *scene)
 {
-    const struct air_layers *found = &scene->air_layers;
+    const struct air_layers *found = &scene->inclusions.air_layers;
     return (struct technique_texels){
         .texels = found->texels,
         .width = found->size,
@@ -268,7 +268,7 @@ static const uint8_t clear[2] = { 0 };
 
 static struct technique_texels find_density_fields(const struct scene *scene)
 {
-    const struct scattering_media *found = &scene->scattering_media;
+    const struct scattering_media *found = &scene->inclusions.media;
     if (!found->count)
         return (struct technique_texels){ 0 };
     return (struct technique_texels){

@@ -127,8 +127,8 @@ static const struct rg_target refracted_targets[] = {
 
 static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    if (frame->scene->bubbles.count)
-        rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
+    if (frame->scene->inclusions.bubbles.count)
+        rg_cmd_draw(cmd, 6 * frame->scene->inclusions.bubbles.count);
 }
 
 /* Fragment shaders for bubbles along refracted rays. First index: path of light to a bubble
@@ -281,7 +281,7 @@ static int compare_far(const void *a, const void *b)
  * one with the larger power lies beyond the plane that separates them (radical plane). */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
-    const struct bubbles *all = &view->scene->bubbles;
+    const struct bubbles *all = &view->scene->inclusions.bubbles;
     struct bubbles_drawn *sorted = memory;
     struct far_bubble order[BUBBLES_COUNT_MAX];
     for (uint32_t i = 0; i < all->count; i++) {

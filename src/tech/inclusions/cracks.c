@@ -367,7 +367,7 @@ static struct rg_technique make_composite(const struct technique_config *config,
 
 static const struct mesh *find_sheets(const struct scene *scene)
 {
-    return &scene->cracks;
+    return &scene->inclusions.cracks;
 }
 
 static const struct frame_layer layers[] = {

@@ -8,7 +8,7 @@ struct medium_field medium_field_at(const struct scene *scene, const struct sett
                                     uint32_t index)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
-    const struct scattering_medium *field = &scene->scattering_media.all[index];
+    const struct scattering_medium *field = &scene->inclusions.media.all[index];
     const vec3s sides = glms_vec3_sub(field->box.max, field->box.min);
     const vec3s texels = { { MEDIUM_SIZE, MEDIUM_SIZE, MEDIUM_SIZE } };
     const float own = field->density * params->scattering_media;
@@ -28,8 +28,8 @@ struct medium_field medium_field_at(const struct scene *scene, const struct sett
 struct medium_field medium_field_of(const struct scene *scene, const struct settings *settings,
                                     uint32_t object)
 {
-    for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
-        if (scene->scattering_media.all[i].object == object)
+    for (uint32_t i = 0; i < scene->inclusions.media.count; i++) {
+        if (scene->inclusions.media.all[i].object == object)
             return medium_field_at(scene, settings, i);
     }
     return (struct medium_field){ .extinction = 0.0f };
@@ -37,7 +37,7 @@ struct medium_field medium_field_of(const struct scene *scene, const struct sett
 
 bool medium_field_exists(const struct scene *scene, const struct settings *settings)
 {
-    for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
+    for (uint32_t i = 0; i < scene->inclusions.media.count; i++) {
         if (medium_field_at(scene, settings, i).extinction > 0.0f)
             return true;
     }

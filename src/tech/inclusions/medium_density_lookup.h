@@ -6,7 +6,7 @@
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 
-/* Returns the transform and extinction of field `index` of scene->scattering_media. */
+/* Returns the transform and extinction of field `index` of scene->inclusions.media. */
 struct medium_field medium_field_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 

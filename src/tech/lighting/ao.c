@@ -243,7 +243,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
 {
     (void)builder;
-    if (!is_on(config->settings) || !config->scene->material_table)
+    if (!is_on(config->settings) || !config->scene->tables.materials)
         return (struct rg_technique){ 0 };
     return (struct rg_technique)RG_TECHNIQUE("ao", passes);
 }

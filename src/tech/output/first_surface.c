@@ -138,6 +138,12 @@ static const struct technique_upload uploads[] = {
     { 0 },
 };
 
+uint32_t first_surface_rows(const struct model *model)
+{
+    const size_t count = (size_t)model->object.vertex_count + model->surroundings.vertex_count;
+    return (uint32_t)(count / FIRST_SURFACE_WIDTH + 1);
+}
+
 static struct technique_texels find_positions(const struct scene *scene)
 {
     if (!scene->previous_positions)
@@ -145,7 +151,7 @@ static struct technique_texels find_positions(const struct scene *scene)
     return (struct technique_texels){
         .texels = scene->previous_positions,
         .width = FIRST_SURFACE_WIDTH,
-        .height = scene->previous_position_rows,
+        .height = first_surface_rows(&scene->model),
         .no_mips = true,
     };
 }

@@ -7,6 +7,9 @@
 
 extern const struct rg_image first_surface_object; /* the layer `object` */
 
+/* Returns the number of rows of FIRST_SURFACE_WIDTH texels for the vertices of a model. */
+uint32_t first_surface_rows(const struct model *model);
+
 /* Writes a struct first_surface_previous, the transformations of the previous frame. */
 void first_surface_write(void *memory, const struct frame_view *view,
                          const struct globals *globals);

@@ -27,7 +27,7 @@ struct box env_box_of(const struct scene *scene, const struct settings *settings
     const float all = fabsf(box->min_x) + fabsf(box->max_x) + fabsf(box->min_y) +
                       fabsf(box->max_y) + fabsf(box->min_z) + fabsf(box->max_z);
     if (!(all > 0.0f))
-        return scene->lookup_box;
+        return scene->model.box;
     return (struct box){
         .min = { { box->min_x, box->min_y, box->min_z } },
         .max = { { box->max_x, box->max_y, box->max_z } },

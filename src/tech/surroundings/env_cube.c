@@ -65,7 +65,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
         .record_sky = record_sky,
         .when = is_baked ? NULL : is_due,
     };
-    if (is_image && (!params->dynamic || config->scene->cube.texels))
+    if (is_image && (!params->dynamic || config->scene->background.cube.texels))
         return (struct rg_technique){ 0 };
     return surroundings_make(builder, &pass_params);
 }
@@ -73,9 +73,9 @@ static struct rg_technique make_passes(const struct technique_config *config,
 static struct technique_texels find_cube(const struct scene *scene)
 {
     return (struct technique_texels){
-        .texels = scene->cube.texels,
-        .width = scene->cube.width,
-        .height = scene->cube.width,
+        .texels = scene->background.cube.texels,
+        .width = scene->background.cube.width,
+        .height = scene->background.cube.width,
         .layers = 6,
         .no_mips = true,
     };

@@ -290,8 +290,9 @@ bool ssr_is_drawn(const struct technique_config *config)
 {
     const struct ground_params *ground = settings_of(config->settings, &ground_settings);
     return is_on(config->settings) && ground->shading == GROUND_PIXELS &&
-           config->scene->material_table && material_table_has_reflective(&config->scene->model) &&
-           !config->scene->has_pool && config->purpose == TECHNIQUE_IMAGE && config->refraction &&
+           config->scene->tables.materials &&
+           material_table_has_reflective(&config->scene->model) && !config->scene->has_pool &&
+           config->purpose == TECHNIQUE_IMAGE && config->refraction &&
            !config->refraction->refraction.traces_bvh;
 }
 

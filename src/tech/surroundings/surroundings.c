@@ -116,7 +116,7 @@ static void light_vertices(struct rg_pass *pass, struct pass_arena *builder,
     struct rg_use *uses = pass_arena_copy_uses(builder, pass->uses);
     for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
         u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    pass->vert = vertices_verts[params->scene->vertex_extra_table != NULL][params->caustics];
+    pass->vert = vertices_verts[params->scene->tables.vertex_extras != NULL][params->caustics];
     pass->frag = vertices_frags[params->caustics];
     pass->uses = uses;
 }
@@ -127,8 +127,8 @@ struct rg_technique surroundings_make(struct pass_arena *builder,
     /* Colour needs no clear, because the sky covers all pixels without surroundings. */
     const enum rg_load color_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
-    const bool has_materials = params->scene->material_table;
-    const bool has_extras = has_materials && params->scene->vertex_extra_table;
+    const bool has_materials = params->scene->tables.materials;
+    const bool has_extras = has_materials && params->scene->tables.vertex_extras;
     const struct rg_use *const textures =
         params->repeat == RG_PER_LAYER || params->per_vertex ? cube_texture_uses : texture_uses;
     const struct rg_use *const uses[] = {
@@ -204,7 +204,7 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
 
 static struct technique_texels find_environment(const struct scene *scene)
 {
-    const struct environment *environment = &scene->environment;
+    const struct environment *environment = &scene->background.environment;
     return (struct technique_texels){
         .texels = environment->texels,
         .width = environment->width,
@@ -232,65 +232,39 @@ static struct technique_texels find_numbers(const struct scene *scene)
     return layers_of(&scene->model.numbers);
 }
 
+static struct technique_texels table_of(const void *texels, uint32_t width, uint32_t height,
+                                        uint32_t layers)
+{
+    if (!texels)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){ texels, width, height, layers, .no_mips = true };
+}
+
 static struct technique_texels find_materials(const struct scene *scene)
 {
-    if (!scene->material_table)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = scene->material_table,
-        .width = MATERIAL_ROW_WIDTH,
-        .height = scene->model.material_count + 1,
-        .no_mips = true,
-    };
+    return table_of(scene->tables.materials, MATERIAL_ROW_WIDTH, scene->model.material_count + 1,
+                    0);
 }
 
 static struct technique_texels find_extras(const struct scene *scene)
 {
-    if (!scene->vertex_extra_table)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = scene->vertex_extra_table,
-        .width = MESH_EXTRA_WIDTH,
-        .height = mesh_extra_row_count(scene->model.surroundings.vertex_count),
-        .no_mips = true,
-    };
+    return table_of(scene->tables.vertex_extras, MESH_EXTRA_WIDTH,
+                    mesh_extra_row_count(scene->model.surroundings.vertex_count), 0);
 }
 
 static struct technique_texels find_lights(const struct scene *scene)
 {
-    if (!scene->punctual_light_table)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = scene->punctual_light_table,
-        .width = LIT_LIGHT_WIDTH,
-        .height = scene->model.light_count,
-        .no_mips = true,
-    };
+    return table_of(scene->tables.punctual_lights, LIT_LIGHT_WIDTH, scene->model.light_count, 0);
 }
 
 static struct technique_texels find_surface_light(const struct scene *scene)
 {
-    if (!scene->prefiltered_environment)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = scene->prefiltered_environment,
-        .width = LIT_WIDTH,
-        .height = LIT_HEIGHT,
-        .layers = LIT_LAYERS,
-        .no_mips = true,
-    };
+    return table_of(scene->background.prefiltered, LIT_WIDTH, LIT_HEIGHT, LIT_LAYERS);
 }
 
 static struct technique_texels find_surface_split(const struct scene *scene)
 {
-    if (!scene->brdf_table)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = scene->brdf_table,
-        .width = LIT_SPLIT_SIDE,
-        .height = LIT_SPLIT_SIDE,
-        .no_mips = true,
-    };
+    return table_of(scene->tables.brdf, LIT_SPLIT_SIDE, LIT_SPLIT_SIDE, 0);
 }
 
 static const uint16_t black[4] = { 0 };

@@ -132,8 +132,8 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
 static void fill_media(struct trace_frame *trace, const struct frame_view *view)
 {
     const struct scene *scene = view->scene;
-    for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
-        const uint32_t object = scene->scattering_media.all[i].object;
+    for (uint32_t i = 0; i < scene->inclusions.media.count; i++) {
+        const uint32_t object = scene->inclusions.media.all[i].object;
         const struct frame_medium medium = frame_medium_at(scene, view->settings, object);
         const size_t at = (size_t)bvh_medium(scene->bvh, medium.rank) * TRACE_MEDIUM;
         trace->scattering_media[i] = medium_field_at(scene, view->settings, i);
@@ -178,8 +178,8 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
                                                                    : bvh->surroundings_are_apart,
     };
     if (trace_has_diffuse_light(view->scene, view->settings))
-        trace->guide = image_based_lighting_dominant_cone(&view->scene->environment,
-                                                          view->scene->prefiltered_environment);
+        trace->guide = image_based_lighting_dominant_cone(&view->scene->background.environment,
+                                                          view->scene->background.prefiltered);
     for (uint32_t i = 0; i < BVH_COUNT; i++) {
         trace->roots[i] = bvh->roots[i];
         trace->bvh_mask |= bvh->roots[i] != BVH_NONE ? 1u << i : 0u;
@@ -192,7 +192,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
     const mat4s object_from_world = glms_mat4_inv(globals->world_from_object);
     const vec3s eye = glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f);
     const struct bvh_interior_list inside = bvh_interior_list_at(bvh, eye);
-    trace->is_in_bubble = is_in_bubble(&view->scene->bubbles, eye);
+    trace->is_in_bubble = is_in_bubble(&view->scene->inclusions.bubbles, eye);
     memcpy(trace->inside, inside.words, sizeof(trace->inside));
 }
 

@@ -116,9 +116,11 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
     const struct model *model = &scene->model;
     const uint32_t count = object_count(scene);
     uint32_t bits = objects_constant(scene, settings);
-    bits |= scene->bubbles.count || scene->cracks.index_count ? TRACE_HAS_INCLUSIONS : 0;
-    for (uint32_t i = 0; i < scene->bubbles.count; i++)
-        bits |= bubble_is_sphere(&scene->bubbles.all[i]) ? 0 : TRACE_HAS_SHAPES;
+    bits |= scene->inclusions.bubbles.count || scene->inclusions.cracks.index_count
+                ? TRACE_HAS_INCLUSIONS
+                : 0;
+    for (uint32_t i = 0; i < scene->inclusions.bubbles.count; i++)
+        bits |= bubble_is_sphere(&scene->inclusions.bubbles.all[i]) ? 0 : TRACE_HAS_SHAPES;
     if (count == 1 && scene->bvh && scene->bvh->is_closed && !(bits & TRACE_HAS_MEDIA))
         bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
     for (uint32_t i = 0; i < model->material_count; i++) {
@@ -129,7 +131,7 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
     bits |= trace_has_diffuse_light(scene, settings) ? TRACE_HAS_DIFFUSE_LIGHT : 0;
     bits |= medium_field_exists(scene, settings) ? TRACE_HAS_SCATTERING : 0;
     bits |= scene->bvh && scene->bvh->is_stored ? TRACE_HAS_STORAGE_BUFFERS : 0;
-    bits |= scene->material_table ? TRACE_HAS_MATERIALS : 0;
+    bits |= scene->tables.materials ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     bits |= trace_has_motion(settings) ? TRACE_HAS_MOTION : 0;
     const struct trace_params *params = settings_of(settings, &trace_settings);

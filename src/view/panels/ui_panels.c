@@ -39,7 +39,7 @@ static void environment_buttons(const struct ui_view *view, struct ui_request *r
 {
     const char *names[ENVIRONMENT_MAX];
     const char *now = view->viewport->state.scene.environment;
-    const bool is_sky = view->viewport->scene.background == SCENE_SKY;
+    const bool is_sky = view->viewport->scene.background.kind == SCENE_SKY;
     uint32_t count = 0;
     uint32_t chosen = is_sky ? 0 : UINT32_MAX;
     for (; count < ENVIRONMENT_MAX && ui_environment(count); count++) {

@@ -150,7 +150,7 @@ static const char *material_of(const struct viewport *p, uint32_t object)
     const struct model *model = &p->scene.model;
     const struct refract_params *refract = settings_of(&p->state.scene.settings, &refract_settings);
     const uint32_t count = model->object_count ? model->object_count : 1;
-    if (object > count || (count > 1 && p->scene.material_table))
+    if (object > count || (count > 1 && p->scene.tables.materials))
         return NULL; /* several objects may have different materials */
     for (const struct material_preset *m = material_presets; m->name; m++) {
         if (!(m->ior < refract->ior || m->ior > refract->ior))

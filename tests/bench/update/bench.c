@@ -12,6 +12,7 @@
 #include "src/base/clock.h"
 #include "src/gpu/gpu.h"
 #include "src/render/frame/frame_plan.h"
+#include "src/scene/scene.h"
 #include "tests/support/assertions.h"
 
 enum {
@@ -58,8 +59,10 @@ static void init_side(struct side *side, const struct change *change, int which,
     if (which && change->setting)
         assert_int_equal(settings_assign(&side->settings, change->setting, SETTING_USER, NULL),
                          STATUS_OK);
+    static const struct scene scene = { 0 };
     const struct frame_request request = {
         .config = { .settings = &side->settings,
+                    .scene = &scene,
                     .refraction = techniques_find_refraction(change->refraction_models[which]) },
         .view = change->views[which],
         .beauty = true,
