@@ -73,7 +73,6 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .height = r->height,
         .jitter = pixel_filter_offset(r->params.filter, sample),
         .light_jitter = pixel_filter_jitter(sample),
-        .tile = tile_offset(&r->params, shot->tile),
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
                         : 0.0f,
@@ -81,6 +80,7 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .sample = sample,
     };
     frame_lens_apply(&view);
+    view.jitter = glms_vec2_add(view.jitter, tile_offset(&r->params, shot->tile));
     view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
     struct rg_frame frame = {
         .settings = r->params.settings,

@@ -20,13 +20,12 @@ struct frame_view {
     struct camera camera;
     float time;             /* animation time, seconds */
     uint32_t width, height; /* image size in pixels */
-    vec2s jitter;           /* subpixel offset of the sample, pixels */
-    vec2s light_jitter;     /* photon jitter, in [-0.5, 0.5) */
-    uint32_t face_size;     /* environment cube face size, texels */
-    /* Interleaved tile: offset of its pixel from the centre of the pixel block, pixels. Else 0. */
-    vec2s tile;
-    uint32_t sample; /* sample index, from 0 */
-    float lod_bias;  /* mip bias of an interleaved tile (-log2 of its pixel spacing) */
+    /* offset of the sample from the centre of its pixel, or of the block of interleaved tiles */
+    vec2s jitter;
+    vec2s light_jitter; /* photon jitter, in [-0.5, 0.5) */
+    uint32_t face_size; /* environment cube face size, texels */
+    uint32_t sample;    /* sample index, from 0 */
+    float lod_bias;     /* mip bias of an interleaved tile (-log2 of its pixel spacing) */
     mat4s previous_clip_from_world; /* of the previous frame */
 };
 

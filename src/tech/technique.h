@@ -93,8 +93,7 @@ struct refraction_model {
     /* True if the model shades a full-screen triangle instead of front faces
      * (shaders/refract/refract_deferred_front_face.glsl), for slow fragment shaders. */
     bool shades_fullscreen;
-    bool follows_paper; /* `auto` settings follow the paper */
-    bool traces_bvh;    /* traces rays through scene->bvh; one pass draws all objects */
+    bool traces_bvh; /* traces rays through scene->bvh; one pass draws all objects */
     /* Returns true if refracted rays can hit air-filled cracks. NULL means that they never can. */
     bool (*refracts_cracks)(const struct settings *settings);
     /* Optional. Sets the members of `config` that depend on the model, once all others are set. */

@@ -305,7 +305,7 @@ static void test_sun_sees_all_of_it(void **state)
     const struct frame_view view = {
         .scene = &scene,
         .settings = &settings,
-        .tile = { { 300, -200 } },
+        .jitter = { { 300, -200 } },
         .lod_bias = -3,
     };
     const struct globals globals = {

@@ -44,7 +44,7 @@ struct surroundings_push frame_view_push(const struct frame_view *view)
     float up = is_orthographic ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
     /* At distance 1, a pixel is 2 * right / width metres wide and 2 * up / height metres high. */
-    const vec2s at = glms_vec2_add(view->jitter, view->tile);
+    const vec2s at = view->jitter;
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
     return (struct surroundings_push){
@@ -63,8 +63,7 @@ mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier)
 {
     return camera_clip_from_world(earlier->fov_deg > 0.0f ? earlier : &view->camera, view->width,
-                                  view->height, scene_near_plane(view->scene),
-                                  glms_vec2_add(view->jitter, view->tile));
+                                  view->height, scene_near_plane(view->scene), view->jitter);
 }
 
 struct surroundings_push frame_view_face(const struct frame_view *view, uint32_t face)

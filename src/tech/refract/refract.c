@@ -333,7 +333,7 @@ static void resolve_auto_row(struct settings *settings, size_t offset, uint32_t 
 
 static void resolve_auto(struct settings *settings, const struct technique *refraction)
 {
-    const bool is_printed = refraction && refraction->refraction.follows_paper;
+    const bool is_printed = refraction == &refract_paper;
     resolve_auto_row(settings, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
                      is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
     resolve_auto_row(settings, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,

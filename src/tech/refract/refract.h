@@ -19,6 +19,9 @@ extern const struct rg_image refract_path;
 
 extern const struct setting_group refract_settings;
 
+/* Refraction model `paper`, for which `auto` settings follow Seipel and Nivfors (2006). */
+extern const struct technique refract_paper;
+
 struct refract_params {
     float ior;        /* of the object, for green */
     float outside;    /* outside: refractive index around the objects */

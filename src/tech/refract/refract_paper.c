@@ -64,5 +64,5 @@ const struct technique refract_paper = {
     .help = "refraction by blended front and back normals (Seipel and Nivfors 2006)",
     .settings = &refract_paper_settings,
     .pass_groups = REFRACT_PASS_GROUPS,
-    .refraction = { .name = "paper", .shaders = &refraction, .follows_paper = true },
+    .refraction = { .name = "paper", .shaders = &refraction },
 };
