@@ -184,7 +184,7 @@ void scene_finish(struct scene *scene);
 bool scene_has_lit_object(const struct scene *scene);
 
 /* Returns true if an object tints transmitted light, is not fully transmissive, or has textures
- * that affect transmission. Such a scene has a material_table. */
+ * that affect transmission. Such a scene has tables.materials. */
 bool scene_has_textured_objects(const struct scene *scene);
 
 /* Returns the distance of the near plane, metres. There is no far plane. */
