@@ -25,6 +25,7 @@
 #define floorf         floor
 #define fmaxf          max
 #define fminf          min
+#define hypotf(x, y)   length(vec2(x, y))
 #define log2f          log2
 #define powf           pow
 #define sinf           sin

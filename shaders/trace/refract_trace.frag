@@ -14,11 +14,11 @@
 #extension GL_EXT_ray_query : require
 #endif
 #define REFRACT_FULLSCREEN
-#include "lib/microfacet.glsl"
 #include "lib/primary_ray.glsl"
 #include "lib/specialization_constants.glsl"
 #include "lighting/bump_normal.h"
 #include "lighting/highlight.glsl"
+#include "microfacet.h"
 #include "refract/refract_uniforms.glsl"
 #include "trace/trace_fresnel.glsl"
 #ifdef TRACE_RAYS

@@ -16,8 +16,8 @@
  */
 #ifndef TRACE_DIFFUSE_LIGHT_GLSL
 #define TRACE_DIFFUSE_LIGHT_GLSL
-#include "lib/microfacet.glsl"
 #include "lighting/diffuse_sampling.h"
+#include "microfacet.h"
 #include "trace/trace_shading.glsl"
 
 const int lighting_holes_max = 8; /* maximum number of surfaces with holes along a shadow ray */

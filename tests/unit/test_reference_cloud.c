@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "shaders/inclusions/medium_density.h"
-#include "src/lab/reference/microfacet.h"
+#include "shaders/microfacet.h"
 #include "src/lab/reference/volume_scattering.h"
 #include "src/scene/geometry/distance_field.h"
 #include "tests/support/assertions.h"

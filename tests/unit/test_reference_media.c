@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/lab/reference/microfacet.h"
+#include "shaders/microfacet.h"
 #include "src/lab/reference/nested_media.h"
 #include "src/scene/generate/generate.h"
 #include "src/tech/refract/refract.h"

@@ -9,7 +9,7 @@
 #include "shaders/inclusions/cracks.h"
 #include "shaders/inclusions/cracks_reflectance.h"
 #include "shaders/lighting/bump_normal.h"
-#include "src/lab/reference/microfacet.h"
+#include "shaders/microfacet.h"
 
 enum {
     FROST_SEED = 3, /* seed constant for frost selection */

@@ -1,7 +1,7 @@
 /* final_gather.c: spawns rays that gather direct and indirect light on the surroundings. */
 #include "src/lab/reference/final_gather.h"
 #include <cglm/struct.h>
-#include "src/lab/reference/microfacet.h"
+#include "shaders/microfacet.h"
 
 enum {
     TRANSPARENT_MAX = 8, /* transparent surroundings along a shadow ray */

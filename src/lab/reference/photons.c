@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "shaders/microfacet.h"
 #include "src/base/log.h"
-#include "src/lab/reference/microfacet.h"
 #include "src/lab/reference/ray_branch.h"
 
 enum {
@@ -39,10 +39,9 @@ static vec3s to_sun(vec3s sun_dir, float tangent, vec2s at)
 {
     const float offset = tangent * sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
-    vec3s x, y;
-    microfacet_tangents(sun_dir, &x, &y);
+    const struct microfacet_tangents t = microfacet_tangents_of(sun_dir);
     return glms_vec3_normalize(glms_vec3_muladds(
-        x, offset * cosf(angle), glms_vec3_muladds(y, offset * sinf(angle), sun_dir)));
+        t.x, offset * cosf(angle), glms_vec3_muladds(t.y, offset * sinf(angle), sun_dir)));
 }
 
 /* Emits photon `index` from the sun, through the disc that covers the objects' bounding sphere. */
@@ -54,10 +53,9 @@ static struct ray_branch emit(const struct job *job, uint32_t index, vec3s chann
     const float out = g->radius * sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     const float area = 3.14159265f * g->radius * g->radius / (float)job->params->count;
-    vec3s x, y;
-    microfacet_tangents(up, &x, &y);
-    const vec3s side =
-        glms_vec3_add(glms_vec3_scale(x, out * cosf(angle)), glms_vec3_scale(y, out * sinf(angle)));
+    const struct microfacet_tangents t = microfacet_tangents_of(up);
+    const vec3s side = glms_vec3_add(glms_vec3_scale(t.x, out * cosf(angle)),
+                                     glms_vec3_scale(t.y, out * sinf(angle)));
     return (struct ray_branch){
         .ray = {
             .origin = glms_vec3_muladds(up, 1.01f * g->radius, glms_vec3_add(g->center, side)),

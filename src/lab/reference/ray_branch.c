@@ -2,7 +2,7 @@
 #include "src/lab/reference/ray_branch.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "src/lab/reference/microfacet.h"
+#include "shaders/microfacet.h"
 
 enum {
     SCATTERINGS_MAX = 65536, /* volume scattering events per ray */

@@ -8,11 +8,11 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include "shaders/microfacet.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/base/parallel.h"
 #include "src/lab/reference/camera_rays.h"
-#include "src/lab/reference/microfacet.h"
 #include "src/lab/reference/photons.h"
 #include "src/lab/reference/pool_scene.h"
 #include "src/lab/reference/reference_aov_table.h"

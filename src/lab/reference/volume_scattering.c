@@ -2,7 +2,7 @@
 #include "src/lab/reference/volume_scattering.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "src/lab/reference/microfacet.h"
+#include "shaders/microfacet.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/medium_density_lookup.h"
 
@@ -79,9 +79,8 @@ vec3s volume_scattering_sample_direction(const struct volume_scattering *volume_
         fabsf(g) < 1e-3f ? u : glm_clamp((1.0f + g * g - k * k) / (2.0f * g), -1.0f, 1.0f);
     const float sine = sqrtf(1.0f - cosine * cosine);
     const float angle = 6.28318531f * at.y;
-    vec3s x, y;
-    microfacet_tangents(dir, &x, &y);
-    const vec3s across = glms_vec3_add(glms_vec3_scale(x, sine * cosf(angle)),
-                                       glms_vec3_scale(y, sine * sinf(angle)));
+    const struct microfacet_tangents t = microfacet_tangents_of(dir);
+    const vec3s across = glms_vec3_add(glms_vec3_scale(t.x, sine * cosf(angle)),
+                                       glms_vec3_scale(t.y, sine * sinf(angle)));
     return glms_vec3_normalize(glms_vec3_muladds(dir, cosine, across));
 }

@@ -3,7 +3,7 @@
  *
  * A smooth surface splits light into reflection and refraction by the Fresnel equations and Snell's
  * law, with the indices of both media (nested_media.h); at a rough one each pixel sample hits one
- * microfacet (microfacet.h). Both branches are traced until their throughput is below
+ * microfacet (shaders/microfacet.h). Both branches are traced until their throughput is below
  * reference.cutoff or they have hit reference.bounces surfaces. Images of smooth objects are free
  * of noise, because no random numbers are used.
  *
