@@ -6,6 +6,7 @@
 #include "lib/octahedral_encoding.glsl"
 #include "lib/primary_ray.glsl"
 #include "material_layout.h"
+#include "refract/refract.h"
 #include "surroundings/ssr.h"
 
 layout(set = 0, binding = SSR_DEPTH) uniform sampler2D depths;
@@ -17,7 +18,7 @@ layout(push_constant, scalar) uniform Push
     ssr_push push;
 };
 
-layout(location = 0) in vec3 ray;
+layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 const int halvings = 4; /* bisections of the step in which the ray hits an object */
 

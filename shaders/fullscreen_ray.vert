@@ -1,4 +1,4 @@
-/* underwater_view.vert: vertex shader of the view from below the water: full-screen triangle. */
+/* fullscreen_ray.vert: vertex shader of a full-screen triangle with primary rays. */
 #version 460
 #include "lib/primary_ray.glsl"
 #include "refract/refract.h"
