@@ -41,4 +41,11 @@ ABI_FUNCTION float medium_relative_density(float depth)
            (MEDIUM_VEIL_DENSITY + (1.0f - MEDIUM_VEIL_DENSITY) * core);
 }
 
+/* Evaluates the Henyey-Greenstein phase function, relative to isotropic scattering. */
+ABI_FUNCTION float medium_phase(float cosine, float g)
+{
+    float base = 1.0f + g * g - 2.0f * g * cosine;
+    return (1.0f - g * g) / (base * sqrtf(base));
+}
+
 #endif

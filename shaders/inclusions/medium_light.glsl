@@ -48,13 +48,6 @@ float medium_sun_depth(medium_field field, vec3 point, vec3 to_sun)
     return sum * field.extinction;
 }
 
-/* Returns the Henyey-Greenstein phase function times 4 pi. */
-float medium_phase(float cosine, float g)
-{
-    float base = 1.0 + g * g - 2.0 * g * cosine;
-    return (1.0 - g * g) / (base * sqrt(base));
-}
-
 /* Returns the coefficients x, y, z of a fit x + y u + z u^2 to the optical depth towards the sun,
  * for u from 0 to 1 along a segment. The depth is smooth, so three shadow rays suffice. */
 vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_sun)

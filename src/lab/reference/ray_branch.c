@@ -134,7 +134,7 @@ static vec3s single_scattering(const struct tracer *tracing,
     const float transmittance =
         expf(-volume_scattering_sun_depth(volume_scattering, point, g->sun_dir));
     const float phase =
-        0.25f * volume_scattering_phase(volume_scattering, glms_vec3_dot(dir, g->sun_dir));
+        0.25f * medium_phase(glms_vec3_dot(dir, g->sun_dir), volume_scattering->anisotropy);
     return glms_vec3_scale(g->sun_light, transmittance * phase);
 }
 

@@ -45,13 +45,6 @@ float volume_scattering_sun_depth(const struct volume_scattering *volume_scatter
     return sum;
 }
 
-float volume_scattering_phase(const struct volume_scattering *volume_scattering, float cosine)
-{
-    const float g = volume_scattering->anisotropy;
-    const float base = 1.0f + g * g - 2.0f * g * cosine;
-    return (1.0f - g * g) / (base * sqrtf(base));
-}
-
 bool volume_scattering_sample_distance(const struct volume_scattering *volume_scattering,
                                        const struct volume_scattering_segment *segment,
                                        uint32_t sample, uint32_t seed, float *distance)

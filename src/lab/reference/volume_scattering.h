@@ -41,9 +41,6 @@ bool volume_scattering_sample_distance(const struct volume_scattering *volume_sc
 float volume_scattering_sun_depth(const struct volume_scattering *volume_scattering, vec3s point,
                                   vec3s to_sun);
 
-/* Evaluates the Henyey-Greenstein phase function, relative to isotropic scattering. */
-float volume_scattering_phase(const struct volume_scattering *volume_scattering, float cosine);
-
 /* Samples a direction from the Henyey-Greenstein phase function. `at` is a uniform 2D sample. */
 vec3s volume_scattering_sample_direction(const struct volume_scattering *volume_scattering,
                                          vec3s dir, vec2s at);
