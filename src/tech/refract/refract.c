@@ -35,21 +35,9 @@ const struct rg_image refract_path = {
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
-static const struct rg_target color_targets[] = {
-    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
-    /* negative: marks pixels without ice */
-    [REFRACT_OUT_HIGHLIGHT] = { &highlight_radiance,
-                                RG_LOAD_CLEAR,
-                                { .color.float32 = { -1.0f } } },
-};
+static const struct rg_target color_targets[] = { REFRACT_COLOR_TARGETS };
 
-static const struct rg_target layer_targets[] = {
-    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
-    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
-    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR },
-    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
-    [REFRACT_OUT_PATH] = { &refract_path, RG_LOAD_CLEAR },
-};
+static const struct rg_target layer_targets[] = { REFRACT_LAYER_TARGETS };
 
 static const struct rg_use face_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 

@@ -17,6 +17,18 @@ extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
  * it; y: number of total internal reflections; z: 1 if the first inner surface reflects totally */
 extern const struct rg_image refract_path;
 
+/* Render targets of image and AOV layers. Negative highlights mark pixels without ice. */
+#define REFRACT_COLOR_TARGETS \
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD }, [REFRACT_OUT_HIGHLIGHT] = { \
+        &highlight_radiance, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } \
+    }
+#define REFRACT_LAYER_TARGETS \
+    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
+    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
+    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR }, \
+    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR }, \
+    [REFRACT_OUT_PATH] = { &refract_path, RG_LOAD_CLEAR }
+
 extern const struct setting_group refract_settings;
 
 /* Refraction model `paper`, for which `auto` settings follow Seipel and Nivfors (2006). */

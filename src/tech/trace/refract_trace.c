@@ -201,30 +201,17 @@ static const struct technique_upload uploads[] = {
     { 0 },
 };
 
-static const struct rg_target color_targets[] = {
-    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
-    /* negative: marks pixels without ice */
-    [REFRACT_OUT_HIGHLIGHT] = { &highlight_radiance,
-                                RG_LOAD_CLEAR,
-                                { .color.float32 = { -1.0f } } },
-};
+static const struct rg_target color_targets[] = { REFRACT_COLOR_TARGETS };
 
 static const struct rg_target denoise_targets[] = {
-    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
-    [REFRACT_OUT_HIGHLIGHT] = { &highlight_radiance,
-                                RG_LOAD_CLEAR,
-                                { .color.float32 = { -1.0f } } },
+    REFRACT_COLOR_TARGETS,
     [TRACE_OUT_LIGHT] = { &denoise_images[0], RG_LOAD_CLEAR },
     [TRACE_OUT_THROUGHPUT] = { &denoise_images[1], RG_LOAD_CLEAR },
     [TRACE_OUT_POSITION] = { &denoise_images[2], RG_LOAD_CLEAR },
 };
 
 static const struct rg_target layer_targets[] = {
-    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
-    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
-    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR },
-    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
-    [REFRACT_OUT_PATH] = { &refract_path, RG_LOAD_CLEAR },
+    REFRACT_LAYER_TARGETS,
     [TRACE_OUT_MEDIA] = { &trace_media, RG_LOAD_CLEAR },
     [TRACE_OUT_LAST] = { &trace_last_object, RG_LOAD_CLEAR },
 };
