@@ -59,6 +59,12 @@ struct gpu {
     uint32_t message_count; /* validation warnings and errors so far */
 };
 
+/* Initialisers of the members of struct rg_exec_params that describe the device. */
+#define GPU_EXEC_PARAMS(gpu) \
+    .instance = (gpu)->instance, .get_proc_addr = vkGetInstanceProcAddr, \
+    .physical = (gpu)->physical, .device = (gpu)->device, .queue = (gpu)->queue, \
+    .queue_family = (gpu)->queue_family, .pipeline_cache = (gpu)->pipeline_cache
+
 /* Opens a device. *gpu must not be moved afterwards; on failure it is zeroed. */
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 

@@ -292,25 +292,14 @@ static enum status allocate_scratch(struct gpu *gpu, struct inputs *inputs,
 static void record(VkCommandBuffer commands, struct build *build, VkAccelerationStructureKHR to,
                    VkDeviceAddress scratch)
 {
-    const VkMemoryBarrier2 barrier = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
-        .srcAccessMask = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
-                         VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-    };
-    const VkDependencyInfo dependency = {
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-        .memoryBarrierCount = 1,
-        .pMemoryBarriers = &barrier,
-    };
     const VkAccelerationStructureBuildRangeInfoKHR range = { .primitiveCount = build->count };
     const VkAccelerationStructureBuildRangeInfoKHR *ranges = &range;
     build->info.dstAccelerationStructure = to;
     build->info.scratchData.deviceAddress = scratch;
     vkCmdBuildAccelerationStructuresKHR(commands, 1, &build->info, &ranges);
-    vkCmdPipelineBarrier2(commands, &dependency);
+    gpu_record_visible(commands, VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+                       VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
+                           VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR);
 }
 
 static enum status run(struct gpu *gpu, const struct gpu_acceleration *rays,

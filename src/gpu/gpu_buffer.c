@@ -2,13 +2,13 @@
 #include <string.h>
 #include "src/gpu/gpu_internal.h"
 
-/* Records a barrier that makes all previous copies visible to all later commands. */
-static void record_visible(VkCommandBuffer commands)
+void gpu_record_visible(VkCommandBuffer commands, VkPipelineStageFlags2 stage,
+                        VkAccessFlags2 access)
 {
     const VkMemoryBarrier2 barrier = {
         .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+        .srcStageMask = stage,
+        .srcAccessMask = access,
         .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
         .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
     };
@@ -36,7 +36,8 @@ static enum status fill(struct gpu *gpu, const struct gpu_buffer *buffer, const 
         vkCmdCopyBuffer(upload.commands, upload.staging.buffer, buffer->buffer, 1, &copy);
         done += copy.size;
         if (done == buffer->size)
-            record_visible(upload.commands);
+            gpu_record_visible(upload.commands, VK_PIPELINE_STAGE_2_COPY_BIT,
+                               VK_ACCESS_2_TRANSFER_WRITE_BIT);
         status = gpu_upload_flush(gpu, &upload);
     }
     gpu_upload_finish(gpu, &upload);

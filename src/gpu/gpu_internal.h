@@ -125,4 +125,8 @@ MUST_USE enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload
 /* Frees an upload's staging buffer and commands. *upload may be zeroed or partly created. */
 void gpu_upload_finish(struct gpu *gpu, struct gpu_upload *upload);
 
+/* Records a barrier that makes all previous accesses at a stage visible to all later commands. */
+void gpu_record_visible(VkCommandBuffer commands, VkPipelineStageFlags2 stage,
+                        VkAccessFlags2 access);
+
 #endif

@@ -158,12 +158,7 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
     struct rg_exec *exec = rg_exec_create(
         &(struct rg_exec_params){
             .plan = plan,
-            .instance = gpu->instance,
-            .get_proc_addr = vkGetInstanceProcAddr,
-            .physical = gpu->physical,
-            .device = gpu->device,
-            .queue = gpu->queue,
-            .queue_family = gpu->queue_family,
+            GPU_EXEC_PARAMS(gpu),
             .imports = imports,
             .import_count = 2,
             .render_passes = true,

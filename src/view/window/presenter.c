@@ -109,13 +109,7 @@ struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct 
 {
     return (struct rg_exec_params){
         .plan = plan,
-        .instance = gpu->instance,
-        .get_proc_addr = vkGetInstanceProcAddr,
-        .physical = gpu->physical,
-        .device = gpu->device,
-        .queue = gpu->queue,
-        .queue_family = gpu->queue_family,
-        .pipeline_cache = gpu->pipeline_cache,
+        GPU_EXEC_PARAMS(gpu),
         .render_passes = gpu->validated, /* for older synchronization validation; see rg_exec.h */
         .log = log_exec,
     };
