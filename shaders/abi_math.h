@@ -34,15 +34,18 @@
 #define glm_lerp       mix
 #define glm_smoothstep smoothstep
 
+#define glms_vec3(v)            ((v).xyz)
 #define glms_vec3_add(a, b)     ((a) + (b))
 #define glms_vec3_cross(a, b)   cross(a, b)
 #define glms_vec3_div(a, b)     ((a) / (b))
+#define glms_vec3_divs(a, s)    ((a) / (s))
 #define glms_vec3_dot(a, b)     dot(a, b)
 #define glms_vec3_lerp(a, b, t) mix(a, b, t)
 #define glms_vec3_max(a)        max(max((a).x, (a).y), (a).z)
 #define glms_vec3_minv(a, b)    min(a, b)
 #define glms_vec3_mul(a, b)     ((a) * (b))
 #define glms_vec3_negate(a)     (-(a))
+#define glms_vec3_norm(a)       length(a)
 #define glms_vec3_normalize(a)  normalize(a)
 #define glms_vec3_scale(a, s)   ((a) * (s))
 #define glms_vec3_sub(a, b)     ((a) - (b))

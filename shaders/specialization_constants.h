@@ -8,7 +8,7 @@
 #ifndef SHADERS_SPECIALIZATION_CONSTANTS_H
 #define SHADERS_SPECIALIZATION_CONSTANTS_H
 
-/* Bits of CONSTANT_TEXTURED, in addition to 1 << MATERIAL_USE_... for the textures in use. */
+/* Bits of CONSTANT_TEXTURED, in addition to 1 << MATERIAL_... for the textures in use. */
 #define CONSTANT_TEXTURED_ANY   0x80000000u /* some surroundings have textures */
 #define CONSTANT_TEXTURED_HOLES 0x40000000u /* some material is alpha-tested or blended */
 

@@ -20,14 +20,14 @@ layout(location = ICE_MATERIAL_UV) in vec2 uv;
 /* Returns the textured surface parameters; sets `mapped_n` to the normal-mapped outward normal. */
 object_material ice_material_at(out vec3 mapped_n)
 {
-    vec3 base = lit_texel(textures, push.row, MATERIAL_USE_BASE_COLOR, uv, 1.0).rgb;
-    float rough = lit_texel(data_textures, push.row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0).g;
-    float through = lit_texel(data_textures, push.row, MATERIAL_USE_TRANSMISSION, uv, 1.0).r;
-    vec4 texel = lit_texel(data_textures, push.row, MATERIAL_USE_NORMAL, uv, 1.0);
+    vec3 base = lit_texel(textures, push.row, MATERIAL_BASE_COLOR, uv, 1.0).rgb;
+    float rough = lit_texel(data_textures, push.row, MATERIAL_METALLIC_ROUGHNESS, uv, 1.0).g;
+    float through = lit_texel(data_textures, push.row, MATERIAL_TRANSMISSION, uv, 1.0).r;
+    vec4 texel = lit_texel(data_textures, push.row, MATERIAL_NORMAL, uv, 1.0);
     vec4 scales = material_texel(push.row, MATERIAL_ROW_SCALES);
     mapped_n = normalize(normal);
     if (texel != vec4(1.0))
-        mapped_n = normal_map_by_derivatives(mapped_n, texel.rgb, scales.xy, eye_to_point, uv);
+        mapped_n = normal_map_by_derivatives(mapped_n, texel.rgb, scales.x, eye_to_point, uv);
     return object_material_of(push.parameters, base, rough, through);
 }
 

@@ -2,8 +2,7 @@
 #ifndef ALPHA_TEST_GLSL
 #define ALPHA_TEST_GLSL
 #include "lib/globals.glsl"
-#include "lib/specialization_constants.glsl"
-#include "material_layout.h"
+#include "lib/material_textures.glsl"
 
 /* Returns true if this sample skips a blended surface. A fraction `alpha` of a pixel's samples
  * keeps the surface (Enderton et al. 2010, "Stochastic transparency"). */
@@ -14,12 +13,15 @@ bool is_alpha_skipped(float alpha, uint row)
     return alpha <= fract(of_pixel + of_row + frame.sample_random);
 }
 
-bool is_hole(float alpha, float kind, float cutoff, uint row)
+/* Returns true if a surface is skipped. `alpha` is the base colour texture's. */
+bool is_hole(float alpha, uint row)
 {
+    float kind = material_texel(row, MATERIAL_ROW_F0).w;
+    alpha *= material_texel(row, MATERIAL_ROW_FACTORS).w;
     if ((constant_textured & CONSTANT_TEXTURED_HOLES) == 0u)
         return false;
     if (kind == float(MATERIAL_KIND_CUTOUT))
-        return alpha < cutoff;
+        return alpha < material_texel(row, MATERIAL_ROW_EMISSION).w;
     return kind == float(MATERIAL_KIND_BLENDED) && is_alpha_skipped(alpha, row);
 }
 #endif

@@ -13,10 +13,17 @@ layout(set = 0, binding = SURROUNDINGS_DATA_TEXTURES) uniform sampler2DArray dat
 layout(set = 0, binding = SURROUNDINGS_BRDF_TABLE) uniform sampler2D splits;
 layout(set = 0, binding = SURROUNDINGS_LIGHTS) uniform sampler2D lights;
 
-/* Returns `n` perturbed by a normal map; `u_dir`, `minus_v_dir` are the directions of u and -v. */
-vec3 normal_map_by_axes(vec3 n, vec3 texel, vec2 scales, vec3 u_dir, vec3 minus_v_dir)
+/* Returns the bitangent for a vertex tangent with handedness in w. `n` is on either side of the
+ * surface, `outward` is the vertex normal. */
+vec3 normal_map_bitangent(vec3 n, vec3 outward, vec4 tangent)
 {
-    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
+    return sign(tangent.w) * (dot(n, outward) < 0.0 ? -1.0 : 1.0) * cross(n, tangent.xyz);
+}
+
+/* Returns `n` perturbed by a normal map; `u_dir`, `minus_v_dir` are the directions of u and -v. */
+vec3 normal_map_by_axes(vec3 n, vec3 texel, float scale, vec3 u_dir, vec3 minus_v_dir)
+{
+    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scale, 2.0 * texel.z - 1.0);
     vec3 tangent = u_dir - n * dot(n, u_dir);
     if (dot(tangent, tangent) == 0.0)
         return n;
@@ -28,40 +35,70 @@ vec3 normal_map_by_axes(vec3 n, vec3 texel, vec2 scales, vec3 u_dir, vec3 minus_
 
 #if !defined LIT_NO_DERIVATIVES && !defined LIT_PER_VERTEX
 /* Returns normal `n` perturbed by a normal map, with a tangent from screen-space derivatives. */
-vec3 normal_map_by_derivatives(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
+vec3 normal_map_by_derivatives(vec3 n, vec3 texel, float scale, vec3 point, vec2 uv)
 {
     vec3 point_x = dFdx(point), point_y = dFdy(point);
     vec2 uv_x = dFdx(uv), uv_y = dFdy(uv);
     float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
     vec3 u_dir = side * (point_x * uv_y.y - point_y * uv_x.y);
     vec3 minus_v_dir = side * (point_x * uv_y.x - point_y * uv_x.x);
-    return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
+    return normal_map_by_axes(n, texel, scale, u_dir, minus_v_dir);
 }
 
 /* Perturbs a normal by a material's normal map; `outward` is the vertex normal. */
 #ifdef SURROUNDINGS_EXTRA
-#define NORMAL_MAP(row, n, outward, texel, scales, point, uv) \
-    normal_map_by_tangent(row, n, outward, texel, scales, point, uv)
+#define NORMAL_MAP(row, n, outward, texel, scale, point, uv) \
+    normal_map_by_tangent(row, n, outward, texel, scale, point, uv)
 
-vec3 normal_map_by_tangent(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scales, vec3 point,
+vec3 normal_map_by_tangent(uint row, vec3 n, vec3 outward, vec3 texel, float scale, vec3 point,
                            vec2 uv)
 {
-    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_NORMAL + 1);
     vec2 normal_uv = v.w >= float(MATERIAL_OTHER_SET) ? lit_second_uv : uv;
-    vec3 tangent = lit_tangent.xyz - n * dot(n, lit_tangent.xyz);
-    if (lit_tangent.w == 0.0 || dot(tangent, tangent) == 0.0)
-        return normal_map_by_derivatives(n, texel, scales, point, normal_uv);
-    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
-    float side = sign(lit_tangent.w) * (dot(n, outward) < 0.0 ? -1.0 : 1.0);
-    tangent = normalize(tangent);
-    vec3 bitangent = side * cross(n, tangent);
-    return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
+    vec3 bitangent = normal_map_bitangent(n, outward, lit_tangent);
+    if (bitangent == vec3(0.0)) /* also if lit_tangent.w is 0 */
+        return normal_map_by_derivatives(n, texel, scale, point, normal_uv);
+    return normal_map_by_axes(n, texel, scale, lit_tangent.xyz, bitangent);
 }
 #else
-#define NORMAL_MAP(row, n, outward, texel, scales, point, uv) \
-    normal_map_by_derivatives(n, texel, scales, point, uv)
+#define NORMAL_MAP(row, n, outward, texel, scale, point, uv) \
+    normal_map_by_derivatives(n, texel, scale, point, uv)
 #endif
 #endif
+
+/* ---- material ---- */
+
+/* Parameters of a material at a surface point, multiplied by the material's textures. */
+struct lit_material {
+    lit_surface surface;
+    float metallic, occlusion;
+    vec3 emission;
+    vec4 normal_texel; /* of the normal map; 1 if there is none */
+    vec4 scales;       /* MATERIAL_ROW_SCALES */
+};
+
+/* Samples a material. `albedo` includes the base colour texture. Below a water layer, `ior` reduces
+ * specular reflection (lit_reflectance_in_medium()), unless it is 0. */
+lit_material lit_material_at(uint row, vec2 uv, float blur, vec3 albedo, float ior)
+{
+    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
+    vec4 rough = lit_texel(data_textures, row, MATERIAL_METALLIC_ROUGHNESS, uv, blur);
+    float specular = lit_texel(data_textures, row, MATERIAL_SPECULAR, uv, blur).a * factors.z;
+    vec3 f0 = lit_texel(textures, row, MATERIAL_SPECULAR_COLOR, uv, blur).rgb *
+              material_texel(row, MATERIAL_ROW_F0).rgb;
+    lit_material m;
+    m.scales = material_texel(row, MATERIAL_ROW_SCALES);
+    m.normal_texel = lit_texel(data_textures, row, MATERIAL_NORMAL, uv, blur);
+    m.occlusion = lit_texel(data_textures, row, MATERIAL_OCCLUSION, uv, blur).r;
+    m.occlusion = mix(1.0, m.occlusion, m.scales.y);
+    m.emission = lit_texel(textures, row, MATERIAL_EMISSION, uv, blur).rgb *
+                 material_texel(row, MATERIAL_ROW_EMISSION).rgb;
+    m.metallic = factors.x * rough.b;
+    if (ior > 0.0 && m.scales.w > 0.0)
+        specular *= lit_reflectance_in_medium(max(f0.r, max(f0.g, f0.b)), ior);
+    m.surface = lit_surface_of(albedo, m.metallic, factors.y * rough.g, f0, specular);
+    return m;
+}
 
 /* ---- light ---- */
 
@@ -90,13 +127,9 @@ vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
     for (uint i = 0u; i < constant_scene_lights; i++) {
         vec4 position = texelFetch(lights, ivec2(LIT_LIGHT_POSITION, i), 0);
         vec4 direction = texelFetch(lights, ivec2(LIT_LIGHT_DIRECTION, i), 0);
+        vec4 color = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0);
         vec4 cone = texelFetch(lights, ivec2(LIT_LIGHT_CONE, i), 0);
-        vec3 to_light = position.w > 0.0 ? position.xyz - point : -direction.xyz;
-        float far = length(to_light);
-        vec3 l = to_light / max(far, 1e-6);
-        float arriving = lit_attenuation(far, direction.w, dot(-l, direction.xyz), cone.xy);
-        vec3 light = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0).rgb * arriving;
-        sum += light / 3.14159265 * lit_by_light_on(s, n, base, to_eye, l, LIT_LIGHT_SPREAD);
+        sum += lit_by_punctual_light(s, point, n, base, to_eye, position, direction, color, cone);
     }
     return sum;
 }

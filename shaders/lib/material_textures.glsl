@@ -22,23 +22,14 @@ vec2 lit_second_uv;
 vec4 lit_tangent;
 #endif
 
-/* Wraps a texture coordinate in the shader, for modes that the sampler does not provide. */
-float lit_wrap(float x, float wrap, float size)
-{
-    if (wrap == float(MATERIAL_WRAPS_REPEAT))
-        return x;
-    if (wrap == float(MATERIAL_WRAPS_MIRROR))
-        x = 1.0 - abs(1.0 - 2.0 * fract(0.5 * x));
-    return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
-}
-
 /* Returns wrapped texture coordinates; `wraps` is 3 * wrap_v + wrap_u (material_layout.h). */
 vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
 {
     vec2 size = vec2(textureSize(of, 0).xy);
-    float wrap_v = floor(wraps / float(MATERIAL_WRAPS_COUNT));
-    return vec2(lit_wrap(at.x, wraps - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
-                lit_wrap(at.y, wrap_v, size.y));
+    float wrap_v = floor(wraps / float(MATERIAL_WRAP_COUNT));
+    float wrap_u = wraps - wrap_v * float(MATERIAL_WRAP_COUNT);
+    return vec2(material_wrap(at.x, uint(wrap_u), size.x),
+                material_wrap(at.y, uint(wrap_v), size.y));
 }
 
 /* Samples a texture. By default, derivatives select the mip level. The ray tracer uses level 0.
@@ -78,7 +69,7 @@ vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
     bool has_texture = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
     if (constant_textured == 0u || has_texture || layer == 0u)
-        return lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, uv, blur);
+        return lit_texel(textures, row, MATERIAL_BASE_COLOR, uv, blur);
     return lit_fetch(textures, vec3(uv, float(layer - 1u)), uv, blur);
 }
 

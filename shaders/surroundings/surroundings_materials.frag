@@ -71,30 +71,21 @@ void main()
     uint row = material >> MESH_SURFACE_SHIFT;
     float tiled = constant_tiled != 0u ? exp2(frame.lod_bias) : 1.0;
     float blur = push.inverse != 0u ? footprint_blur() : tiled;
-    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
-    vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
-    vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
-    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
     vec4 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, blur);
-    vec4 rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, blur);
-    vec4 normal_texel = lit_texel(data_textures, row, MATERIAL_USE_NORMAL, uv, blur);
-    float occlusion = lit_texel(data_textures, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
-    vec3 emitted = lit_texel(textures, row, MATERIAL_USE_EMISSION, uv, blur).rgb * emission.rgb;
-    float specular = lit_texel(data_textures, row, MATERIAL_USE_SPECULAR, uv, blur).a * factors.z;
-    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, blur).rgb * reflectance.rgb;
-
     vec3 albedo = base_color * base.rgb;
+    lit_material m = lit_material_at(row, uv, blur, albedo, 0.0);
+    lit_surface s = m.surface;
     float alpha = push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0;
     vec3 to_eye = -normalize(view_vector());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
     vec3 top = n; /* clear coat's normal; `n`: diffuse base's */
-    if (normal_texel != vec4(1.0))
-        n = NORMAL_MAP(row, n, normal, normal_texel.rgb, scales.xy, eye_to_point, uv);
-    top = scales.w > 0.0 ? top : n;
+    if (m.normal_texel != vec4(1.0))
+        n = NORMAL_MAP(row, n, normal, m.normal_texel.rgb, m.scales.x, eye_to_point, uv);
+    top = m.scales.w > 0.0 ? top : n;
     vec3 reflected_dir = reflect(-to_eye, top);
     float lod = lit_mirror_lod(reflected_dir, push.environment_lod);
-    if (is_hole(base.a * factors.w, reflectance.w, emission.w, row))
+    if (is_hole(base.a, row))
         discard;
     vec3 caustics;
     vec3 sun = sun_light(caustics);
@@ -105,7 +96,6 @@ void main()
         color = vec4(albedo * (1.0 + caustics * max(dot(n, frame.sun_dir), 0.0)), alpha);
         return;
     }
-    lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(top, to_eye), 0.0, 1.0);
     lit_environment_factors env = lit_environment_factors_of(s, lit_split(s.roughness, n_dot_v));
     vec3 specular_light = env.specular * lit_specular(reflected_dir, s.roughness, lod);
@@ -113,11 +103,10 @@ void main()
     ao_shade(s, env, push.eye + eye_to_point, n, unoccluded_diffuse, diffuse_light, specular_light);
     sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
     vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
-    occlusion = mix(1.0, occlusion, scales.y);
-    color = vec4((specular_light + diffuse_light) * occlusion + sun + lit + emitted, alpha);
+    color = vec4((specular_light + diffuse_light) * m.occlusion + sun + lit + m.emission, alpha);
 #ifdef SURROUNDINGS_SSR
     float reflectance_mean = dot(env.specular, vec3(1.0 / 3.0));
-    out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * occlusion);
-    out_specular = vec4(specular_light * occlusion, 0.0);
+    out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * m.occlusion);
+    out_specular = vec4(specular_light * m.occlusion, 0.0);
 #endif
 }

@@ -35,18 +35,10 @@ vec4 texel_at(sampler2DArray of, vec2 at, vec2 lookup)
 /* Returns the emission if there are emission textures. Otherwise the vertex shader has added it. */
 vec3 emitted()
 {
-    if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
+    if ((constant_textured & 1u << MATERIAL_EMISSION) == 0u)
         return vec3(0.0);
     vec3 emission = material_texel(material >> MESH_SURFACE_SHIFT, MATERIAL_ROW_EMISSION).rgb;
     return emission * texel_at(textures, glow_uv, lookups.zw).rgb;
-}
-
-bool is_cut_out(float alpha)
-{
-    uint row = material >> MESH_SURFACE_SHIFT;
-    float opacity = material_texel(row, MATERIAL_ROW_FACTORS).w;
-    float kind = material_texel(row, MATERIAL_ROW_F0).w;
-    return is_hole(alpha * opacity, kind, material_texel(row, MATERIAL_ROW_EMISSION).w, row);
 }
 
 void main()
@@ -58,6 +50,7 @@ void main()
     on_base += sun * (direct * shadow.direct * shadow.visibility + shadow.refracted);
 #endif
     color = vec4(on_base * base.rgb + specular + emitted(), 1.0);
-    if (is_cut_out(base.a)) /* after all texture lookups, which need derivatives */
+    /* after all texture lookups, which need derivatives */
+    if (is_hole(base.a, material >> MESH_SURFACE_SHIFT))
         discard;
 }

@@ -75,10 +75,10 @@ texture_lookup texture_lookup_of(uint row, int use)
 void write_texture_lookups(uint row)
 {
     uint layer = material & MESH_TEXTURE_MASK;
-    texture_lookup base = texture_lookup_of(row, MATERIAL_USE_BASE_COLOR);
-    texture_lookup emissive = texture_lookup_of(row, MATERIAL_USE_EMISSION);
+    texture_lookup base = texture_lookup_of(row, MATERIAL_BASE_COLOR);
+    texture_lookup emissive = texture_lookup_of(row, MATERIAL_EMISSION);
     if (base.layer < 0.0)
-        base = texture_lookup(uv, float(layer) - 1.0, float(MATERIAL_WRAPS_REPEAT));
+        base = texture_lookup(uv, float(layer) - 1.0, float(MATERIAL_REPEAT));
     out_uv = base.uv;
     out_glow_uv = emissive.uv;
     out_lookups = vec4(base.layer, base.wraps, emissive.layer, emissive.wraps);
@@ -88,23 +88,16 @@ void write_texture_lookups(uint row)
  * the base colour texture, which the fragment shader applies. */
 vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
-    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec3 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, 1.0).rgb;
-    vec4 rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0);
-    float occlusion = lit_texel(data_textures, row, MATERIAL_USE_OCCLUSION, uv, 1.0).r;
-    float specular = lit_texel(data_textures, row, MATERIAL_USE_SPECULAR, uv, 1.0).a * factors.z;
-    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, 1.0).rgb;
-    f0 *= material_texel(row, MATERIAL_ROW_F0).rgb;
-    occlusion = mix(1.0, occlusion, material_texel(row, MATERIAL_ROW_SCALES).y);
-    float metallic = factors.x * rough.b;
-    lit_surface s = lit_surface_of(color * base, metallic, factors.y * rough.g, f0, specular);
+    lit_material m = lit_material_at(row, uv, 1.0, color * base, 0.0);
+    lit_surface s = m.surface;
     s.diffuse = vec3(0.0);
-    vec3 reflected = radiance(s, point, n, to_eye, occlusion);
+    vec3 reflected = radiance(s, point, n, to_eye, m.occlusion);
     vec3 highlight = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
-    s.diffuse = color * (1.0 - metallic);
-    out_diffuse = radiance(s, point, n, to_eye, occlusion) - reflected;
+    s.diffuse = color * (1.0 - m.metallic);
+    out_diffuse = radiance(s, point, n, to_eye, m.occlusion) - reflected;
     out_specular = reflected + sky_sun() * highlight;
-    if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
+    if ((constant_textured & 1u << MATERIAL_EMISSION) == 0u)
         out_specular += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
     return sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - highlight);
 }

@@ -20,13 +20,13 @@ vec3 trace_object_material(trace_hit hit, vec3 origin, vec3 dir, bool is_object,
         iterations -= int(trace.one);
         trace_surface_point p = trace_surface_point_at(hit, origin, dir);
         lit_second_uv = p.other_uv;
-        vec3 base = lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, p.uv, 1.0).rgb;
-        float rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0).g;
-        float through = lit_texel(data_textures, row, MATERIAL_USE_TRANSMISSION, p.uv, 1.0).r;
-        vec4 texel = lit_texel(data_textures, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
+        vec3 base = lit_texel(textures, row, MATERIAL_BASE_COLOR, p.uv, 1.0).rgb;
+        float rough = lit_texel(data_textures, row, MATERIAL_METALLIC_ROUGHNESS, p.uv, 1.0).g;
+        float through = lit_texel(data_textures, row, MATERIAL_TRANSMISSION, p.uv, 1.0).r;
+        vec4 texel = lit_texel(data_textures, row, MATERIAL_NORMAL, p.uv, 1.0);
         surface = object_material_of(surface, base, rough, through);
         is_bumpy = texel != vec4(1.0);
-        mapped_n = trace_normal_mapped(p, p.outward, texel.rgb, scales.xy);
+        mapped_n = trace_normal_mapped(p, p.outward, texel.rgb, scales.x);
     }
     return mapped_n;
 }

@@ -54,7 +54,7 @@ void trace_vertex_extra(inout trace_surface_point p, trace_hit hit, int surface,
     if (!has_extra)
         return;
     uint row = p.material >> MESH_SURFACE_SHIFT;
-    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_NORMAL + 1);
     p.tangent = bary.x * t0 + bary.y * t1 + bary.z * t2;
     p.tangent.xyz = trace_posed(p.tangent.xyz, hit.bvh);
     p.other_uv = uv.xy + hit.u * (uv.zw - uv.xy) + hit.v * (uv_2 - uv.xy);
@@ -103,15 +103,14 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
 }
 
 /* Returns normal `n`, on either side of the surface, perturbed by the normal map. */
-vec3 trace_normal_mapped(trace_surface_point p, vec3 n, vec3 texel, vec2 scales)
+vec3 trace_normal_mapped(trace_surface_point p, vec3 n, vec3 texel, float scale)
 {
     vec3 u_dir = p.u_dir, minus_v_dir = p.minus_v_dir;
     if (trace_has(TRACE_HAS_EXTRAS) && p.tangent.w != 0.0) {
-        float side = sign(p.tangent.w) * (dot(n, p.outward) < 0.0 ? -1.0 : 1.0);
         u_dir = p.tangent.xyz;
-        minus_v_dir = side * cross(n, u_dir);
+        minus_v_dir = normal_map_bitangent(n, p.outward, p.tangent);
     }
-    return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
+    return normal_map_by_axes(n, texel, scale, u_dir, minus_v_dir);
 }
 
 /* Returns the sunlight on a surface that faces the sun, as radiance of a white diffuse surface.
@@ -193,43 +192,30 @@ vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passin
     }
     vec4 base = lit_base(row, layer, p.uv, 1.0);
     vec3 albedo = p.color * base.rgb;
-    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
-    vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
-    vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
     if (trace_has(TRACE_HAS_HOLES))
         passing = trace_alpha_transmittance_of(row, base.a);
     if (is_base || (p.material & MESH_UNLIT) != 0u)
         return trace_diffuse(p, -dir, albedo, is_base);
-    vec4 rough = lit_texel(data_textures, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0);
-    vec4 normal_texel = lit_texel(data_textures, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
-    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
-    float occlusion = lit_texel(data_textures, row, MATERIAL_USE_OCCLUSION, p.uv, 1.0).r;
-    vec3 emitted = lit_texel(textures, row, MATERIAL_USE_EMISSION, p.uv, 1.0).rgb * emission.rgb;
-    float specular = lit_texel(data_textures, row, MATERIAL_USE_SPECULAR, p.uv, 1.0).a * factors.z;
-    vec3 f0 =
-        lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, p.uv, 1.0).rgb * reflectance.rgb;
+    lit_material m = lit_material_at(row, p.uv, 1.0, albedo, p.ior);
+    lit_surface s = m.surface;
     vec3 n = p.normal;
-    if (normal_texel != vec4(1.0))
-        n = trace_normal_mapped(p, n, normal_texel.rgb, scales.xy);
-    bool is_water_layer = scales.w > 0.0;
-    vec3 top = is_water_layer ? p.normal : n;
-    if (is_water_layer) /* a water layer below ice has almost no Fresnel reflection */
-        specular *= lit_reflectance_in_medium(max(f0.r, max(f0.g, f0.b)), p.ior);
-    lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
+    if (m.normal_texel != vec4(1.0))
+        n = trace_normal_mapped(p, n, m.normal_texel.rgb, m.scales.x);
+    vec3 top = m.scales.w > 0.0 ? p.normal : n;
     float n_dot_v = clamp(dot(top, -dir), 0.0, 1.0);
     vec2 split = lit_split(s.roughness, n_dot_v);
     vec3 mirrored = lit_specular(reflect(dir, top), s.roughness, 0.0),
          unoccluded_diffuse = lit_diffuse(n);
     vec3 ambient = lit_by_environment(s, split, mirrored, unoccluded_diffuse);
     /* traced rays replace the occlusion texture */
-    vec3 unhidden = vec3(trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? 1.0 : mix(1.0, occlusion, scales.y));
+    vec3 unhidden = vec3(trace_has(TRACE_HAS_DIFFUSE_LIGHT) ? 1.0 : m.occlusion);
     lobes = trace_lobes(lit_by_environment(s, split, vec3(0.0), unhidden),
                         lit_by_environment(s, split, unhidden, vec3(0.0)), unoccluded_diffuse,
                         mirrored, n, top, s.roughness, true);
     vec3 through;
     vec3 sun = trace_sun(p, false, through) *
                lit_by_light_on(s, top, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
-    return ambient * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + emitted;
+    return ambient * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + m.emission;
 }
 
 #endif

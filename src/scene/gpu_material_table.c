@@ -3,21 +3,6 @@
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
-#include "shaders/material_layout.h"
-
-_Static_assert(MATERIAL_USE_METALLIC_ROUGHNESS == (int)MATERIAL_METALLIC_ROUGHNESS &&
-                   MATERIAL_USE_NORMAL == (int)MATERIAL_NORMAL &&
-                   MATERIAL_USE_OCCLUSION == (int)MATERIAL_OCCLUSION &&
-                   MATERIAL_USE_EMISSION == (int)MATERIAL_EMISSION &&
-                   MATERIAL_USE_TRANSMISSION == (int)MATERIAL_TRANSMISSION &&
-                   MATERIAL_USE_SPECULAR == (int)MATERIAL_SPECULAR &&
-                   MATERIAL_USE_SPECULAR_COLOR == (int)MATERIAL_SPECULAR_COLOR,
-               "as shaders number them");
-_Static_assert(MATERIAL_ROW_TEXTURES + 2 * MATERIAL_TEXTURE_COUNT == MATERIAL_ROW_WIDTH, "");
-_Static_assert(MATERIAL_WRAPS_COUNT == (int)MATERIAL_WRAP_COUNT &&
-                   MATERIAL_WRAPS_MIRROR == (int)MATERIAL_MIRROR &&
-                   MATERIAL_OTHER_SET == (int)MATERIAL_WRAP_COUNT * MATERIAL_WRAP_COUNT,
-               "");
 
 vec3s material_f0(const struct material *m)
 {
@@ -52,9 +37,9 @@ static int kind_of(const struct material *m)
 static void write_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);
-    texels[1] = glms_vec4(texture->v_row,
-                          (float)(texture->uv_set * MATERIAL_OTHER_SET +
-                                  texture->wrap_v * MATERIAL_WRAPS_COUNT + texture->wrap_u));
+    texels[1] =
+        glms_vec4(texture->v_row, (float)(texture->uv_set * MATERIAL_OTHER_SET +
+                                          texture->wrap_v * MATERIAL_WRAP_COUNT + texture->wrap_u));
 }
 
 static void write_row(vec4s *row, const struct material *m)

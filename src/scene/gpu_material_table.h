@@ -11,7 +11,7 @@ vec3s material_f0(const struct material *material);
  * material, and row i + 1 for material i. The caller frees the table. */
 vec4s *material_table_make(const struct model *model);
 
-/* Returns the texture uses of a model. Bit i stands for use i of enum material_texture_use. */
+/* Returns the texture uses of a model. Bit i stands for use i, such as MATERIAL_BASE_COLOR. */
 uint32_t material_table_uses(const struct model *model);
 
 /* Returns true if any material is alpha-masked or blended. */

@@ -2,9 +2,8 @@
 #ifndef FIRN_SCENE_MATERIAL_H
 #define FIRN_SCENE_MATERIAL_H
 
-#include <cglm/types-struct.h>
 #include <stdbool.h>
-#include <stdint.h>
+#include "shaders/material_layout.h"
 
 enum {
     /* size of a name in bytes, terminator included; longer ones are truncated */
@@ -28,38 +27,16 @@ enum {
     MATERIAL_FLAGS = 511,
 };
 
-/* Uses of textures. Comments name texture channels, and the material parameters they affect. */
-enum material_texture_use {
-    MATERIAL_BASE_COLOR,         /* rgb: base_color; a: alpha */
-    MATERIAL_METALLIC_ROUGHNESS, /* b: metallic; g: roughness */
-    MATERIAL_NORMAL,             /* rgb: normal */
-    MATERIAL_OCCLUSION,          /* r */
-    MATERIAL_EMISSION,           /* rgb: emission */
-    MATERIAL_TRANSMISSION,       /* r: transmission */
-    MATERIAL_THICKNESS,          /* g: thickness */
-    MATERIAL_SPECULAR,           /* a: specular */
-    MATERIAL_SPECULAR_COLOR,     /* rgb: specular_color */
-    MATERIAL_TEXTURE_COUNT,
-};
-
 /* Returns true if textures of this use hold sRGB colours. Other textures are linear. */
-static inline bool material_texture_is_color(enum material_texture_use use)
+static inline bool material_texture_is_color(uint32_t use)
 {
     return use == MATERIAL_BASE_COLOR || use == MATERIAL_EMISSION || use == MATERIAL_SPECULAR_COLOR;
 }
 
-/* Wrapping of texture coordinates outside 0 to 1. */
-enum material_wrap {
-    MATERIAL_REPEAT,
-    MATERIAL_MIRROR,
-    MATERIAL_CLAMP,
-    MATERIAL_WRAP_COUNT,
-};
-
 /* Texture and its transform. Colour textures are sRGB, others linear. */
 struct material_texture {
     uint32_t layer; /* layer index + 1, in model.textures (colours) or model.numbers; 0 for none */
-    uint32_t wrap_u, wrap_v; /* enum material_wrap */
+    uint32_t wrap_u, wrap_v; /* MATERIAL_REPEAT, ... */
     uint32_t uv_set;         /* texture coordinate set: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
     vec3s u_row, v_row;      /* rows of the uv transform, multiplied by (u, v, 1) */
 };

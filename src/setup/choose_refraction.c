@@ -36,8 +36,7 @@ static bool is_thin(const struct material *material)
 /* Returns true if the base colour, transmission or normal texture uses the second UV set. */
 static bool has_second_set(const struct material *material)
 {
-    static const enum material_texture_use uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION,
-                                                      MATERIAL_NORMAL };
+    static const uint32_t uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION, MATERIAL_NORMAL };
 
     for (size_t i = 0; i < sizeof(uses) / sizeof(uses[0]); i++) {
         const struct material_texture *texture = &material->textures[uses[i]];

@@ -143,16 +143,6 @@ static const struct material *material_of(const struct radiance *radiance, uint3
     return found && !(found->flags & MATERIAL_FROM_SETTINGS) ? found : NULL;
 }
 
-/* Applies a texture's wrap mode. Modes other than repeat clamp to the edge texels. */
-static float wrap_coordinate(float x, uint32_t mode, float size)
-{
-    if (mode == MATERIAL_REPEAT)
-        return x;
-    if (mode == MATERIAL_MIRROR)
-        x = 1.0f - fabsf(1.0f - 2.0f * (0.5f * x - floorf(0.5f * x)));
-    return fminf(fmaxf(x, 0.5f / size), 1.0f - 0.5f / size);
-}
-
 /* Texture coordinates of a surface point. */
 struct coordinates {
     vec2s uv, other_uv; /* first and second uv set */
@@ -168,7 +158,7 @@ static struct coordinates coordinates_of(const struct radiance_point *point)
 
 /* Samples a texture of a material. Returns white if the material has no such texture. */
 static vec4s texel_of(const struct radiance *radiance, const struct material *material,
-                      enum material_texture_use use, struct coordinates coordinates)
+                      uint32_t use, struct coordinates coordinates)
 {
     const struct material_texture *texture = &material->textures[use];
     const vec2s uv = texture->uv_set == 1 ? coordinates.other_uv : coordinates.uv;
@@ -178,10 +168,8 @@ static vec4s texel_of(const struct radiance *radiance, const struct material *ma
     const vec3s at = { { uv.x, uv.y, 1.0f } };
     if (!texture->layer)
         return glms_vec4_one();
-    const float u =
-        wrap_coordinate(glms_vec3_dot(texture->u_row, at), texture->wrap_u, (float)size);
-    const float v =
-        wrap_coordinate(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
+    const float u = material_wrap(glms_vec3_dot(texture->u_row, at), texture->wrap_u, (float)size);
+    const float v = material_wrap(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
     return bilinear(radiance, is_color ? fetch_texture : fetch_number, texture->layer - 1,
                     linear_filter_at(u, size, true), linear_filter_at(v, size, true));
 }
@@ -324,20 +312,10 @@ static vec3s shade_lights(const struct radiance *radiance, const struct lit_surf
     vec3s sum = glms_vec3_zero();
     for (uint32_t i = 0; scene->tables.punctual_lights && i < scene->model.light_count; i++) {
         const vec4s *row = &scene->tables.punctual_lights[(size_t)i * LIT_LIGHT_WIDTH];
-        const vec3s axis = glms_vec3(row[LIT_LIGHT_DIRECTION]);
-        const vec4s cone = row[LIT_LIGHT_CONE];
-        const vec3s to_light = row[LIT_LIGHT_POSITION].w > 0.0f
-                                   ? glms_vec3_sub(glms_vec3(row[LIT_LIGHT_POSITION]), point)
-                                   : glms_vec3_negate(axis);
-        const float distance = glms_vec3_norm(to_light);
-        const vec3s l = glms_vec3_divs(to_light, fmaxf(distance, 1e-6f));
-        const float attenuation =
-            lit_attenuation(distance, row[LIT_LIGHT_DIRECTION].w, -glms_vec3_dot(l, axis),
-                            (vec2s){ { cone.x, cone.y } });
-        const vec3s light =
-            glms_vec3_scale(glms_vec3(row[LIT_LIGHT_COLOR]), attenuation / 3.14159265f);
-        sum = glms_vec3_muladd(
-            light, lit_by_light_on(*surface, n.top, n.base, to_camera, l, LIT_LIGHT_SPREAD), sum);
+        sum = glms_vec3_add(sum,
+                            lit_by_punctual_light(*surface, point, n.top, n.base, to_camera,
+                                                  row[LIT_LIGHT_POSITION], row[LIT_LIGHT_DIRECTION],
+                                                  row[LIT_LIGHT_COLOR], row[LIT_LIGHT_CONE]));
     }
     return sum;
 }

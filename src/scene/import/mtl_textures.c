@@ -6,7 +6,7 @@
 #include "src/scene/import/obj_ply.h"
 
 /* Texture of the material for each MTL map; map_d is merged into the base colour texture. */
-static const enum material_texture_use uses[MTL_MAP_COUNT] = {
+static const uint32_t uses[MTL_MAP_COUNT] = {
     [MTL_MAP_COLOR] = MATERIAL_BASE_COLOR,
     [MTL_MAP_ALPHA] = MATERIAL_BASE_COLOR,
     [MTL_MAP_SPECULAR] = MATERIAL_SPECULAR_COLOR,
