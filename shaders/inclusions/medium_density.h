@@ -10,7 +10,8 @@
 #include "abi.h"
 #include "abi_math.h"
 
-#define MEDIUM_SIZE 64
+#define MEDIUM_SIZE 64 /* side of a density grid, texels */
+#define MEDIUM_MAX  8  /* scattering media per scene */
 
 /* Binding of the density grids, which have MEDIUM_SIZE array layers each. A texel holds the
  * densities of two successive layers, so a single bilinear lookup allows interpolation along z. */

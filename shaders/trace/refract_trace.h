@@ -56,12 +56,10 @@
 #define TRACE_TINT   2
 #define TRACE_MEDIUM 3
 
-#define TRACE_SCATTERING_MAX 8
-
 /* Uniform data of the ray tracer in addition to struct globals; written once per frame. */
 struct trace_frame {
     vec4s media[(BVH_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* first the outside */
-    ABI_STRUCT(medium_field) scattering_media[TRACE_SCATTERING_MAX];
+    ABI_STRUCT(medium_field) scattering_media[MEDIUM_MAX];
     vec4s guide; /* guide distribution for diffuse rays (diffuse_sampling.h) */
     vec4s objects_rotation, movers_rotation; /* vertical-axis rotations, see trace_bvh_pose() */
     uint32_t roots[BVH_COUNT];

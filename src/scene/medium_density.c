@@ -3,7 +3,6 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "shaders/inclusions/medium_density.h"
 #include "src/scene/generate/noise.h"
 #include "src/scene/geometry/distance_field.h"
 
@@ -50,7 +49,7 @@ struct scattering_media scattering_media_find(const struct model *model, bool is
         };
         if (!(medium.density > 0.0f) && !(is_asked && i == 0))
             continue;
-        if (scattering_media.count < SCATTERING_MEDIA_MAX)
+        if (scattering_media.count < MEDIUM_MAX)
             scattering_media.all[scattering_media.count++] = medium;
         else
             scattering_media.left_out++;

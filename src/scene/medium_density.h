@@ -4,11 +4,8 @@
 #ifndef FIRN_SCENE_SCATTERING_MEDIA_H
 #define FIRN_SCENE_SCATTERING_MEDIA_H
 
+#include "shaders/inclusions/medium_density.h"
 #include "src/scene/import/model.h"
-
-enum {
-    SCATTERING_MEDIA_MAX = 8, /* per scene; equals TRACE_SCATTERING_MAX (refract_trace.h) */
-};
 
 struct scattering_medium {
     uint32_t object; /* index of the object that contains the medium */
@@ -20,9 +17,9 @@ struct scattering_medium {
 };
 
 struct scattering_media {
-    struct scattering_medium all[SCATTERING_MEDIA_MAX];
+    struct scattering_medium all[MEDIUM_MAX];
     uint32_t count;
-    uint32_t left_out; /* objects beyond SCATTERING_MEDIA_MAX, rendered as clear */
+    uint32_t left_out; /* objects beyond MEDIUM_MAX, rendered as clear */
     /* densities, 0 to 255, MEDIUM_SIZE^3 texels per medium, x fastest. Byte 0 is for the texel, and
      * byte 1 for the next texel along z. Owned; NULL before scattering_media_fill(). */
     uint8_t (*texels)[2];

@@ -303,7 +303,7 @@ static void warn_of_media(const struct setup_image *image, const struct scene *s
                  refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
     if (scene->inclusions.media.left_out)
         log_warning("%s: more than %d objects contain scattering media; %u of them are drawn clear",
-                    image->scene.name, SCATTERING_MEDIA_MAX, scene->inclusions.media.left_out);
+                    image->scene.name, MEDIUM_MAX, scene->inclusions.media.left_out);
 }
 
 void setup_choose_refraction(struct setup_image *image, const struct scene *scene,

@@ -19,7 +19,7 @@ struct tracer {
     const struct radiance *radiance;
     const struct nested_media *media;
     const struct inclusions *inclusions;
-    struct volume_scattering scattering_media[SCATTERING_MEDIA_MAX]; /* nonempty scattering media */
+    struct volume_scattering scattering_media[MEDIUM_MAX]; /* nonempty scattering media */
     uint32_t scattering_media_count;
     const struct pool_scene *pool_scene;          /* NULL if the scene has none */
     const struct photons *photons;                /* NULL without effects on sunlight */
