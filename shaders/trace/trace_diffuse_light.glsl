@@ -27,6 +27,12 @@ const float lighting_roulette_max = 0.01; /* throughput below which Russian roul
 const int LIGHT_GATHER_RAYS = DIFFUSE_SAMPLING_RAYS + 1;
 const float lighting_radiance_min = 1e-6; /* minimum radiance in divisions */
 
+/* Returns a random point for a decision of the path; `seed` selects the decision. */
+vec2 path_random_point(uint seed)
+{
+    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
+}
+
 /* Returns the radiance of the sky without the sun's disc. */
 vec3 lighting_sky(vec3 dir)
 {
@@ -77,7 +83,7 @@ void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uin
     bool is_below = dot(dir, facet) * dot(path.dir, facet) >= 0.0;
     float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
     float chance = clamp(max_throughput / lighting_roulette_max, 1e-3, 1.0);
-    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
+    vec2 at = path_random_point(seed);
     vec3 unoccluded = open * throughput * lighting_sky(dir);
     if (max_throughput <= trace_branch_min || pending_count >= trace_pending_max || is_below ||
         at.x >= chance) {
@@ -98,11 +104,6 @@ void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uin
     trace_push_pending(other);
 }
 
-vec2 lighting_random_point(uint seed)
-{
-    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
-}
-
 /* Lighting rays of a surface; the last one is the specular reflection. */
 struct lighting_rays {
     vec3 dirs[LIGHT_GATHER_RAYS], weights[LIGHT_GATHER_RAYS];
@@ -118,7 +119,7 @@ lighting_rays lighting_rays_of(vec3 throughput)
          specular = throughput * lobes.specular;
     for (uint i = 0u; i < uint(DIFFUSE_SAMPLING_RAYS); i++) {
         rays.dirs[i] = diffuse_sampling_dir(lobes.normal, trace.guide, i,
-                                            lighting_random_point(DIFFUSE_SAMPLING_SEED + i));
+                                            path_random_point(DIFFUSE_SAMPLING_SEED + i));
         float count = diffuse_sampling_weight(lobes.normal, trace.guide, rays.dirs[i]);
         rays.weights[i] = vec3(count);
         rays.skies[i] = count * lighting_sky(rays.dirs[i]);
@@ -132,7 +133,7 @@ lighting_rays lighting_rays_of(vec3 throughput)
         rays.open[i] = open;
     }
     vec3 h = microfacet_sample(lobes.top, path.dir, lobes.roughness,
-                               lighting_random_point(DIFFUSE_SAMPLING_GLOSSY_SEED));
+                               path_random_point(DIFFUSE_SAMPLING_GLOSSY_SEED));
     vec3 dir = reflect(path.dir, h), sky = lighting_sky(dir);
     float open_glossy = lighting_sky_factor(sky, lobes.mirrored, specular);
     rays.dirs[DIFFUSE_SAMPLING_RAYS] = dir;
@@ -165,7 +166,7 @@ void light_gather_at(trace_hit hit, vec3 throughput)
         lighting_rays rays = lighting_rays_of(throughput);
         float light_0 = dot(rays.skies[0], vec3(1.0)), light_1 = dot(rays.skies[1], vec3(1.0));
         float second = clamp(light_1 / max(light_0 + light_1, lighting_radiance_min), 0.1, 0.9);
-        bool is_second = lighting_random_point(DENOISE_PICK_SEED).x < second;
+        bool is_second = path_random_point(DENOISE_PICK_SEED).x < second;
         iterations -= int(trace.one);
         lighting_trace_ray(hit, rays, is_second ? 1u : 0u, is_second ? second : 1.0 - second);
         lighting_trace_ray(hit, rays, uint(DIFFUSE_SAMPLING_RAYS), 1.0);

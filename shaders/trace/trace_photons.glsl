@@ -28,11 +28,6 @@ const uint photon_sun_seed = 51u;
 const uint photon_choice_seed = 52u;
 const uint photon_scatter_seed = 53u;
 
-vec2 photon_random(uint seed)
-{
-    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, seed));
-}
-
 /* Starts a photon at a random point of its texel, in front of the objects' bounding sphere. */
 void photon_begin(uint seed)
 {
@@ -41,10 +36,10 @@ void photon_begin(uint seed)
     path = trace_path(vec3(0.0), vec3(0.0), vec3(1.0), uvec4(0u), -1,
                       trace_has(TRACE_HAS_CULLING) ? -1.0 : 0.0, 1e30, seed, 0.0,
                       trace_segments_max, false, true, 0.0, vec3(0.0), vec3(0.0));
-    vec2 texel = floor(gl_FragCoord.xy) + photon_random(photon_texel_seed);
+    vec2 texel = floor(gl_FragCoord.xy) + path_random_point(photon_texel_seed);
     vec2 at = ICE_CAUSTICS_MARGIN * (2.0 * texel / float(ICE_CAUSTICS_PHOTONS) - 1.0);
     float radius = 0.5 * radians(push.sun);
-    vec3 up = diffuse_sampling_disc_dir(frame.sun_dir, radius, photon_random(photon_sun_seed));
+    vec3 up = diffuse_sampling_disc_dir(frame.sun_dir, radius, path_random_point(photon_sun_seed));
     path.origin = frame.center + frame.radius * (1.01 * up + at.x * x + at.y * y);
     path.dir = -up;
     is_first = true;
@@ -78,7 +73,7 @@ void photon_scatter(trace_hit hit, trace_crossing c)
         vec3(p.refracted_weight * (trace_has(TRACE_HAS_OPACITY) ? 1.0 - material.opacity : 1.0));
     if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT | TRACE_HAS_TEXTURED_OBJECTS))
         through *= material.tint;
-    bool is_back = photon_random(photon_choice_seed).x < p.fresnel;
+    bool is_back = path_random_point(photon_choice_seed).x < p.fresnel;
     vec3 throughput = path.throughput * (is_back ? vec3(p.reflected_weight) : through);
     path = trace_continue(path, hit, c, is_back ? p.reflected : p.refracted, !is_back);
     path.throughput = throughput;
@@ -89,7 +84,7 @@ void photon_scatter(trace_hit hit, trace_crossing c)
 /* Moves the photon along one segment to its hit. Returns true if the photon's path has ended. */
 bool photon_step(trace_hit hit, trace_crossing c)
 {
-    vec2 chance = photon_random(photon_scatter_seed);
+    vec2 chance = path_random_point(photon_scatter_seed);
     bool is_scattered = hit.t < 1e30 && chance.x > exp(-photon_reduced_depth(hit.t));
     path.throughput = hit.t < 1e30 ? trace_absorb(path, hit.t) : path.throughput;
     path.left--;
@@ -97,7 +92,7 @@ bool photon_step(trace_hit hit, trace_crossing c)
     if (is_scattered) {
         path.origin += chance.y * hit.t * path.dir;
         path.seed = microfacet_hash(path.seed, photon_scatter_seed);
-        path.dir = normalize(diffuse_sampling_sphere(photon_random(photon_scatter_seed)));
+        path.dir = normalize(diffuse_sampling_sphere(path_random_point(photon_scatter_seed)));
         path.from = -1;
     } else if (crosses && !c.is_real) {
         path = trace_continue(path, hit, c, path.dir, true);
