@@ -38,13 +38,13 @@ class PanelsCase(WindowCase):
     def start_with_panels(self, *arguments, scene='sphere', title=None, plain=CRACKED):
         return self.start(scene, *self.SIZES, *arguments, title=title, plain=plain)
 
-    def control(self, label):
+    def control(self, label, last=False):
         """Left, top, width, height of what a hand can use, pixels; None: it does not show."""
         try:
             lines = (self.folder / 'ui').read_text().splitlines()
         except FileNotFoundError:
             return None
-        for line in lines:
+        for line in reversed(lines) if last else lines:
             *numbers, name = line.split(' ', 4)
             if name == label:
                 return tuple(map(int, numbers))
@@ -103,6 +103,15 @@ class PanelsCase(WindowCase):
         """Along the widget of a setting, which is left alone in the panel."""
         self.find_row(window, name)
         self.move(window, *[self.place(name, part) for part in parts])
+
+    def choose_side_b(self, window):
+        """Chooses paper from the open list, whose entries come after buttons of the same name."""
+        if not self.control('none'):
+            self.click(window, 'Compare with')
+        wait_until('an open list', lambda: self.control('none'), self.words)
+        self.at_rest(window)
+        left, top, width, height = self.control('paper', last=True)
+        self.move(window, (left + width // 2, top + height // 2))
 
     def choose(self, window, row, entry):
         """Opens a list, and clicks on an entry when the list is still."""
@@ -169,9 +178,7 @@ class Panels(PanelsCase):
             self.fold(window, group, row, shown)
         self.wait_for_command(window, f' --refraction {second} ',
                               act=lambda: self.choose(window, 'Refraction model', second))
-        self.desktop.do('windowsize', '--sync', window, 305, 300)  # room for the whole list
-        self.find(rf'sphere, {second} \| reference, paused',
-                  act=lambda: self.choose(window, 'Compare with', 'reference'))
+        self.find(rf'sphere, {second} \| paper, paused', act=lambda: self.choose_side_b(window))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.press_for(window, 'w', 'sphere, paused')
         self.pictures(window)
