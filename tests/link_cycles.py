@@ -19,6 +19,8 @@ ALLOWED = (
     {'src/scene/generate/bubble_placement.c', 'src/scene/generate/frozen_bubbles.c'},
     # samples are added to the sums that are denoised; both are read back in the same way
     {'src/render/renderer_denoise.c', 'src/render/renderer_sample.c'},
+    # `auto` settings of all refraction models are those of the paper for the paper's model
+    {'src/tech/refract/refract.c', 'src/tech/refract/refract_paper.c'},
 )
 
 
