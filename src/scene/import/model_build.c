@@ -235,8 +235,8 @@ bool model_color_clamp(vec3s *color, bool is_unlit)
 void model_color_warn(const struct model_import *import)
 {
     if (import->clamped_materials > 0 || import->clamped_vertices > 0)
-        log_warning("%s: colours were clamped to 0 to 1, or 0 to %d for unlit vertices, in %u "
-                    "materials and %u vertices",
-                    import->path, MODEL_RADIANCE_MAX, import->clamped_materials,
-                    import->clamped_vertices);
+        log_warning(
+            "%s: colours outside the range 0 to 1 (unlit vertices: 0 to %d) were clamped: %u "
+            "materials, %u vertices",
+            import->path, MODEL_RADIANCE_MAX, import->clamped_materials, import->clamped_vertices);
 }

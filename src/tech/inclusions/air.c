@@ -125,7 +125,7 @@ static const struct setting rows[] = {
         .initial = 19,
         .max = 64,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "number of air planes in the ice (0 for none)",
+        .help = "number of textured planes of air bubbles in the ice (0 for none)",
     },
     {
         .name = "air.seed",
@@ -135,7 +135,7 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 999999,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "random seed of the air planes and their bubbles",
+        .help = "random seed of the bubble planes and their textures",
     },
     {
         .name = "air.size",
@@ -146,7 +146,8 @@ static const struct setting rows[] = {
         .min = 0.002,
         .max = 0.1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "diameter of the largest bubbles on air planes, relative to the object's diagonal",
+        .help =
+            "diameter of the largest bubbles on bubble planes, relative to the object's diagonal",
     },
     {
         .name = "air.frequency",
@@ -157,9 +158,8 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 128,
         .affects = SETTING_AFFECTS_SCENE,
-        .help =
-            "bubbles of the largest size that fit side by side along the object's diagonal (air "
-            "planes)",
+        .help = "bubbles of the largest size that fit side by side on a bubble plane, along the "
+                "object's diagonal",
     },
     {
         .name = "air.strength",
@@ -168,7 +168,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, strength),
         .initial = 0.35,
         .max = 1,
-        .help = "opacity of the bubbles on an air plane",
+        .help = "opacity of the bubbles on a bubble plane",
     },
     {
         .name = "air.haze",
@@ -177,7 +177,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, haze),
         .initial = 0.04,
         .max = 1,
-        .help = "maximum opacity of the haze on an air plane",
+        .help = "maximum opacity of the haze on a bubble plane",
     },
     {
         .name = "air.model",
@@ -299,14 +299,14 @@ static const struct frame_layer layers[] = {
         .image = &air_color,
         .planes = { "air.R", "air.G", "air.B", "air.A" },
         .mean = true,
-        .help = "radiance of the air planes (textured planes of bubbles) in the ice, premultiplied",
+        .help = "radiance of the textured planes of air bubbles in the ice, premultiplied",
     },
     { 0 },
 };
 
 const struct technique air = {
     .name = "air",
-    .help = "milky air planes in the ice (Seipel and Nivfors 2006)",
+    .help = "textured planes of air bubbles in the ice (Seipel and Nivfors 2006)",
     .settings = &air_settings,
     .is_on = is_on,
     .is_traced = true,

@@ -376,8 +376,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct ice_caustics_params, ground),
         .initial = 1,
         .max = 1,
-        .help = "sun shadows of the surroundings, up to 6 radii from the ice (off: only with "
-                "ground.light=traced)",
+        .help = "shadows that surroundings cast on each other in sunlight, up to 6 radii from the "
+                "ice; ground.light=traced always draws them",
     },
 };
 

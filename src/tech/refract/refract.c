@@ -254,8 +254,9 @@ static const struct setting rows[] = {
         .max = REFRACT_FRESNEL_AUTO,
         .choices = fresnels,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "reflectance: the paper's eq. 4, the exact Fresnel equations, or the constant "
-                "refract.crossfade (auto: exact, except for refraction model paper)",
+        .help =
+            "reflectance: eq. 4 of Seipel and Nivfors 2006, the exact Fresnel equations, or the "
+            "constant refract.crossfade (auto: exact, except for the refraction model paper)",
     },
     {
         .name = "refract.crossfade",

@@ -260,8 +260,8 @@ static const struct setting rows[] = {
         .initial = 8,
         .max = 64,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "ray march steps of the screen-space reflections of objects in glossy surroundings "
-                "(0: off); refraction models trace and reference use ground.light instead",
+        .help = "ray march steps of screen-space reflections of objects in glossy surroundings (0: "
+                "off); not used by the refraction models trace and reference",
     },
     {
         .name = "ssr.refract",
