@@ -36,11 +36,11 @@ TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitigno
 # What the frame and the renderer know of techniques and shaders: nothing that is of a single one.
 OF_ALL_TECHNIQUES = (
     'src/tech/frame_resources.h', 'src/tech/frame_media.h',
-    'src/tech/inclusions/low_res_inclusions.h', 'src/tech/inclusions/medium_density_lookup.h',
+    'src/tech/inclusions/low_res_inclusions.h', 'src/tech/inclusions/medium_density_fields.h',
     'src/tech/aov_layer.h', 'src/tech/pass_arena.h',
     'src/tech/technique.h', 'src/tech/techniques.h',
     'shaders/specialization_constants.h', 'shaders/globals.h',
-    'shaders/brdf.h', 'shaders/mesh_layout.h', 'shaders/surroundings/sky.h',
+    'shaders/brdf.h', 'shaders/mesh_layout.h', 'shaders/surroundings/procedural_sky.h',
 )
 
 # What a file may include begins with one of these; the longest folder that fits the file counts.

@@ -408,7 +408,7 @@ void rg_list_resources(struct compiler *c);
 /* memory_blocks.c: assigns each transient resource a memory block and an offset in it. */
 void rg_pack_blocks(struct compiler *c);
 
-/* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
+/* emit_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
 /* alias_dependencies.c: finds the last pass in which each resource's memory had another owner.

@@ -1,4 +1,5 @@
-/* ao.glsl: applies ambient occlusion and reflection by objects to surroundings (ao_map.frag). */
+/* ao.glsl: applies ambient occlusion and reflection by objects to surroundings
+ * (ao_box_occluders.frag). */
 #ifndef AO_GLSL
 #define AO_GLSL
 #include "lib/brdf_shading.glsl"

@@ -1,8 +1,8 @@
-/* procedural_sky.glsl: the sky functions of sky.h with the parameters of globals. */
+/* procedural_sky.glsl: the sky functions of procedural_sky.h with the parameters of globals. */
 #ifndef PROCEDURAL_SKY_GLSL
 #define PROCEDURAL_SKY_GLSL
 #include "lib/globals.glsl"
-#include "surroundings/sky.h"
+#include "surroundings/procedural_sky.h"
 
 vec3 sky_radiance(vec3 dir)
 {

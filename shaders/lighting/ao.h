@@ -1,4 +1,4 @@
-/* ao.h: uniforms and bindings of ambient occlusion (ao.c, ao_map.frag, lib/ao.glsl). */
+/* ao.h: uniforms and bindings of ambient occlusion (ao.c, ao_box_occluders.frag, lib/ao.glsl). */
 #ifndef SHADERS_LIGHTING_AO_H
 #define SHADERS_LIGHTING_AO_H
 #include "abi.h"

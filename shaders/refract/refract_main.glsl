@@ -6,7 +6,7 @@
 #include "lib/specialization_constants.glsl"
 #include "refract/refract_environment.glsl"
 #ifdef REFRACT_MATERIAL
-#include "refract/refract_transmittance.glsl"
+#include "refract/refract_transmittance_fetch.glsl"
 #endif
 #include "refract/refract_result.glsl"
 #ifdef REFRACT_MEDIUM

@@ -11,7 +11,7 @@
 #define SSR_SPECULAR     6 /* ssr_specular */
 #define SSR_REFRACTED    7 /* half resolution: reflected rays' refracted colour */
 
-/* Bindings of ssr_hit_refraction.frag, in addition to those of the refraction model. */
+/* Bindings of ssr_shade_refractive_hit.frag, in addition to those of the refraction model. */
 #define SSR_HIT_POINT 20 /* hit point of the reflected ray, relative to the camera */
 #define SSR_HIT_DIR   21 /* direction of the reflected ray */
 

@@ -1,4 +1,4 @@
-/* ssr_trace.frag: fragment shader that traces reflected rays for ssr_hit_refraction.frag. */
+/* ssr_trace.frag: fragment shader that traces reflected rays for ssr_shade_refractive_hit.frag. */
 #version 460
 #include "surroundings/ssr.glsl"
 

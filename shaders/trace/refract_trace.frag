@@ -583,9 +583,9 @@ float trace_depth(vec3 point)
 }
 
 #if defined(REFRACT_LAYERS)
-#include "trace/trace_layers.glsl"
+#include "trace/trace_aov_outputs.glsl"
 #elif defined(TRACE_PHOTONS)
 #include "trace/trace_photons.glsl"
 #else
-#include "trace/trace_image.glsl"
+#include "trace/trace_image_outputs.glsl"
 #endif

@@ -1,7 +1,7 @@
 /* cmd_graph.c: command firn graph: prints the compiled plan of a frame, without a device. */
 #include <stdio.h>
 #include "src/app/app.h"
-#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/compile_frame_plan.h"
 #include "src/render/make_frame_request.h"
 
 typedef void dump_fn(const struct rg_plan *plan, FILE *out);

@@ -23,8 +23,8 @@
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
+#include "src/setup/aov_to_png.h"
 #include "src/setup/image_output.h"
-#include "src/setup/layer_quantize.h"
 #include "src/setup/previous_pose.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 

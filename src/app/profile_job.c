@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
 #include "src/file/atomic_file.h"
-#include "src/gpu/gpu_capture.h"
+#include "src/gpu/gpu_renderdoc_capture.h"
 #include "src/lab/profile/json.h"
 #include "src/render/frame/pass_list.h"
 #include "src/render/lavapipe_tuning.h"

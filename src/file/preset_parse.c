@@ -7,7 +7,7 @@
 #include "src/base/path.h"
 #include "src/file/exr.h"
 #include "src/file/png.h"
-#include "src/file/preset_reader.h"
+#include "src/file/preset_transfer.h"
 
 enum {
     FILE_SIZE_MAX = 1 << 20

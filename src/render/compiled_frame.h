@@ -4,7 +4,7 @@
 
 #include "graph/rg_exec.h"
 #include "shaders/specialization_constants.h"
-#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/compile_frame_plan.h"
 #include "src/render/frame/frame_uniforms.h"
 #include "src/render/renderer_params.h"
 

@@ -1,10 +1,10 @@
-/* make_frame_request.h: builds the frame requests (src/render/frame/frame_plan.h) of the renderer.
- */
+/* make_frame_request.h: builds the frame requests (src/render/frame/compile_frame_plan.h) of the
+ * renderer. */
 #ifndef FIRN_RENDER_MAKE_FRAME_REQUEST_H
 #define FIRN_RENDER_MAKE_FRAME_REQUEST_H
 
 #include "src/base/tile.h"
-#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/compile_frame_plan.h"
 #include "src/render/renderer_params.h"
 
 /* Returns the frame request for one sample of the image. */

@@ -16,7 +16,7 @@
 #include "src/render/frame/frame_uniforms.h"
 #include "src/render/frame/pass_list.h"
 #include "src/settings/scene_settings.h"
-#include "src/setup/layer_quantize.h"
+#include "src/setup/aov_to_png.h"
 #include "src/setup/object_id_names.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 #include "src/version.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/setup/layer_quantize.h"
+#include "src/setup/aov_to_png.h"
 #include "src/tech/output/first_surface.h"
 
 bool previous_pose_is_needed(const struct setup_image *image)

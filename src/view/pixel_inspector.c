@@ -6,7 +6,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/lab/metric/heat_map.h"
-#include "src/setup/layer_quantize.h"
+#include "src/setup/aov_to_png.h"
 #include "src/setup/object_id_names.h"
 #include "src/tech/output/tonemap.h"
 

@@ -7,8 +7,8 @@
 #include "src/base/path.h"
 #include "src/base/signals.h"
 #include "src/file/atomic_file.h"
+#include "src/setup/aov_to_png.h"
 #include "src/setup/image_output.h"
-#include "src/setup/layer_quantize.h"
 #include "src/view/view_renderers.h"
 
 enum {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "src/app/app.h"
-#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/compile_frame_plan.h"
 #include "src/render/frame/frame_uniforms.h"
 #include "src/scene/ice_bump_map.h"
 #include "tests/support/assertions.h"

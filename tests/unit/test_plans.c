@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/compile_frame_plan.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/bubbles.h"
 #include "src/tech/refract/refract.h"

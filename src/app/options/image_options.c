@@ -10,7 +10,7 @@
 #include "src/lab/reference/reference.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/scene/material.h"
-#include "src/setup/layer_quantize.h"
+#include "src/setup/aov_to_png.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 

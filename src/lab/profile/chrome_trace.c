@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "src/lab/profile/json_fields.h"
+#include "src/lab/profile/json_key_tables.h"
 #include "src/lab/profile/row_aggregation.h"
 
 enum {

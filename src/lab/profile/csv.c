@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <locale.h>
 #include <string.h>
-#include "src/lab/profile/json_fields.h"
+#include "src/lab/profile/json_key_tables.h"
 
 static void write_text(const char *text, FILE *out)
 {

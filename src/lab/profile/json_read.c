@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/file/atomic_file.h"
 #include "src/lab/profile/json.h"
-#include "src/lab/profile/json_fields.h"
+#include "src/lab/profile/json_key_tables.h"
 
 enum {
     MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson needs 20 times as much */

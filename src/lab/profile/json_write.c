@@ -3,7 +3,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/lab/profile/json.h"
-#include "src/lab/profile/json_fields.h"
+#include "src/lab/profile/json_key_tables.h"
 #include "src/lab/profile/row_aggregation.h"
 #include "src/lab/profile/statistics.h"
 #include "src/lab/profile/utf8_text.h"

@@ -6,7 +6,7 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/base/parallel.h"
-#include "src/gpu/gpu_capture.h"
+#include "src/gpu/gpu_renderdoc_capture.h"
 
 struct measure {
     const struct profile_request *request;

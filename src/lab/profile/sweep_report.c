@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/lab/profile/json_fields.h"
+#include "src/lab/profile/json_key_tables.h"
 #include "src/lab/profile/row_aggregation.h"
 #include "src/lab/profile/sweep_power_law.h"
 #include "src/lab/profile/table.h"

@@ -2,7 +2,7 @@
 #ifndef FIRN_LAB_REFERENCE_DIELECTRIC_SPLIT_H
 #define FIRN_LAB_REFERENCE_DIELECTRIC_SPLIT_H
 
-#include "src/lab/reference/tracer.h"
+#include "src/lab/reference/tracer_context.h"
 
 /* Reflected and refracted direction at a surface, with their weights. */
 struct dielectric_split {

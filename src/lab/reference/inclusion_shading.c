@@ -4,7 +4,7 @@
 #include <math.h>
 #include "shaders/inclusions/cracks_noise.h"
 #include "shaders/lighting/bump_normal.h"
-#include "shaders/surroundings/sky.h"
+#include "shaders/surroundings/procedural_sky.h"
 #include "src/file/half_float.h"
 #include "src/lab/reference/linear_texture_filter.h"
 #include "src/tech/inclusions/air.h"

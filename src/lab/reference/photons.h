@@ -16,7 +16,7 @@
 
 #include "src/base/parallel.h"
 #include "src/base/status.h"
-#include "src/lab/reference/tracer.h"
+#include "src/lab/reference/tracer_context.h"
 
 struct photon {
     vec3s position, dir;

@@ -4,7 +4,7 @@
 
 #include "src/lab/reference/dielectric_split.h"
 #include "src/lab/reference/reference_aov_table.h"
-#include "src/lab/reference/tracer.h"
+#include "src/lab/reference/tracer_context.h"
 
 struct ray_branch {
     struct embree_scene_ray ray;

@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "shaders/brdf.h"
-#include "shaders/surroundings/sky.h"
+#include "shaders/surroundings/procedural_sky.h"
 #include "shaders/surroundings/surroundings.h"
 #include "shaders/water/pool_tiles.h"
 #include "src/file/half_float.h"

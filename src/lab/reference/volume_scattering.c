@@ -4,7 +4,7 @@
 #include <math.h>
 #include "shaders/microfacet.h"
 #include "src/tech/inclusions/air.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 
 enum {
     SUN_STEPS = 32, /* ray marching steps towards the sun */

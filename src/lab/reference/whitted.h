@@ -25,7 +25,7 @@
 #define FIRN_LAB_REFERENCE_WHITTED_H
 
 #include "src/lab/reference/reference_aov_table.h"
-#include "src/lab/reference/tracer.h"
+#include "src/lab/reference/tracer_context.h"
 
 /* Finds the objects that contain a point, by counting the surfaces along a ray to infinity. */
 void whitted_find_enclosing(const struct tracer *tracing, vec3s point,

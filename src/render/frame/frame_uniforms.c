@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 #include "shaders/brdf.h"
-#include "shaders/surroundings/sky.h"
+#include "shaders/surroundings/procedural_sky.h"
 #include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/techniques.h"
 
 /* Margins of frame_view_reach() for jittered samples, for bilinear lookups and for rays that begin

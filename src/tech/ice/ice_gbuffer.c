@@ -247,7 +247,7 @@ static struct rg_technique make_passes(const struct technique_config *config,
     if (!copies || (config->scene->has_pool && !pool_has_ice(config->settings)))
         return (struct rg_technique){ 0 };
     copies[FRONT_PASS].vert = bumped ? &refract_bump_vert : &refract_vert;
-    copies[FRONT_PASS].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
+    copies[FRONT_PASS].frag = bumped ? &ice_gbuffer_front_bump_frag : &ice_gbuffer_front_frag;
     copies[FRONT_PASS].uses = bumped ? bumped_uses : plain_uses;
     if (ice_gbuffer_has_materials(config)) {
         texture_pass(&copies[BACK_PASS], false);

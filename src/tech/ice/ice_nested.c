@@ -14,7 +14,7 @@
 #include "src/tech/frame_media.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_gbuffer.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/pass_arena.h"
 
 static rg_record_fn record_near, record_far;

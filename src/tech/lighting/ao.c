@@ -27,7 +27,7 @@
 #include "src/scene/ao_occluder_transmission.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/frame_resources.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 
 static const struct rg_buffer bodies = {
     .name = "ao.occluders",
@@ -115,7 +115,7 @@ static const struct rg_pass passes[] = {
                         FRAME_SAMPLE(frame_surface_light, SURROUNDINGS_ENVIRONMENT_LIGHT,
                                      .sampler = &frame_environment_sampler)),
         .vert = &fullscreen_vert,
-        .frag = &ao_map_frag,
+        .frag = &ao_box_occluders_frag,
         .record = frame_draw_screen,
         .when = is_due,
     },

@@ -5,7 +5,7 @@
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/inclusions/air.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/lighting/highlight.h"
 #include "src/tech/pass_arena.h"

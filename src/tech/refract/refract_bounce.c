@@ -53,8 +53,8 @@ static const struct refract_medium_shaders medium_shaders = {
     .material_layers_frag = &refract_bounce_material_medium_aov_frag,
     .nested_frag = &refract_bounce_nested_medium_frag,
     .nested_layers_frag = &refract_bounce_nested_medium_aov_frag,
-    .ssr_frag = &ssr_hit_refraction_medium_frag,
-    .ssr_material_frag = &ssr_hit_refraction_material_medium_frag,
+    .ssr_frag = &ssr_shade_refractive_hit_medium_frag,
+    .ssr_material_frag = &ssr_shade_refractive_hit_material_medium_frag,
 };
 
 static const struct rg_use nested_uses[] = {
@@ -81,8 +81,8 @@ static const struct refract_shaders refraction = {
     .medium_shaders = &medium_shaders,
     .nested_frag = &refract_bounce_nested_frag,
     .nested_layers_frag = &refract_bounce_nested_aov_frag,
-    .ssr_frag = &ssr_hit_refraction_frag,
-    .ssr_material_frag = &ssr_hit_refraction_material_frag,
+    .ssr_frag = &ssr_shade_refractive_hit_frag,
+    .ssr_material_frag = &ssr_shade_refractive_hit_material_frag,
     .vert = &refract_fullscreen_mean_vert,
     .uses = uses,
     .wide_uses = wide_uses,

@@ -22,7 +22,7 @@
 #include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/cracks.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/lighting/highlight.h"
 #include "src/tech/lighting/ice_caustics.h"
 #include "src/tech/output/first_surface.h"

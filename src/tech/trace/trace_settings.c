@@ -5,7 +5,7 @@
 #include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"
-#include "src/tech/inclusions/medium_density_lookup.h"
+#include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/lighting/ice_caustics.h"
 
 static const char *const surroundings[] = {

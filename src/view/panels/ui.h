@@ -5,8 +5,8 @@
 #define FIRN_VIEW_PANELS_UI_H
 
 #include "src/view/panels/theme.h"
+#include "src/view/panels/ui_choice_thumbnails.h"
 #include "src/view/panels/ui_frame_bottleneck.h"
-#include "src/view/panels/ui_preset_thumbnails.h"
 #include "src/view/pixel_inspector.h"
 #include "src/view/session/undo_stack.h"
 #include "src/view/slow_change_log.h"

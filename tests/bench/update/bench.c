@@ -11,7 +11,7 @@
 #include "graph/rg_exec.h"
 #include "src/base/clock.h"
 #include "src/gpu/gpu.h"
-#include "src/render/frame/frame_plan.h"
+#include "src/render/frame/compile_frame_plan.h"
 #include "src/scene/scene.h"
 #include "tests/support/assertions.h"
 

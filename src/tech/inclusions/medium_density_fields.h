@@ -1,6 +1,6 @@
-/* medium_density_lookup.h: density fields of a scene's scattering media, scaled by the settings. */
-#ifndef FIRN_TECH_INCLUSIONS_MEDIUM_DENSITY_LOOKUP_H
-#define FIRN_TECH_INCLUSIONS_MEDIUM_DENSITY_LOOKUP_H
+/* medium_density_fields.h: density fields of a scene's scattering media, scaled by the settings. */
+#ifndef FIRN_TECH_INCLUSIONS_MEDIUM_DENSITY_FIELDS_H
+#define FIRN_TECH_INCLUSIONS_MEDIUM_DENSITY_FIELDS_H
 
 #include "shaders/inclusions/medium_density.h"
 #include "src/scene/scene.h"

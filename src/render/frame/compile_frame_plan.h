@@ -1,6 +1,6 @@
-/* frame_plan.h: compiles a frame's techniques and readback to a render-graph plan. */
-#ifndef FIRN_RENDER_FRAME_FRAME_PLAN_H
-#define FIRN_RENDER_FRAME_FRAME_PLAN_H
+/* compile_frame_plan.h: compiles a frame's techniques and readback to a render-graph plan. */
+#ifndef FIRN_RENDER_FRAME_COMPILE_FRAME_PLAN_H
+#define FIRN_RENDER_FRAME_COMPILE_FRAME_PLAN_H
 
 #include "src/base/status.h"
 #include "src/render/frame/output_layers.h"

@@ -1,4 +1,4 @@
-/* ice_front.frag: G-buffer of the ice's front faces; REFRACT_BUMP adds bump mapping. */
+/* ice_gbuffer_front.frag: G-buffer of the ice's front faces; REFRACT_BUMP adds bump mapping. */
 #version 460
 #include "refract/refract_front_face_input.glsl"
 

@@ -1,4 +1,4 @@
-/* write_passes.c: writes the plan's passes with their targets and uses, and adds their barriers. */
+/* emit_passes.c: writes the plan's passes with their targets and uses, and adds their barriers. */
 #include "graph/compile/compiler.h"
 
 static const VkAttachmentLoadOp load_ops[] = {

@@ -1,4 +1,4 @@
-/* ssr_hit_refraction.frag: fragment shader of refraction in objects that reflected rays hit
+/* ssr_shade_refractive_hit.frag: fragment shader of refraction in objects that reflected rays hit
  * (ssr.c). */
 #version 460
 #define REFRACT_BOUNCE

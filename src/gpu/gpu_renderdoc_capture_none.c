@@ -1,5 +1,6 @@
-/* gpu_capture_none.c: replaces gpu_capture.c in builds without RenderDoc's header. */
-#include "src/gpu/gpu_capture.h"
+/* gpu_renderdoc_capture_none.c: replaces gpu_renderdoc_capture.c in builds without RenderDoc's
+ * header. */
+#include "src/gpu/gpu_renderdoc_capture.h"
 
 const char *gpu_capture_problem(void)
 {

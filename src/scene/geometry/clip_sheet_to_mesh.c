@@ -1,4 +1,4 @@
-/* clip_to_closed_mesh.c: clips a sheet of triangles to the inside of a closed mesh. */
+/* clip_sheet_to_mesh.c: clips a sheet of triangles to the inside of a closed mesh. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

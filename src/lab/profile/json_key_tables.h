@@ -1,6 +1,6 @@
-/* json_fields.h: tables of profile JSON keys, internal to json_write.c and json_read.c. */
-#ifndef FIRN_LAB_PROFILE_JSON_FIELDS_H
-#define FIRN_LAB_PROFILE_JSON_FIELDS_H
+/* json_key_tables.h: tables of profile JSON keys, internal to json_write.c and json_read.c. */
+#ifndef FIRN_LAB_PROFILE_JSON_KEY_TABLES_H
+#define FIRN_LAB_PROFILE_JSON_KEY_TABLES_H
 
 #include <jansson.h>
 #include "src/lab/profile/profile_data.h"

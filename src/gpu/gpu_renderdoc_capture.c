@@ -1,5 +1,6 @@
-/* gpu_capture.c: triggers frame captures through RenderDoc's API, if its library is loaded. */
-#include "src/gpu/gpu_capture.h"
+/* gpu_renderdoc_capture.c: triggers frame captures through RenderDoc's API, if its library is
+ * loaded. */
+#include "src/gpu/gpu_renderdoc_capture.h"
 
 #include <dlfcn.h>
 #include <renderdoc_app.h>

@@ -1,7 +1,8 @@
-/* sky.h: radiance and irradiance of the procedural sky. Callers multiply by globals.sky_strength.
- * The sky is a gradient from horizon to zenith, a sun with a soft glow, and dark ground. */
-#ifndef SHADERS_SURROUNDINGS_SKY_H
-#define SHADERS_SURROUNDINGS_SKY_H
+/* procedural_sky.h: radiance and irradiance of the procedural sky. Callers multiply by
+ * globals.sky_strength. The sky is a gradient from horizon to zenith, a sun with a soft glow, and
+ * dark ground. */
+#ifndef SHADERS_SURROUNDINGS_PROCEDURAL_SKY_H
+#define SHADERS_SURROUNDINGS_PROCEDURAL_SKY_H
 #include "abi_math.h"
 
 #define SKY_SUN_COLOR ABI_VEC3(1.0f, 0.93f, 0.80f)

@@ -1,7 +1,7 @@
-/* ui_preset_thumbnails.h: thumbnails of materials and refraction models for buttons. They are
+/* ui_choice_thumbnails.h: thumbnails of materials and refraction models for buttons. They are
  * installed as sheets, which `firn sheet` draws; see assets/README.md. */
-#ifndef FIRN_VIEW_PANELS_UI_PRESET_THUMBNAILS_H
-#define FIRN_VIEW_PANELS_UI_PRESET_THUMBNAILS_H
+#ifndef FIRN_VIEW_PANELS_UI_CHOICE_THUMBNAILS_H
+#define FIRN_VIEW_PANELS_UI_CHOICE_THUMBNAILS_H
 
 #include "src/file/reader_process.h"
 #include "src/view/panels/imgui.h"

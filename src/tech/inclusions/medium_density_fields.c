@@ -1,5 +1,5 @@
-/* medium_density_lookup.c: looks up the density fields of a scene's scattering media. */
-#include "src/tech/inclusions/medium_density_lookup.h"
+/* medium_density_fields.c: looks up the density fields of a scene's scattering media. */
+#include "src/tech/inclusions/medium_density_fields.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/tech/inclusions/air.h"

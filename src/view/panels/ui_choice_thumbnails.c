@@ -1,5 +1,5 @@
-/* ui_preset_thumbnails.c: loads the thumbnails of materials and refraction models. */
-#include "src/view/panels/ui_preset_thumbnails.h"
+/* ui_choice_thumbnails.c: loads the thumbnails of materials and refraction models. */
+#include "src/view/panels/ui_choice_thumbnails.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

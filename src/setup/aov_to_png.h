@@ -1,10 +1,10 @@
-/* layer_quantize.h: converts layers (AOVs) to displayable images, for --show. Pixels without a
+/* aov_to_png.h: converts layers (AOVs) to displayable images, for --show. Pixels without a
  * value (0; for Z, 1e10) are black. Amounts and distances are grey, linear in the 8-bit value: from
  * 1/8 for the minimum to white for the maximum of the image; the nearest distance is white.
  * Directions are shown as 0.5 + 0.5 v; each axis of positions is scaled to its range. Colours are
  * sRGB-encoded, premultiplied ones over black. */
-#ifndef FIRN_SETUP_LAYER_QUANTIZE_H
-#define FIRN_SETUP_LAYER_QUANTIZE_H
+#ifndef FIRN_SETUP_AOV_TO_PNG_H
+#define FIRN_SETUP_AOV_TO_PNG_H
 
 #include "src/file/image.h"
 #include "src/render/frame/output_layers.h"

@@ -1,6 +1,6 @@
-/* trace_layers.glsl: the ray tracer's fragment outputs in the AOV pass. */
-#ifndef TRACE_LAYERS_GLSL
-#define TRACE_LAYERS_GLSL
+/* trace_aov_outputs.glsl: the ray tracer's fragment outputs in the AOV pass. */
+#ifndef TRACE_AOV_OUTPUTS_GLSL
+#define TRACE_AOV_OUTPUTS_GLSL
 
 layout(set = 0, binding = TRACE_FIRST_OBJECT) uniform sampler2D first_object;
 #ifndef TRACE_RAYS

@@ -1,4 +1,4 @@
-/* ao_map.frag: fragment shader of the ambient occlusion map, seen from above (ao.c). */
+/* ao_box_occluders.frag: fragment shader of the ambient occlusion map, seen from above (ao.c). */
 #version 460
 #include "lib/specialization_constants.glsl"
 #include "lighting/ao.h"

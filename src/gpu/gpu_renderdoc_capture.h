@@ -1,12 +1,12 @@
 /*
- * gpu_capture.h: captures of frames for RenderDoc, through its in-application interface.
+ * gpu_renderdoc_capture.h: captures of frames for RenderDoc, through its in-application interface.
  *
  * RenderDoc's library must be loaded before the program opens a device. RenderDoc loads it into
  * programs that it starts, and its Vulkan layer loads it with ENABLE_VULKAN_RENDERDOC_CAPTURE=1.
  * This file does not load it. Captures show every pass and image by its name.
  */
-#ifndef FIRN_GPU_GPU_CAPTURE_H
-#define FIRN_GPU_GPU_CAPTURE_H
+#ifndef FIRN_GPU_GPU_RENDERDOC_CAPTURE_H
+#define FIRN_GPU_GPU_RENDERDOC_CAPTURE_H
 
 #include "src/gpu/gpu.h"
 

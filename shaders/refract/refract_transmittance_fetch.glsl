@@ -1,6 +1,7 @@
-/* refract_transmittance.glsl: reads transmittances and the opaque base's radiance from images. */
-#ifndef REFRACT_TRANSMITTANCE_GLSL
-#define REFRACT_TRANSMITTANCE_GLSL
+/* refract_transmittance_fetch.glsl: reads transmittances and the opaque base's radiance from
+ * images. */
+#ifndef REFRACT_TRANSMITTANCE_FETCH_GLSL
+#define REFRACT_TRANSMITTANCE_FETCH_GLSL
 #include "refract/refract.h"
 
 layout(set = 0, binding = REFRACT_MATERIAL_FRONT) uniform sampler2D material_front;

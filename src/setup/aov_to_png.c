@@ -1,5 +1,5 @@
-/* layer_quantize.c: converts float layers to 8-bit or 16-bit pixels for PNG files. */
-#include "src/setup/layer_quantize.h"
+/* aov_to_png.c: converts float layers to 8-bit or 16-bit pixels for PNG files. */
+#include "src/setup/aov_to_png.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
-/* tracer.h: state shared by all rays of an image: scene, media, inclusions, photon map. */
-#ifndef FIRN_LAB_REFERENCE_TRACER_H
-#define FIRN_LAB_REFERENCE_TRACER_H
+/* tracer_context.h: state shared by all rays of an image: scene, media, inclusions, photon map. */
+#ifndef FIRN_LAB_REFERENCE_TRACER_CONTEXT_H
+#define FIRN_LAB_REFERENCE_TRACER_CONTEXT_H
 
 #include "src/lab/reference/inclusion_shading.h"
 #include "src/lab/reference/nested_media.h"

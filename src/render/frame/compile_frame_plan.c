@@ -1,5 +1,5 @@
-/* frame_plan.c: assembles a frame's tables: passes of techniques, imports and readback. */
-#include "src/render/frame/frame_plan.h"
+/* compile_frame_plan.c: assembles a frame's tables: passes of techniques, imports and readback. */
+#include "src/render/frame/compile_frame_plan.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include "graph/rg_cmd.h"

@@ -1,5 +1,5 @@
-/* preset_reader.c: transfers a preset between processes: the number of lines, then all lines. */
-#include "src/file/preset_reader.h"
+/* preset_transfer.c: transfers a preset between processes: the number of lines, then all lines. */
+#include "src/file/preset_transfer.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
-/* trace_image.glsl: the ray tracer's fragment outputs for the image. */
-#ifndef TRACE_IMAGE_GLSL
-#define TRACE_IMAGE_GLSL
+/* trace_image_outputs.glsl: the ray tracer's fragment outputs for the image. */
+#ifndef TRACE_IMAGE_OUTPUTS_GLSL
+#define TRACE_IMAGE_OUTPUTS_GLSL
 
 layout(location = REFRACT_OUT_COLOR) out vec4 color;
 layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
