@@ -1,7 +1,7 @@
 /*
- * reader_pipe.h: validated byte stream between a reader process and its parent. The reader process
- * parses untrusted files, so the parent validates everything. Counts and sizes are checked before
- * memory is allocated; extra or missing bytes are a fault. Numbers are in the machine's format.
+ * reader_pipe.h: validated byte stream from a reader process to its parent process. The reader
+ * parses untrusted files, so the parent checks all data that it receives. It checks counts and
+ * sizes before it allocates memory. Extra or missing bytes are a fault. Numbers have native format.
  */
 #ifndef FIRN_FILE_READER_PIPE_H
 #define FIRN_FILE_READER_PIPE_H

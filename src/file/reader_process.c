@@ -50,8 +50,8 @@ static pthread_mutex_t reader_count_lock = PTHREAD_MUTEX_INITIALIZER;
 static uint32_t reader_count; /* number of readers that exist */
 static bool was_dumpable;
 
-/* Adds `change` to the number of readers. While readers exist, this process is not dumpable: other
- * processes of the user cannot open its memory, and a crash writes no core file. */
+/* Adds `change` to the number of readers. While readers exist, other processes of the user cannot
+ * open this process's memory, and a crash writes no core file. */
 static void count_readers(int change)
 {
     pthread_mutex_lock(&reader_count_lock);
@@ -72,8 +72,8 @@ static void close_end(int *end)
     *end = -1;
 }
 
-/* Opens a pipe with descriptors above 2, because the child replaces descriptors 0 to 2. Other child
- * processes do not inherit the pipe. */
+/* Opens a pipe whose descriptors are above 2, because the child replaces descriptors 0 to 2. Other
+ * child processes do not inherit the pipe. */
 static bool open_pipe(int ends[2])
 {
     int low[2];

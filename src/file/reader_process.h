@@ -54,8 +54,8 @@ enum reader_kind {
 struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
-    /* Seconds after which a child that uses no CPU time and sends nothing is stopped. Such a child
-     * may wait for a FIFO or a file server. 0 selects READER_IDLE_SECONDS. */
+    /* Idle limit in seconds; 0 for READER_IDLE_SECONDS. A child that uses no CPU time and sends
+     * nothing for longer is stopped. For example, it may wait for a FIFO or a file server. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
@@ -73,8 +73,8 @@ MUST_USE enum status reader_start(struct reader **started, const struct reader_p
 struct pipe_source reader_source(struct reader *reader);
 
 /*
- * Stops a reader and frees it. If `fault` is PIPE_OK, logs the child's warnings. For other faults,
- * logs why no valid data arrived. Returns STATUS_OK or the status of the failure.
+ * Stops a reader process and frees `reader`. If `fault` is PIPE_OK, logs the child's warnings and
+ * returns STATUS_OK. Otherwise, logs why no valid data arrived and returns the failure's status.
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 
@@ -92,8 +92,8 @@ struct reader_job {
 /* Returns true if the program was started as a reader process. */
 bool reader_is_child(int argc, char **argv);
 
-/* Applies the resource limits and the sandbox, and sets *job. Returns false if the arguments are
- * invalid, or if a limit or the sandbox cannot be applied. */
+/* Reads the command line into *job, then applies the resource limits and the sandbox. Returns false
+ * if the arguments are invalid, or if a limit or the sandbox cannot be applied. */
 MUST_USE bool reader_enter(int argc, char **argv, struct reader_job *job);
 
 /* Pipe sink with which the child process writes to its parent. */

@@ -23,8 +23,8 @@ static int landlock_version(void)
     return version > 0 ? (int)version : 0;
 }
 
-/* Returns the mask of all file system rights that a version of the Landlock ABI can deny.
- * Operations that only later versions can deny are blocked by the seccomp filter. */
+/* Returns all file system rights that a version of the Landlock ABI can deny, as a bit mask. The
+ * seccomp filter blocks the operations that this version cannot deny. */
 static uint64_t known_rights(int version)
 {
     static const int bits[] = { 0, 13, 14, 15, 15, 16 };

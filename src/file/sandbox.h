@@ -14,9 +14,9 @@
 #include "src/base/status.h"
 
 /*
- * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable. If
- * `with_folder` is true, all files in its folder stay readable, except through links to the
- * outside. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
+ * Restricts this thread and all threads that it starts, permanently. The file `path` and all open
+ * descriptors stay usable. If `with_folder` is true, files in the folder of `path` stay readable,
+ * except through links to the outside. Returns false if a supported mechanism cannot be applied.
  */
 MUST_USE bool sandbox_enter(const char *path, bool with_folder);
 

@@ -69,7 +69,7 @@ struct gpu {
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 
 /* Waits for the device, saves the pipeline cache and frees everything. *gpu may be zeroed or partly
- * created. Zeroes all members except message_count, which then includes messages about leaks. */
+ * created. Zeroes *gpu except for message_count, which then includes messages about leaks. */
 void gpu_destroy(struct gpu *gpu);
 
 /* Waits for the device and returns true if it is lost; then only gpu_destroy() may be called. */
@@ -100,15 +100,15 @@ struct gpu_device {
 /* Fills *device with a description of the open device, as gpu_list() does. */
 void gpu_describe(const struct gpu *gpu, struct gpu_device *device);
 
-/* Lists the devices of this machine in the order of --device numbers in *devices, which the caller
- * frees with free(). Without a loader or a device the list is empty and the result STATUS_OK. */
+/* Lists this machine's devices in *devices, in the order of --device numbers. The caller frees
+ * *devices with free(). If there is no loader or device, returns STATUS_OK and an empty list. */
 MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
 
 /* Returns the VkResult's name, for example "VK_ERROR_DEVICE_LOST". */
 const char *gpu_result_name(VkResult result);
 
-/* Converts a VkResult to a status; only VK_SUCCESS is STATUS_OK. With a process memory limit,
- * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN, because drivers return it when they reach the limit. */
+/* Converts a VkResult to a status; only VK_SUCCESS is STATUS_OK. If the process has a memory limit,
+ * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN, because drivers return it at the limit. */
 enum status gpu_status(VkResult result);
 
 /* Logs "WHAT: NAME OF THE RESULT" and advice for the user. Returns gpu_status(result). */
@@ -131,8 +131,8 @@ struct gpu_image {
     uint32_t mips, layers;
 };
 
-/* Creates a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
- * Waits until the data are visible to later commands of the queue. If size is 0, zeroes *buffer. */
+/* Creates a device-local buffer of `size` bytes and uploads `data` through a staging buffer. Waits
+ * until later commands of the queue can read the data. If `size` is 0, zeroes *buffer. */
 MUST_USE enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, const void *data,
                                        VkDeviceSize size, const char *name);
@@ -159,15 +159,15 @@ MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
 
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 
-/* Checks before any allocation that an image's size is within the device's limits. If the size is
- * too large, logs and returns STATUS_USAGE. */
+/* Checks that an image's size is within the device's limits. Call it before any allocation. If the
+ * size is too large, logs an error and returns STATUS_USAGE. */
 MUST_USE enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t height);
 /* `side`: width of a face, texels */
 MUST_USE enum status gpu_check_cube(const struct gpu *gpu, uint32_t side);
 /* Returns STATUS_DATA if a scene's texture is too large; size.depth is its number of layers. */
 MUST_USE enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
-/* Checks that the heaps have `device_size` bytes of device memory and `host_size` bytes of
- * host-visible memory. If not, logs and returns STATUS_TRY_AGAIN. */
+/* Checks that the heaps hold `device_size` bytes of device memory and `host_size` bytes of
+ * host-visible memory. If they do not, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status gpu_check_memory(const struct gpu *gpu, VkExtent2D view,
                                       VkDeviceSize device_size, VkDeviceSize host_size);
 /* Checks that acceleration structures of `size` bytes fit in the device's memory heap. */

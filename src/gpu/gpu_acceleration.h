@@ -1,20 +1,20 @@
 /*
  * gpu_acceleration.h: acceleration structures for ray queries in shaders.
  *
- * Each group of triangles has a bottom-level structure (BLAS). One top-level structure (TLAS) has
- * an instance of each, with a transform. A group that only moves keeps its BLAS.
+ * Each group of triangles has a bottom-level structure (BLAS). The only top-level structure (TLAS)
+ * has one instance per BLAS, with a transform. A group that only moves keeps its BLAS.
  *
- * Ownership: structures own their memory; gpu_acceleration_destroy() frees it before gpu_destroy().
- * gpu.h describes errors and thread safety.
+ * Structures own their memory. Call gpu_acceleration_destroy() before gpu_destroy(). gpu.h
+ * describes errors and thread safety.
  */
 #ifndef FIRN_GPU_GPU_ACCELERATION_H
 #define FIRN_GPU_GPU_ACCELERATION_H
 
 #include "src/gpu/gpu.h"
 
-/* A group of triangles, built as one BLAS. A ray query identifies a triangle by its primitive index
- * and the instance's record offset, which is set to `first`. The custom index is not used, because
- * lavapipe (Mesa 25.0) reads it at an invalid address for rays that miss. */
+/* A group of triangles with a BLAS. A ray query identifies a triangle by its primitive index plus
+ * the instance's record offset, which is `first`. The custom index is not used, because lavapipe
+ * (Mesa 25.0) reads it at an invalid address if a ray misses. */
 struct gpu_blas_group {
     uint32_t first, count; /* triangles; the count is not 0 */
     uint8_t mask;          /* instance mask of ray queries */
@@ -43,13 +43,13 @@ struct gpu_acceleration {
     struct gpu_blas_groups built;             /* groups of the last build */
 };
 
-/* Creates acceleration structures without building them. Reads only the counts of `groups`.
- * Requires gpu->has_rays. On failure, such as too little memory, *rays is NULL. */
+/* Creates acceleration structures without building them. Reads only the triangle counts of
+ * `groups`. Requires gpu->has_rays. On failure *rays is NULL. */
 MUST_USE enum status gpu_acceleration_create(struct gpu *gpu, struct gpu_acceleration **rays,
                                              const struct gpu_blas_groups *groups);
 
-/* Builds the TLAS, and the BLAS of each group unless is_kept. Moves the groups to *rays and zeroes
- * *groups. Waits for the end of the build. No shader may trace the structures during the build. */
+/* Builds the TLAS, and each BLAS whose group is not kept (is_kept). Moves `groups` to *rays and
+ * zeroes *groups. Returns after the build. No shader may trace the structures during the build. */
 MUST_USE enum status gpu_acceleration_build(struct gpu *gpu, struct gpu_acceleration *rays,
                                             struct gpu_blas_groups *groups);
 

@@ -9,12 +9,12 @@ enum {
     GPU_STAGING_SIZE = 16 << 20,
 };
 
-/* Creates gpu->instance with the extensions of gpu->windows and, if `validate`, gpu->messenger.
- * Call volkInitialize() first. A missing validation layer causes only a warning. */
+/* Creates gpu->instance with the extensions of gpu->windows. If `validate` is true, also creates
+ * gpu->messenger; a missing validation layer is only a warning. Call volkInitialize() first. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
-/* Returns advice for a machine without a usable driver: to install a driver or, if the process has
- * a memory limit, to raise the limit, because it may keep drivers from loading. */
+/* Returns advice to install a driver. If the process has a memory limit, the text also advises
+ * raising it, because the limit may keep drivers from loading. */
 const char *gpu_driver_advice(void);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
@@ -29,14 +29,14 @@ void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, c
 void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
                          struct gpu_device *device);
 
-/* Chooses the device with the number `requested`, or the best one whose name contains `requested`.
- * NULL accepts any name. Device types from best to worst are discrete, integrated, virtual and CPU.
- * The first device of the best type is chosen. */
+/* Chooses the best usable device whose number is `requested` or whose name contains `requested`. If
+ * `requested` is NULL, any device matches. Device types from best to worst are discrete,
+ * integrated, virtual and CPU. Of several devices of one type, the first is chosen. */
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
                                 const char *requested, uint32_t *index);
 
-/* Returns the first queue family with graphics and compute, which imply transfer; UINT32_MAX if
- * there is none. If gpu->windows is set, the family must also be able to present. */
+/* Returns the first queue family with graphics and compute, or UINT32_MAX if there is none. If
+ * gpu->windows is set, the family must also be able to present. */
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
 
 /* Extensions that firn uses if a device has them. */
@@ -55,8 +55,8 @@ extern const char *const gpu_ray_extensions[GPU_RAY_EXTENSION_COUNT];
 MUST_USE VkResult gpu_device_extensions_find(VkPhysicalDevice physical,
                                              struct gpu_device_extensions *offer);
 
-/* Device features to enable. `core` is the head of a pNext chain that points into this struct, so
- * the struct must not be moved after gpu_features_choose(). */
+/* Device features to enable. `core` heads a pNext chain that points into this struct, so do not
+ * move the struct after gpu_features_choose(). */
 struct gpu_features {
     VkPhysicalDeviceFeatures2 core;
     VkPhysicalDeviceVulkan12Features v12;
@@ -66,9 +66,9 @@ struct gpu_features {
     bool rays; /* ray features are enabled */
 };
 
-/* Initialises *requested with all features that firn requires, and optional ones that the device
- * has. Includes ray features if `rays` is true, which requires gpu_ray_extensions. Returns the name
- * of the first missing required feature, or NULL. The device must support Vulkan 1.3. */
+/* Sets *requested to all features that firn requires and the optional ones that the device has. If
+ * `rays` is true, adds ray features; the device must have gpu_ray_extensions. Returns the name of
+ * the first missing required feature, or NULL. The device must support Vulkan 1.3. */
 const char *gpu_features_choose(VkPhysicalDevice physical, bool rays,
                                 struct gpu_features *requested);
 
@@ -82,8 +82,8 @@ void gpu_pipeline_cache_save(const struct gpu *gpu);
 bool gpu_pipeline_cache_is_valid(const VkPhysicalDeviceProperties *device, const void *data,
                                  size_t size);
 
-/* Returns the first memory type among `bits` with all `required` property flags and, if possible,
- * all `preferred` flags; UINT32_MAX if no type has the required flags. */
+/* Returns the first memory type of the mask `bits` that has all `required` flags and, if possible,
+ * all `preferred` flags. Returns UINT32_MAX if no type has the required flags. */
 uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t bits,
                          VkMemoryPropertyFlags required, VkMemoryPropertyFlags preferred);
 
@@ -99,8 +99,8 @@ MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirem
                                          enum gpu_memory_kind kind, const char *name,
                                          VkDeviceMemory *memory);
 
-/* Creates a buffer with undefined content and its own memory, host-visible if `host` is true. The
- * buffer has a device address if `usage` has SHADER_DEVICE_ADDRESS. On failure zeroes *buffer. */
+/* Creates a buffer with undefined content and its own memory. `host` makes the memory host-visible.
+ * SHADER_DEVICE_ADDRESS in `usage` gives the buffer an address. On failure zeroes *buffer. */
 MUST_USE enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, VkDeviceSize size, bool host,
                                        const char *name);

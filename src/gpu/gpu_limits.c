@@ -68,8 +68,8 @@ static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
     return found;
 }
 
-/* Returns the usable size of a heap, bytes. CPU drivers may report too little, so their heaps count
- * as at least three quarters of the machine's memory. */
+/* Returns the usable size of a heap in bytes. For a CPU driver, it is at least three quarters of
+ * the machine's memory, because CPU drivers may report too little. */
 static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
 {
     const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;

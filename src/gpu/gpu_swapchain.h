@@ -43,13 +43,13 @@ struct gpu_swapchain {
     bool stale;         /* must be recreated */
 };
 
-/* Chooses a format with 8 bits per channel, preferably without sRGB encoding. Warns and uses FIFO
- * if `mode` is not available. Sets `stale`, because no images are created. */
+/* Chooses a format with 8 bits per channel, preferably without sRGB encoding. If `mode` is not
+ * available, warns and uses FIFO. Creates no images, so sets `stale`. */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                         VkSurfaceKHR surface, VkPresentModeKHR mode);
 
-/* Waits for the device and recreates the images. If the surface lets the program choose the image
- * size, uses `size`, the window's size in pixels. */
+/* Waits for the device and recreates the images. Their size is set by the surface or, if the
+ * surface leaves it open, is `size`, the window's size in pixels. */
 MUST_USE enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                             VkExtent2D size);
 

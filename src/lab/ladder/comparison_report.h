@@ -1,7 +1,7 @@
 /*
- * comparison_report.h: writes a model comparison as table, JSON, PNG, SVG, HTML or EXR. Functions
- * that return a status log errors and return STATUS_TRY_AGAIN when out of memory. The caller frees
- * the returned text and data, which are NULL on failure.
+ * comparison_report.h: writes a model comparison as table, JSON, PNG, SVG, HTML or EXR. If out of
+ * memory, functions log an error and return STATUS_TRY_AGAIN. The caller frees returned text and
+ * data, which are NULL on failure.
  */
 #ifndef FIRN_LAB_LADDER_COMPARISON_REPORT_H
 #define FIRN_LAB_LADDER_COMPARISON_REPORT_H
@@ -22,8 +22,8 @@ void ladder_table(const struct ladder_report *report, FILE *out);
 
 MUST_USE enum status ladder_json(const struct ladder_report *report, char **text, size_t *size);
 
-/* Draws a log-log plot of FLIP error over cost as SVG, for a file or for embedding in HTML. Omits
- * models without measured cost. */
+/* Draws FLIP error over cost as an SVG plot with logarithmic axes, for a file or for HTML. Omits
+ * models whose cost was not measured. */
 MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text, size_t *size);
 
 /* Encodes a PNG contact sheet: the reference, then each model's image and FLIP heat map. */

@@ -152,8 +152,8 @@ static void write_image(const char *attributes, const char *alt, const struct en
     fputs("\">\n", out);
 }
 
-/* Writes the image slider: a model left of the divider, the reference (image 0) right of it.
- * Without JavaScript the slider shows only the last model. */
+/* Writes the image slider. It shows a model on the left and the reference (image 0) on the right.
+ * Without JavaScript the only model is the last one. */
 static void write_slider(const struct ladder *ladder, const struct encoded *images, FILE *out)
 {
     fputs("<h2>Side by side</h2>\n<p><label>Left of the divider: <select id=\"rung\">\n", out);

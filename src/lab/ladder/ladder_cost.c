@@ -16,8 +16,8 @@ static enum status time_frame(struct renderer *renderer, const struct renderer_s
     return status;
 }
 
-/* Stores the frame time of renderer i in run r in samples[i * run_count + r]. Each renderer first
- * renders a warm-up frame, whose time is overwritten by that of run 0. */
+/* Stores the frame time of renderer i in run r in samples[i * run_count + r]. A warm-up run comes
+ * first, whose times are overwritten by run 0. */
 static enum status time_all(struct renderer *const *renderers,
                             const struct ladder_cost_request *request, double *samples,
                             renderer_progress_fn *progress, void *user)

@@ -12,9 +12,9 @@ struct ladder_cost_request {
 };
 
 /*
- * Measures each renderer's frame time, from the call until the GPU has finished, without readback.
- * costs[i] receives the median over run_count runs of renderer i, in milliseconds. The renderers
- * take turns, so that other load on the machine affects all of them equally.
+ * Measures the frame time of each renderer, from the call until the GPU has finished. Reading the
+ * image back is excluded. costs[i] is renderer i's median of run_count runs, in milliseconds. The
+ * renderers take turns, because other load on the machine then affects all of them equally.
  */
 MUST_USE enum status ladder_cost(const struct ladder_cost_request *request, double *costs,
                                  renderer_progress_fn *progress, void *user);

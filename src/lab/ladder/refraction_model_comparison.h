@@ -18,8 +18,8 @@ enum {
     LADDER_MODEL_COUNT = 16 /* upper limit */
 };
 
-/* Classes of an object's pixels by the number of total internal reflections of the refracted path,
- * read from the reference's layer `bounces`. */
+/* Class of a pixel by the number of total internal reflections on the refracted path. The number
+ * comes from the reference's layer `bounces`. */
 enum ladder_path_class {
     LADDER_REFRACTED, /* none */
     LADDER_REFLECTED, /* one */
@@ -90,8 +90,8 @@ struct ladder_params {
     enum rg_sharing sharing;
 };
 
-/* Callback that reports `done` of `all` steps of progress stage `stage`, 0 to ladder_stages() - 1.
- * If it returns false, ladder_run() stops with STATUS_FAILED and logs nothing. */
+/* Callback that reports `done` of `all` steps of a stage. `stage` is 0 to ladder_stages() - 1. If
+ * the callback returns false, ladder_run() returns STATUS_FAILED and logs nothing. */
 typedef bool ladder_progress_fn(void *user, uint32_t stage, uint32_t done, uint32_t all);
 
 /* Returns the number of stages: one for the reference, one per model, one for costs if timed. */

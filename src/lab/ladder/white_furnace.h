@@ -1,7 +1,7 @@
 /*
- * white_furnace.h: the white furnace test, which checks energy conservation. In an environment of
- * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere. A
- * deviation shows that a refraction model or the reference loses or creates energy.
+ * white_furnace.h: the white furnace test, which checks energy conservation. If the environment has
+ * radiance 1, an object that neither absorbs nor emits light has radiance 1 everywhere. Deviations
+ * show that a refraction model or the reference loses or creates energy.
  */
 #ifndef FIRN_LAB_LADDER_WHITE_FURNACE_H
 #define FIRN_LAB_LADDER_WHITE_FURNACE_H

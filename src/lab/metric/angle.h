@@ -22,8 +22,8 @@ struct angle {
 bool angle_is_there(const float *const direction[static 3], size_t pixel);
 
 /*
- * Measures the angles at all pixels in the mask. If `degrees` is not NULL, it receives pixel_count
- * angles, which are 0 where an image has no direction. Returns false when out of memory.
+ * Measures the angle between both images at each pixel in the mask. If `degrees` is not NULL, it
+ * receives pixel_count angles, 0 where an image has no direction. Returns false if out of memory.
  */
 bool angle_measure(struct angle *angle, const struct angle_pair *pair, float *degrees);
 

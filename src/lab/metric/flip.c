@@ -225,8 +225,8 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
 }
 
 /*
- * Computes HDR-FLIP's exposure range from the reference. If the median luminance is black (below
- * the smallest half float), uses the median of the other pixels. The paper omits this case.
+ * Computes HDR-FLIP's exposure range from the reference. If the median luminance is below the
+ * smallest half float, uses the median of all brighter pixels. The paper omits this case.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)

@@ -24,14 +24,14 @@ struct flip_pair {
 };
 
 /*
- * Computes the LDR-FLIP error map of two images, whose values are first multiplied by 2^exposure
- * and clamped to 0..1. errors[] receives width * height errors, 0 to 1. Returns false when out of
+ * Computes the LDR-FLIP error map of two images. Values are first multiplied by 2^exposure and
+ * clamped to 0..1. errors[] receives width * height errors from 0 to 1. Returns false if out of
  * memory.
  */
 bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors);
 
-/* Computes the HDR-FLIP error map. Each error is the maximum LDR-FLIP error over a range of
- * exposures, which the reference determines. Returns false when out of memory. */
+/* Computes the HDR-FLIP error map: at each pixel, the maximum LDR-FLIP error of several exposures.
+ * The reference determines *exposures. Returns false if out of memory. */
 bool flip_hdr(const struct flip_pair *pair, enum flip_curve curve, float *errors,
               struct flip_exposures *exposures);
 

@@ -1,8 +1,7 @@
 /*
- * flip_color.h: the colour spaces of FLIP and its perceptual colour distance, sections 4.1.1 to
- * 4.1.3 of Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astroem, Fairchild: FLIP: A Difference
- * Evaluator for Alternating Images. HPG 2020. The white point is D65, and linear colours have
- * Rec.709 primaries.
+ * flip_color.h: colour spaces and colour distance of FLIP. The white point is D65. Linear colours
+ * have Rec.709 primaries. See sections 4.1.1 to 4.1.3 of Andersson, Nilsson, Akenine-Moeller,
+ * Oskarsson, Astroem, Fairchild: FLIP: A Difference Evaluator for Alternating Images. HPG 2020.
  */
 #ifndef FIRN_LAB_METRIC_FLIP_COLOR_H
 #define FIRN_LAB_METRIC_FLIP_COLOR_H

@@ -21,8 +21,8 @@ static const struct {
     [FLIP_BLUE_YELLOW] = { 2, { 34.1, 13.5 }, { 0.04, 0.025 } },
 };
 
-/* Computes normalised Gaussian weights exp(-x^2 / (2 * deviation^2)), where x is in texels. Returns
- * the sum of the weights before normalisation. */
+/* Sets normalised Gaussian weights, proportional to exp(-x^2 / (2 * deviation^2)) for x in texels.
+ * Returns the sum of the weights before normalisation. */
 static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double deviation)
 {
     double values[2 * FLIP_RADIUS_MAX + 1], sum = 0.0;

@@ -1,7 +1,7 @@
 /*
- * flip_filter.h: the separable filters of FLIP, sections 4.1.1 (contrast sensitivity) and 4.2.1
- * (feature detection) of the paper cited in flip_color.h. The 2D filters are sums of Gaussians or
- * of Gaussian derivatives, so rows and columns are filtered separately. Filters clamp to the edge.
+ * flip_filter.h: the filters of FLIP: contrast sensitivity (section 4.1.1) and feature detection
+ * (section 4.2.1). flip_color.h cites the paper. Filters clamp to the edge. They filter rows and
+ * columns separately, because they are sums of Gaussians or of Gaussian derivatives.
  */
 #ifndef FIRN_LAB_METRIC_FLIP_FILTER_H
 #define FIRN_LAB_METRIC_FLIP_FILTER_H
@@ -39,8 +39,8 @@ struct flip_sensitivity {
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd);
 
 /*
- * Edge and point detection filters. Each uses kernel `edge` or `point` along one axis and `smooth`
- * along the other axis. Positive weights add up to 1, negative weights to -1.
+ * Filters that detect edges and points. A filter applies `edge` or `point` along one axis and
+ * `smooth` along the perpendicular axis. Positive weights add up to 1 and negative weights to -1.
  */
 struct flip_features {
     struct flip_kernel smooth, edge, point;

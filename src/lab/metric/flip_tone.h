@@ -36,9 +36,9 @@ struct flip_exposures {
 };
 
 /*
- * Returns HDR-FLIP's exposure range. The first exposure makes the tone curve map the maximum
- * luminance to 0.85, the last exposure the median luminance. For a black reference, both exposures
- * are 0 stops.
+ * Returns HDR-FLIP's exposure range. The tone curve maps the maximum luminance to 0.85 at the first
+ * exposure, and the median luminance to 0.85 at the last exposure. If the reference is black, both
+ * exposures are 0 stops.
  */
 struct flip_exposures flip_tone_exposures(enum flip_curve curve, double luminance_max,
                                           double median);

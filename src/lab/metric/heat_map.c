@@ -2,9 +2,9 @@
 #include "src/lab/metric/heat_map.h"
 #include <math.h>
 
-/* sRGB colours at equally spaced t from 0 to 1 on a curve in CIE L*C*h (D65). Lightness L* is
- * 2 + 95 t. Hue h is 290 + 170 t degrees. Chroma C* is 0.88 times the maximum chroma in the sRGB
- * gamut, but at most 75. */
+/* sRGB colours of the heat map at equally spaced t from 0 to 1. In CIE L*C*h (D65), lightness L* is
+ * 2 + 95 t and hue h is 290 + 170 t degrees. Chroma C* is 0.88 times the maximum in the sRGB gamut,
+ * but at most 75. */
 static const uint8_t heat_map[17][3] = {
     { 2, 4, 35 },      { 9, 15, 72 },     { 48, 8, 99 },     { 82, 14, 97 },    { 109, 20, 99 },
     { 137, 26, 100 },  { 164, 32, 100 },  { 192, 38, 98 },   { 221, 45, 91 },   { 243, 65, 81 },

@@ -6,7 +6,7 @@
 
 /*
  * Converts an error, clamped to 0..1, to an sRGB-encoded colour. The hue goes from blue via red to
- * yellow. Lightness (CIE L*) rises linearly from 2 to 97, so that greyscale prints work.
+ * yellow. Lightness (CIE L*) rises linearly from 2 to 97, which suits greyscale prints.
  */
 void heat_map_srgb(float error, uint8_t rgb[static 3]);
 

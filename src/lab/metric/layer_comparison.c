@@ -127,8 +127,8 @@ static bool measure_exit(struct comparison *c, const struct comparison_params *p
     return c->degrees && angle_measure(&c->angle, &pair, c->degrees);
 }
 
-/* Counts pixels at which layer `tir` differs. If both images have a layer `exit`, skips pixels that
- * have an exit direction in neither image. */
+/* Counts pixels at which layer `tir` differs. If both images have a layer `exit`, skips pixels
+ * where both lack an exit direction. */
 static void measure_tir(struct comparison *c, const struct comparison_params *params)
 {
     static const char *const names[3] = { "exit.X", "exit.Y", "exit.Z" };

@@ -1,7 +1,7 @@
 /*
  * layer_comparison.h: compares two images layer by layer: FLIP, RMSE, relMSE, MAE, angles. A layer
- * is all planes with the same name before the last dot; R, G and B are the layer "beauty". Only
- * planes that exist in both images are compared.
+ * is all planes whose names are equal up to the last dot. R, G and B are the layer "beauty". Planes
+ * that exist in only one image are ignored.
  */
 #ifndef FIRN_LAB_METRIC_LAYER_COMPARISON_H
 #define FIRN_LAB_METRIC_LAYER_COMPARISON_H
@@ -66,8 +66,8 @@ const struct comparison_layer *comparison_find(const struct comparison *comparis
                                                const char *name);
 
 /*
- * Returns the layer that a metric measures, or NULL if an image lacks this layer. *value receives
- * the metric, or NaN if the mask contains no pixel.
+ * Sets *value to a metric and returns the layer that the metric measures. If the mask contains no
+ * pixel, *value is NaN. Returns NULL if an image lacks the layer.
  */
 const struct comparison_layer *comparison_metric(const struct comparison *comparison,
                                                  enum comparison_metric metric, double *value);

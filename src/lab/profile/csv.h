@@ -8,7 +8,7 @@
 /*
  * Writes a header line, then one record per row and run:
  * run,row,technique,repetition,kind,ms,begin_ms,record_ms. The totals `frame`, `plain` and `wait`
- * are rows of kind "whole". The format is RFC 4180 with CRLF. Numbers have full precision, and a
+ * are rows of kind "whole". The format is RFC 4180 with CRLF. Numbers have full precision and a
  * decimal point in every locale. The caller must check ferror(out).
  */
 void profile_csv(const struct profile *profile, FILE *out);

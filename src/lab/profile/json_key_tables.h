@@ -39,19 +39,19 @@ extern const struct profile_fields profile_fields, profile_setting_fields, profi
 
 extern const char *const profile_kind_names[PROFILE_KIND_COUNT];
 
-/* Adds all keys of docs/profile.md other than `format` and `type`. Omits samples, `settings` and
- * `residents` if `with_samples` is false. Returns false when out of memory. */
+/* Adds all keys of docs/profile.md except `format` and `type`. If `with_samples` is false, omits
+ * samples, `settings` and `residents`. Returns false if out of memory. */
 bool profile_json_add_all(json_t *json, const struct profile *profile, bool with_samples);
 
-/* Sets `value` as `key` of an object or, if `key` is NULL, appends it to an array. Takes ownership
- * of `value` and returns it. Returns NULL when out of memory, or if `json` or `value` is NULL. */
+/* Sets the key `key` of an object to `value`. If `key` is NULL, appends `value` to an array. Takes
+ * ownership of `value` and returns it. Returns NULL if out of memory or if an input is NULL. */
 json_t *profile_json_put(json_t *json, const char *key, json_t *value);
 
 /* Returns a JSON string in which bytes that are not UTF-8 are replaced by '?'. */
 json_t *profile_json_string(const char *text);
 
 /* Writes JSON and a newline to *text, which the caller frees. Releases `root`, which may be NULL.
- * Logs and returns STATUS_TRY_AGAIN if `is_whole` is false or when out of memory. */
+ * If out of memory or if `is_whole` is false, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_json_end(json_t *root, bool is_whole, size_t digits, char **text,
                                       size_t *size);
 

@@ -1,6 +1,6 @@
 /*
  * measure_frames.h: renders a frame repeatedly and measures its passes. Each run renders the frame
- * twice, once with and once without measurement of passes, in alternating order. The difference is
+ * once with and once without measurement of passes, in alternating order. The time difference is
  * the measurement overhead. The image is not read back from the GPU.
  */
 #ifndef FIRN_LAB_PROFILE_MEASURE_FRAMES_H
@@ -38,9 +38,9 @@ struct profile_run {
 };
 
 /*
- * Creates a renderer for each request and fills the profiles. The renderers take turns, so that
- * other load on the machine affects all of them equally. Afterwards the caller fills in command,
- * scene, material and settings. On failure all profiles are zeroed.
+ * Creates a renderer for each request and fills the profiles. The renderers take turns, because
+ * other load on the machine then affects all of them equally. Leaves command, scene, material and
+ * settings for the caller to fill in. On failure all profiles are zeroed.
  */
 MUST_USE enum status profile_measure(const struct profile_run *run);
 

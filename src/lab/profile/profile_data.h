@@ -33,8 +33,8 @@ struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
     char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for other rows */
     enum profile_kind kind;
-    /* Index and number of the repetitions of a pass that is drawn per cube face or object. They are
-     * 0 and 1 for other rows. */
+    /* Index of this repetition and number of repetitions, if a pass is drawn per cube face or
+     * object. Otherwise, 0 and 1. */
     uint32_t repetition, repetition_count;
     uint32_t width, height; /* of the render targets; else 0 */
     uint64_t target_bytes;  /* total size of the render targets */
@@ -91,8 +91,8 @@ struct profile {
     double *wait;  /* CPU wait for GPU, per run */
 };
 
-/* Allocates zeroed rows and samples for pass_count passes and run_count runs, and adds the rows
- * record, submit and unattributed. The caller names the rows of the passes. */
+/* Allocates zeroed rows and samples for pass_count passes and run_count runs. Adds the rows
+ * `record`, `submit` and `unattributed`. The caller names the passes' rows. */
 MUST_USE enum status profile_make_rows(struct profile *profile);
 
 void profile_finish(struct profile *profile);

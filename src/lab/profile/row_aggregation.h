@@ -1,5 +1,5 @@
 /*
- * row_aggregation.h: lines of a profile's table. A line sums up a row's repetitions and summarises
+ * row_aggregation.h: lines of a profile's table. A line adds up a pass's repetitions and summarises
  * all runs. Lines own their samples and borrow the profile, which must outlive them.
  */
 #ifndef FIRN_LAB_PROFILE_ROW_AGGREGATION_H

@@ -19,8 +19,8 @@ static double from_key(uint64_t key)
 /* Callback that returns how many items are at most `value`. */
 typedef uint64_t count_fn(const void *items, double value);
 
-/* Returns item `index` in ascending order, by bisection over the bits of a double. Items are only
- * counted, not stored or sorted, so they can be all pairs of values from two sets. */
+/* Returns item `index` in ascending order, by bisection over the bits of a double. Only counts
+ * items and does not store them, so items can be all pairs of values from two sets. */
 static double find_nth(count_fn *count, const void *items, uint64_t index)
 {
     uint64_t key = 0;
@@ -136,9 +136,9 @@ static struct ranks rank(const struct profile_pair *pair)
 }
 
 /*
- * Returns the exact two-sided p-value 2 * P(U <= u). The number of orders of a + b samples that
- * have statistic U is the coefficient of q^U in the product of (1 - q^(b + i)) / (1 - q^i) over i =
- * 1..a.
+ * Returns the exact two-sided p-value 2 * P(U <= u) for `a` and `b` samples. orders[k] is the
+ * number of sample orders with U = k. This number is the coefficient of q^k in the product of
+ * (1 - q^(b + i)) / (1 - q^i) over i = 1..a.
  */
 static double exact_probability(uint32_t a, uint32_t b, uint32_t u)
 {

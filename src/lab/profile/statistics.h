@@ -1,7 +1,7 @@
 /*
  * statistics.h: timing statistics: summaries, outliers, significance tests, power-law fits. Samples
- * must be finite. No function allocates. Quantiles are interpolated linearly (type 7 of R. J.
- * Hyndman, Y. Fan, Sample Quantiles in Statistical Packages, 1996).
+ * must be finite. No function allocates memory. Quantiles are interpolated linearly (type 7 of R.
+ * J. Hyndman, Y. Fan, Sample Quantiles in Statistical Packages, 1996).
  */
 #ifndef FIRN_LAB_PROFILE_STATISTICS_H
 #define FIRN_LAB_PROFILE_STATISTICS_H
@@ -21,8 +21,8 @@ struct profile_summary profile_summarize(const double *samples, uint32_t count);
 /* Returns a quantile of one or more samples. `portion` 0 is the minimum, 0.5 the median. */
 double profile_quantile(const double *samples, uint32_t count, double portion);
 
-/* Limits beyond which a sample is an outlier. They lie 1.5 interquartile ranges outside the
- * quartiles (J. W. Tukey, Exploratory Data Analysis, 1977). */
+/* Limits beyond which a sample is an outlier. They lie 1.5 interquartile ranges below the lower
+ * quartile and above the upper quartile (J. W. Tukey, Exploratory Data Analysis, 1977). */
 struct profile_fences {
     double low, high;
 };
@@ -56,9 +56,9 @@ enum {
 };
 
 /*
- * Adjusts the p-values of `count` simultaneous tests by Holm's method, which keeps the probability
- * of any false positive below the significance level (S. Holm, A Simple Sequentially Rejective
- * Multiple Test Procedure, 1979). `adjusted` must not alias `p`.
+ * Adjusts the p-values of `count` simultaneous tests by Holm's method. This method keeps the
+ * probability of any false positive below the significance level (S. Holm, A Simple Sequentially
+ * Rejective Multiple Test Procedure, 1979). `adjusted` must not alias `p`.
  */
 void profile_holm(const double *p, double *adjusted, uint32_t count);
 
@@ -69,7 +69,7 @@ struct profile_ratio {
 
 /* Estimates the ratio b / a as the median of all pairwise ratios, which outliers hardly affect. Its
  * logarithm is the Hodges-Lehmann shift of the logarithms (J. L. Hodges, E. L. Lehmann, Estimates
- * of Location Based on Rank Tests, 1963). With few samples the interval spans all ratios. */
+ * of Location Based on Rank Tests, 1963). If samples are few, the interval spans all ratios. */
 struct profile_ratio profile_ratio(const struct profile_pair *pair);
 
 /* Power law y = factor * x ^ exponent, by a least-squares fit of the logarithms. */
@@ -79,8 +79,8 @@ struct profile_fit {
     uint32_t point_count; /* points with x above 0 */
 };
 
-/* Fits a power law to the points with positive x. There is no fit if all x are equal, or if y is
- * not positive at one of these points. */
+/* Fits a power law to the points with positive x. Returns zeros if one of these points has y <= 0,
+ * or if all of them have equal x. */
 struct profile_fit profile_fit(const double *x, const double *y, uint32_t count);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * sweep_power_law.h: parameter sweeps, which measure a profile for each combination of parameter
- * values, and fit power laws to the costs. A sweep owns its parameters and profiles, but borrows
- * its contrasts and figures. profile_sweep_finish() accepts incomplete and zeroed sweeps.
+ * sweep_power_law.h: parameter sweeps with power-law fits of the costs. A sweep measures a profile
+ * for each combination of parameter values. It owns its parameters and profiles, but borrows its
+ * contrasts and figures. profile_sweep_finish() accepts incomplete and zeroed sweeps.
  */
 #ifndef FIRN_LAB_PROFILE_SWEEP_POWER_LAW_H
 #define FIRN_LAB_PROFILE_SWEEP_POWER_LAW_H
@@ -44,9 +44,9 @@ struct profile_sweep {
 MUST_USE enum status profile_contrast_all(struct profile_sweep *sweep);
 
 /*
- * Adds a parameter given as "name=a,b,c". Reallocates and zeroes all points. The name is a setting
- * or "size". Names and values are not validated. Logs and returns STATUS_USAGE if a name or value
- * is missing, a name occurs twice, a text is too long, or there are too many parameters or points.
+ * Adds a parameter given as "name=a,b,c", and reallocates and zeroes all points. The name is a
+ * setting or "size". Does not validate names and values. Logs an error and returns STATUS_USAGE if
+ * a part is missing, a name occurs twice, a text is too long, or parameters or points are too many.
  */
 MUST_USE enum status profile_sweep_add(struct profile_sweep *sweep, const char *text);
 void profile_sweep_finish(struct profile_sweep *sweep);
@@ -67,15 +67,15 @@ struct profile_growth {
 };
 
 /*
- * Fits power laws to the frame time and to all rows that exceed 2 % of the frame time at some
- * point. All points must have been measured. The caller frees *growths. *growths is NULL and *count
- * is 0 if there are several parameters, values that are not numbers, or no valid fits.
+ * Fits power laws to the frame time and to each row above 2 % of the frame time at some point. All
+ * points must have been measured. The caller frees *growths. If there are several parameters,
+ * values that are not numbers, or no valid fits, *growths is NULL and *count is 0.
  */
 MUST_USE enum status profile_sweep_fit(const struct profile_sweep *sweep,
                                        struct profile_growth **growths, uint32_t *count);
 
-/* Prints one line per point: parameters, median and standard deviation of the frame time, and the
- * most expensive passes. Then prints the power-law fits. Lines have at most PROFILE_COLUMNS
+/* Prints one line per point, then the power-law fits. A line has the parameters, the frame time's
+ * median and standard deviation, and the most expensive passes. Lines have at most PROFILE_COLUMNS
  * characters. */
 MUST_USE enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out);
 

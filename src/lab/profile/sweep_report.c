@@ -23,8 +23,8 @@ struct columns {
     uint32_t passes; /* columns left for the passes */
 };
 
-/* Chooses the widths of parameter columns. Widths are counted in bytes, so columns with non-ASCII
- * text may be too wide but are never too narrow. */
+/* Chooses the widths of the parameter columns. Widths are limited, so long values may be cut.
+ * Widths are counted in bytes, so columns with non-ASCII text may be too wide. */
 static struct columns make_columns(const struct profile_sweep *sweep)
 {
     struct columns columns = { 0 };

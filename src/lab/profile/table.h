@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include "src/lab/profile/profile_data.h"
 
-/* Prints the table. A line adds up all repetitions of a pass, such as cube faces. If `each` is
- * true, each repetition has a line. When out of memory logs and returns STATUS_TRY_AGAIN. */
+/* Prints the table. If `each` is true, each repetition of a pass has a line. Otherwise, a line adds
+ * up all repetitions. If out of memory, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_table(const struct profile *profile, bool each, FILE *out);
 
 /* Returns the number of decimals that show `greatest` with five significant digits. */

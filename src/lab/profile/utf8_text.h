@@ -14,7 +14,7 @@ enum {
 void profile_clean_text(char *text);
 
 /* Prints text padded with spaces to `columns` characters. In longer text, "…" replaces the middle.
- * '?' replaces invalid UTF-8 and control characters, which are a risk in terminals. */
+ * '?' replaces invalid UTF-8 and control characters, because they are a risk in terminals. */
 void profile_print_name(const char *name, uint32_t columns, FILE *out);
 
 /* Prints text wrapped to PROFILE_COLUMNS, at word boundaries if possible, and a newline.

@@ -1,6 +1,6 @@
 /*
  * dielectric_split.c: reflection and refraction at cracks and at smooth, rough, bumpy and frosted
- * surfaces, by Snell's law and the Fresnel equations for unpolarised light (Born and Wolf,
+ * surfaces. Uses Snell's law and the Fresnel equations for unpolarised light (Born and Wolf,
  * Principles of Optics, 1.5.2). Differences of nearly equal numbers are in double precision.
  */
 #include "src/lab/reference/dielectric_split.h"
@@ -32,7 +32,7 @@ static vec3s weighted_sum(double a, vec3s d, double b, vec3s n)
 }
 
 /* Computes reflection and refraction directions and the Fresnel reflectance. `n` is on the incident
- * side. `eta` is the refractive index of the incident medium over that of the other medium. */
+ * side. `eta` is the incident medium's refractive index over the second medium's. */
 static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-dielectric_split_dot(d, n), 1.0);
@@ -145,8 +145,8 @@ static struct face face_at(const struct tracer *tracing, vec3s dir,
     return face;
 }
 
-/* Computes the GGX masking factors, which are 0 for directions on the wrong side of the surface.
- * Recomputes the Fresnel reflectance with the macroscopic normal instead of the microfacet's. */
+/* Computes the GGX masking factors. A factor is 0 if its direction is on the wrong side of the
+ * surface. Recomputes the Fresnel reflectance with the macroscopic normal. */
 static void apply_masking(struct dielectric_split *split, vec3s dir, const struct face *face)
 {
     const bool is_refracted =
@@ -160,7 +160,7 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
 }
 
 /* Corrects directions that bumps have put on the wrong side of the triangle. If the surface is
- * rough, such directions get weight 0, else they are recomputed with the geometric normal. */
+ * rough, such directions get weight 0. Otherwise, the geometric normal replaces the bumpy one. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {

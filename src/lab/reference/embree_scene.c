@@ -64,8 +64,8 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-/* Intersection filter for cracks and planes of air. Rejects hits within epsilon of the ray's
- * origin, because a ray must not hit the crack or plane on which it starts. */
+/* Intersection filter for cracks and textured planes of air. Rejects hits within epsilon of the
+ * ray's origin, because a ray must not hit the surface on which it starts. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;

@@ -66,8 +66,8 @@ struct embree_scene {
 };
 
 /*
- * Builds the Embree scene, which borrows `radiance`. Fails when out of memory or if the build needs
- * more than `memory` bytes. On failure logs, zeroes *embree_scene and returns STATUS_TRY_AGAIN.
+ * Builds the Embree scene, which borrows `radiance`. If out of memory, or if the build needs more
+ * than `memory` bytes, logs an error, zeroes *embree_scene and returns STATUS_TRY_AGAIN.
  */
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);

@@ -8,8 +8,8 @@ enum {
     CROSSINGS_MAX = 4096 /* all surfaces along a shadow ray */
 };
 
-/* Minimum throughput of gather rays. Weaker rays are replaced by the analytic sky light from their
- * direction. The ray-traced refraction model has an equal threshold. */
+/* Minimum throughput of gather rays. Weaker rays are not traced; the sky in their direction counts
+ * as unoccluded. The ray-traced refraction model has an equal threshold. */
 #define WEIGHT_MIN 1e-3f
 
 static vec2s random_point(const struct tracer *tracing, uint32_t seed, uint32_t salt)

@@ -20,22 +20,22 @@ enum {
     LIGHT_GATHER_RAYS = DIFFUSE_SAMPLING_RAYS + 1 /* diffuse lobe, then specular lobe */
 };
 
-/* Gather rays of a surface point. `analytic_sky` is the sky light from the directions of these
- * rays. The caller must subtract it from the analytic shading, which already contains it. */
+/* Gather rays of a surface point. `analytic_sky` is the sky light from the directions of `rays`.
+ * The caller must subtract it from the analytic shading, because that already contains it. */
 struct light_gather {
     struct ray_branch rays[LIGHT_GATHER_RAYS];
     uint32_t count;
     vec3s analytic_sky;
 };
 
-/* Returns the gather rays of a hit on surroundings that have transmittance `passing`. Returns no
- * rays if lighting is not ray-traced, if the surface is unlit, or if `b` is itself a gather ray. */
+/* Returns the gather rays of a hit on the surroundings, whose transmittance is `passing`. Returns
+ * none if lighting is not ray-traced, the surface is unlit, or `b` is itself a gather ray. */
 struct light_gather light_gather_at(const struct tracer *tracing, const struct ray_branch *b,
                                     const struct embree_scene_hit *hit,
                                     const struct radiance_point *point, float passing);
 
-/* Traces a shadow ray to a random point of the sun's disc. Only surroundings occlude it. Returns
- * the visibility of the sun: 0, 1, or a value in between behind blended surfaces. */
+/* Traces a shadow ray to a random point of the sun's disc and returns the sun's visibility, 0 to 1.
+ * Only surroundings occlude the sun. Values between 0 and 1 come from blended surfaces. */
 float light_gather_sun(const struct tracer *tracing, vec3s point, uint32_t seed);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * inclusion_shading.h: cracks, planes of air, bumps and frost for the path tracer. Uses the same
- * noise and formulas as shaders/inclusions/cracks_noise.h and shaders/lighting/bump_normal.h.
+ * inclusion_shading.h: cracks, textured planes of air, bumps and frost for the path tracer. Noise
+ * and formulas are as in shaders/inclusions/cracks_noise.h and shaders/lighting/bump_normal.h.
  */
 #ifndef FIRN_LAB_REFERENCE_INCLUSION_SHADING_H
 #define FIRN_LAB_REFERENCE_INCLUSION_SHADING_H

@@ -11,8 +11,8 @@ struct linear_filter {
     float weight;
 };
 
-/* Returns the two texels at a texture coordinate, where 0 to 1 spans `count` texels. Outside 0 to 1
- * the texture repeats if `repeat` is true. Otherwise the coordinate is clamped. */
+/* Returns the two texels nearest to a texture coordinate. Coordinates 0 to 1 span `count` texels.
+ * Outside 0 to 1, the texture repeats if `repeat` is true, else the coordinate is clamped. */
 struct linear_filter linear_filter_at(float coordinate, uint32_t count, bool repeat);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * nested_media.h: nested dielectrics with priorities. Tracks which objects and which medium
  * surround a ray. Touching objects must overlap slightly, because rays cannot robustly hit
- * coincident surfaces. In the overlap, only the medium of highest priority (`rank`) applies, and
- * surfaces inside it are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced
+ * coincident surfaces. In an overlap, the medium of highest priority (`rank`) applies. Surfaces
+ * inside this medium are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced
  * Images).
  */
 #ifndef FIRN_LAB_REFERENCE_NESTED_MEDIA_H

@@ -83,7 +83,7 @@ static void store_hit(struct stored_hits *stored_hits, const struct ray_branch *
         (struct photon){ position, b->ray.dir, glms_vec3_scale(b->throughput, fraction) };
 }
 
-/* Traces a photon. Stores hits on surroundings only after the first hit on an object, because
+/* Traces a photon. Stores its hits on the surroundings only after it has hit an object, because
  * shadow rays already sample direct sunlight. */
 static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint32_t channel,
                          struct stored_hits *stored_hits)
@@ -126,7 +126,7 @@ struct cell {
     int32_t at[3];
 };
 
-/* Returns the grid cell of a point. A cell is as wide as the search diameter, so a search overlaps
+/* Returns the grid cell of a point. Cells are as wide as the search diameter, so a search overlaps
  * at most two cells along each axis. */
 static struct cell cell_of(const struct photons *photons, vec3s point)
 {
@@ -144,8 +144,8 @@ static uint32_t bucket_of(const struct photons *photons, struct cell cell)
     return microfacet_hash(across, (uint32_t)cell.at[1]) & (photons->bucket_count - 1);
 }
 
-/* Counting-sorts the photons of all chunks into the hash grid. Their order in a bucket does not
- * depend on the number of threads. Returns false when out of memory. */
+/* Sorts the photons of all chunks into the hash grid, by counting sort. The order within a bucket
+ * does not depend on the number of threads. Returns false if out of memory. */
 static bool sort(struct photons *photons, const struct job *job)
 {
     bool done = true;
