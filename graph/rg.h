@@ -109,8 +109,8 @@ enum rg_memory {
 };
 
 /* A 2D or 3D image, transient unless imported or persistent. A transient image has content from the
- * first to the last pass that accesses it in a frame, and may share memory with other images. A
- * persistent image keeps its content between frames (history) and is initially zero. */
+ * first to the last pass that accesses it in a frame, and may share memory. A persistent image
+ * keeps its content between frames (history) and is initially zero. */
 struct rg_image {
     const char *name;       /* unique; shown in dumps and captures */
     VkFormat format;        /* required; one of compile/format_table.c */
@@ -119,7 +119,7 @@ struct rg_image {
     uint32_t layers;        /* array layers; default 1, cube 6 */
     uint32_t mips;          /* mip levels, or RG_ALL_MIPS; default 1 */
     /* samples per texel: a power of two up to 64; 0 means 1. A multisampled image has one mip
-     * level, is no cube, and is read by texelFetch */
+     * level, is no cube map, and is read by texelFetch */
     uint32_t samples;
     /* texels along z; 0 means 2D. A 3D image has one layer, one sample, and is no cube or target */
     uint32_t depth;
@@ -128,9 +128,9 @@ struct rg_image {
     bool persistent; /* keeps content; ignored for imports */
 };
 
-/* A buffer: transient, persistent or imported, like an image. A buffer that is accessed as
- * RG_TRACE, RG_BUILD or RG_BUILD_SOURCE holds exactly one acceleration structure; `size` is then
- * accelerationStructureSize from vkGetAccelerationStructureBuildSizesKHR(). A persistent
+/* A buffer, which is transient, persistent or imported, like an image. If passes access it as
+ * RG_TRACE, RG_BUILD or RG_BUILD_SOURCE, it holds exactly one acceleration structure. `size` is
+ * then accelerationStructureSize from vkGetAccelerationStructureBuildSizesKHR(). A persistent
  * acceleration structure is valid once a pass has built it. */
 struct rg_buffer {
     const char *name;            /* unique among resources */
@@ -171,8 +171,8 @@ struct rg_use {
     const struct rg_image *image;   /* set either this or `buffer` */
     const struct rg_buffer *buffer; /* set either this or `image` */
     enum rg_access access;          /* required; no attachment access */
-    /* binding in descriptor set 0, unique except in descriptor arrays. Consecutive uses with the
-     * same binding, descriptor type and stages form an array, with `element` counting from 0. */
+    /* binding in descriptor set 0, unique except in descriptor arrays. Consecutive uses with equal
+     * binding, descriptor type and stages form an array, in which `element` counts from 0. */
     uint16_t binding;
     uint16_t element;
     bool texels;  /* storage texel buffer, of rg_buffer.format */
@@ -192,8 +192,8 @@ struct rg_target {
     const struct rg_image *image; /* NULL: no attachment */
     enum rg_load load;            /* content when the pass begins */
     VkClearValue clear;           /* for RG_LOAD_CLEAR; depth 0 to 1 */
-    /* mip level and layer to draw to at the first repetition. Each further one draws to the next
-     * mip level or layer, unless the image has only one */
+    /* mip level and layer to draw to. A repeated pass begins there, and each further repetition
+     * draws to the next mip level or layer, unless the image has only one */
     uint32_t mip, layer;
     enum rg_blend blend; /* blend mode of a colour target */
     /* custom blend state, which requires that `blend` is 0; no dual-source blending */
@@ -203,16 +203,16 @@ struct rg_target {
     uint32_t resolve_mip, resolve_layer; /* as `mip` and `layer`, of `resolve` */
 };
 
-/* SPIR-V code of one shader stage with entry point "main". Descriptors are in set 0, and in set 1
- * if the pass has a `set`. rg_compile() checks passes against the interface of the shader. */
+/* SPIR-V code of one shader stage, with entry point "main". Descriptors are in set 0, and in set 1
+ * if the pass has a `set`. rg_compile() checks passes against the shader's interface. */
 struct rg_shader {
     const char *name;      /* for captures and messages */
     const uint32_t *words; /* the SPIR-V module; borrowed */
     size_t word_count;     /* 32-bit words; 0: unknown, not validated */
 };
 
-/* Descriptor set 1, which the program owns and binds, for resources such as bindless textures,
- * which the graph neither synchronises nor validates. rg_exec_params.sets has the set's layout. */
+/* Descriptor set 1, which the program owns and binds, for example for bindless textures. The graph
+ * neither synchronises nor validates its resources. rg_exec_params.sets has the set's layout. */
 struct rg_set {
     const char *name; /* required; for messages and dumps */
 };
@@ -227,8 +227,8 @@ struct rg_vertex_layout {
     const struct rg_vertex_layout *next; /* layout of the next binding */
 };
 
-/* Stencil test of a pass whose depth target has a stencil aspect. Stencil values are stored in the
- * depth target; rg_target.clear has the initial value. */
+/* Stencil test of a pass. The pass needs a depth target with a stencil aspect, which stores the
+ * stencil values. rg_target.clear has the initial value. */
 struct rg_stencil {
     VkStencilOpState front, back; /* for front faces; for back faces */
 };
@@ -243,7 +243,7 @@ struct rg_cmd;   /* the pass being recorded (rg_cmd.h) */
 struct rg_frame; /* program-defined per-frame data for callbacks */
 
 /* Records the commands of one pass. The pass's pipeline, descriptor set 0, viewport, scissor and
- * targets are already bound. Called by rg_exec_submit(), in the same thread. */
+ * targets are already bound. rg_exec_submit() calls this function in the caller's thread. */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Returns true if a conditional pass runs in a frame; `repetition` is 0 unless the pass is
@@ -348,8 +348,8 @@ struct rg_device {
     uint32_t max_volume_size; /* texels per 3D side; default 16384 */
 };
 
-/* Which transient resources may alias. A resource that takes over memory must wait for the last
- * access of the previous owner, so aliasing saves memory but may add barriers. */
+/* Which transient resources may share memory (alias). Aliasing saves memory but may add barriers,
+ * because a resource must wait until the memory's previous resource is no longer accessed. */
 enum rg_sharing {
     RG_SHARE_FEWEST_BATCHES, /* aliases if no batch is added */
     RG_SHARE_LEAST_MEMORY,   /* aliases all resources with disjoint lifetimes */
@@ -362,8 +362,8 @@ struct rg_size {
     VkExtent2D extent; /* texels */
 };
 
-/* Input of rg_compile(), all borrowed. `memory` and the tables must outlive the plan. The device
- * and the arrays of techniques, outputs, imports and sizes are not read after the call. */
+/* Input of rg_compile(). All pointers are borrowed. `memory` and the tables must outlive the plan.
+ * The device and the arrays of techniques, outputs, imports and sizes need not outlive the call. */
 struct rg_compile_params {
     const struct rg_technique *const *techniques; /* in execution order */
     size_t technique_count;
@@ -382,8 +382,8 @@ struct rg_compile_params {
     bool skip_shaders;              /* no shader validation (5 us each) */
     /* rg_exec_params.constants; each must occur in a shader. NULL disables this check */
     const VkSpecializationInfo *constants;
-    /* Memory for compiling and for the plan; must outlive the plan and be aligned for any type. If
-     * NULL or too small, malloc() provides the rest; rg_plan.arena_size bytes suffice. */
+    /* Memory for compiling and for the plan. It must outlive the plan and be aligned for any type.
+     * If NULL or too small, malloc() provides the rest. rg_plan.arena_size bytes are enough. */
     void *memory;
     size_t memory_size; /* bytes */
 };
@@ -437,7 +437,7 @@ struct rg_fault {
 };
 
 /* Compiles the techniques of `params` in order. Returns a plan, which the caller destroys, or NULL
- * if out of memory. Invalid numbers and NULL pointers in the tables only produce faults: a plan
+ * if out of memory. If tables have invalid numbers or NULL pointers, the plan has faults. A plan
  * with a nonzero fault_count cannot be executed. Thread-safe. */
 RG_API struct rg_plan *rg_compile(const struct rg_compile_params *params);
 
@@ -447,15 +447,15 @@ RG_API void rg_plan_destroy(struct rg_plan *plan);
 /* Returns the create info of a plan's image, for queries of memory and for vkCreateImage(). */
 RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image);
 
-/* Write a plan, or its faults, to `out`. Equal tables give bit-identical output. The caller checks
- * `out` for I/O errors. docs/render-graph.md describes the formats. */
+/* Write a plan, or its faults, to `out`. Equal tables give bit-identical output. I/O errors of
+ * `out` are for the caller to check. docs/render-graph.md describes the formats. */
 RG_API void rg_dump(const struct rg_plan *plan, FILE *out);      /* text, one item per line */
 RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);  /* Graphviz digraph */
 RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out); /* one JSON object */
 RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out); /* one self-contained page */
 
-/* Writes a fault as one line, without newline: technique, row, pass, resource, problem, hint.
- * Writes at most `size` bytes; returns the length of the whole line, as snprintf() does. */
+/* Writes a fault as one line without newline: technique, row, pass, resource, problem, hint. Writes
+ * at most `size` bytes. Returns the whole line's length, as snprintf() does. */
 RG_API int rg_fault_text(const struct rg_fault *fault, char *text, size_t size);
 
 /* Vulkan stages, accesses, layout and usage of an rg_access. */

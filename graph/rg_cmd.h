@@ -2,8 +2,8 @@
  * rg_cmd.h: commands that a record function may call: draws, dispatches, copies.
  *
  * The pipeline, descriptor set 0, targets, viewport and scissor of the pass are already bound. All
- * functions record into the pass's command buffer, in the thread of rg_exec_submit(), and return no
- * error. A `cmd` is valid only until its record function returns.
+ * functions record into the pass's command buffer and return no error. They may be called only in
+ * the thread of rg_exec_submit(). A `cmd` is valid only until its record function returns.
  */
 #ifndef RG_CMD_H
 #define RG_CMD_H
@@ -27,8 +27,8 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 
 /* ---- drawing and computing ---- */
 
-/* Binds the program's own descriptor set as set 1. rg_exec_params.sets has the layout of that set.
- * The set must exist, unmodified, until the frame has been executed. */
+/* Binds the program's own descriptor set as set 1. rg_exec_params.sets has the set's layout. The
+ * set must exist, unmodified, until the frame has been executed. */
 RG_API void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set);
 
 /* Writes push constants from byte 0 on, for all stages; `size` must equal the pass's push_size. */
@@ -57,17 +57,17 @@ RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
                                   uint32_t count);
 
-/* Sets the scissor rectangle, in texels of the targets, until the next call or the end of the pass.
- * Drawing is always clipped to the targets and to rg_exec_set_region(). */
+/* Sets the scissor rectangle, in texels of the targets. It holds until the next call or the end of
+ * the pass. Drawing is always clipped to the targets and to rg_exec_set_region(). */
 RG_API void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle);
 
 /* Dispatches x * y * z workgroups of the pass's compute shader. */
 RG_API void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 
-/* Draw or dispatch with parameters from a buffer that the pass declares as RG_INDIRECT. The buffer
- * has one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand (overrides the mesh's index_count) or
- * VkDispatchIndirectCommand at byte `offset`, a multiple of 4. `firstInstance` must be 0 unless the
- * device feature drawIndirectFirstInstance is enabled. */
+/* Draw or dispatch with parameters from a buffer that the pass declares as RG_INDIRECT. At byte
+ * `offset`, a multiple of 4, is one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand or
+ * VkDispatchIndirectCommand. Its index count overrides the mesh's. `firstInstance` must be 0 unless
+ * the device feature drawIndirectFirstInstance is enabled. */
 RG_API void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                  VkDeviceSize offset);
 RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
@@ -85,8 +85,8 @@ struct rg_indirect_count {
     uint32_t max_count;            /* maximum number of draws */
 };
 
-/* Record indirect draws whose number is read from a buffer. Without the feature drawIndirectCount,
- * rg_exec_submit() logs the error and fails with VK_ERROR_FEATURE_NOT_PRESENT. */
+/* Record indirect draws whose number is read from a buffer. If the feature drawIndirectCount is
+ * missing, rg_exec_submit() logs an error and fails with VK_ERROR_FEATURE_NOT_PRESENT. */
 RG_API void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws);
 RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                             const struct rg_indirect_count *draws);
@@ -100,15 +100,15 @@ RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_
 RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
                                         const struct rg_buffer *buffer, VkDeviceSize offset);
 
-/* Copies texels from a buffer to an image; their order is that of rg_cmd_copy_image_to_buffer().
- * The pass declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
+/* Copies texels from a buffer to an image, in the order of rg_cmd_copy_image_to_buffer(). The pass
+ * declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
 
 /* ---- acceleration structures ---- */
 
-/* Return the acceleration structure in a buffer, and the device address of a buffer. The pass must
- * declare the buffer. The executor owns the acceleration structure. */
+/* Return the acceleration structure in a buffer, or a buffer's device address. The pass must
+ * declare the buffer. Unless imported, the acceleration structure belongs to the executor. */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
@@ -118,8 +118,8 @@ RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_
 /* Returns the command buffer being recorded, for direct Vulkan calls. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
-/* Return the VkImage or VkBuffer of a resource that the pass declares. The executor owns the
- * result. A use whose image is missing (rg_use.fallback) has no VkImage. */
+/* Return the VkImage or VkBuffer of a resource that the pass declares. If the resource is not
+ * imported, the executor owns the resource. A missing image (rg_use.fallback) has no VkImage. */
 RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
 RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 

@@ -38,8 +38,8 @@ struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
     VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
-    /* several images instead of `image`, such as a swapchain's; each frame uses one of them. All
-     * such imports have equally many images, and a frame uses the same index in all imports */
+    /* several images instead of `image`, such as a swapchain's. All imports with several images
+     * have equally many, and a frame uses one index for all of them */
     const VkImage *images;
     uint32_t image_count;
 };
@@ -50,9 +50,9 @@ struct rg_exec_set {
     VkDescriptorSetLayout layout; /* outlives executor and rg_exec_params.pipelines */
 };
 
-/* Cache of pipelines that outlives executors, so that a later executor of the same device need not
- * compile them again. Pipelines that two consecutive executors do not need are freed. The cache is
- * destroyed before the device. */
+/* Cache of pipelines that outlives executors, so a later executor of the same device need not
+ * compile them again. If two consecutive executors do not use a pipeline, it is freed. The cache
+ * must be destroyed before the device. */
 struct rg_pipelines;
 
 /* Creates an empty cache. Returns NULL if out of memory. */
@@ -61,7 +61,7 @@ RG_API struct rg_pipelines *rg_pipelines_create(void);
 /* Frees a cache and its pipelines. NULL is allowed. */
 RG_API void rg_pipelines_destroy(struct rg_pipelines *pipelines);
 
-/* Returns the shader that replaces `shader`: `shader` itself, or one with the same interface. The
+/* Returns the shader to use for `shader`: `shader` itself, or a shader with an equal interface. The
  * code is read until rg_exec_create() or rg_exec_update() returns. */
 typedef const struct rg_shader *rg_replace_shader_fn(void *user, const struct rg_shader *shader);
 
@@ -146,8 +146,8 @@ RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_fram
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 
-/* Returns the mapped memory of an upload or readback buffer in a slot, owned by the executor; NULL
- * if the plan does not use the buffer. Write it between rg_exec_begin() and rg_exec_submit(). */
+/* Returns the mapped memory of a slot's upload or readback buffer, or NULL if the plan does not use
+ * the buffer. The executor owns it. Write it between rg_exec_begin() and rg_exec_submit(). */
 RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
 
 /* A region of the view, for tiled rendering of images that are too large to draw at once. */

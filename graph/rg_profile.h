@@ -36,8 +36,8 @@ struct rg_measure {
     bool statistics; /* pipeline statistics; costs some time */
 };
 
-/* Cost of one pass. Times are 0 without a clock, and counts are 0 without statistics. A pass that
- * is skipped (rg_pass.when) has `end` equal to `begin`. */
+/* Cost of one pass. Without a clock, times are 0. Without statistics, counts are 0. If a pass is
+ * skipped (rg_pass.when), `end` is equal to `begin`. */
 struct rg_pass_time {
     uint64_t begin, end;   /* GPU time from first pass's start */
     uint64_t record_begin; /* CPU time since frame start */
@@ -65,11 +65,11 @@ struct rg_times {
 /* Returns true if a clock works, which requires `measured` and, for timestamps, queue support. */
 RG_API bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock);
 
-/* Sets what frames measure, from the next rg_exec_begin() on. A clock that cannot be used counts as
- * RG_CLOCK_NONE. Has no effect on an executor created without `measured`. */
+/* Sets what is measured in frames from the next rg_exec_begin() on. If a clock cannot be used, it
+ * counts as RG_CLOCK_NONE. If the executor was created without `measured`, nothing changes. */
 RG_API void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure);
 
-/* Returns the times of the frame that finished last. `passes` are owned by the executor and valid
+/* Returns the times of the frame that finished last. The executor owns `passes`, which is valid
  * until the next rg_exec_wait() or rg_exec_begin(). */
 RG_API struct rg_times rg_exec_times(const struct rg_exec *exec);
 

@@ -1,9 +1,9 @@
 /*
  * abi.h: compatibility macros for headers that C and GLSL share.
  *
- * Shared structs use cglm's value types (vec3s, mat4s), which are macros for GLSL's types here.
- * GLSL uses scalar block layout; tests/unit/test_shaders.c compares every member's offset with the
- * SPIR-V. C aligns vec4s and mat4s to 16 bytes, so members of these types come first.
+ * Shared structs use cglm's value types (vec3s, mat4s), which this header maps to GLSL's types.
+ * GLSL uses scalar block layout; tests/unit/test_shaders.c compares each member's offset with the
+ * SPIR-V. Members of type vec4s and mat4s come first, because C aligns them to 16 bytes.
  */
 #ifndef SHADERS_ABI_H
 #define SHADERS_ABI_H

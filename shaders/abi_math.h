@@ -1,8 +1,8 @@
 /*
  * abi_math.h: compatibility macros for functions that C and GLSL share.
  *
- * Shared functions are written in C, with names of <math.h> and cglm's value types, and begin with
- * ABI_FUNCTION; this header defines these names for GLSL.
+ * Shared functions begin with ABI_FUNCTION. They are written in C, with functions of <math.h> and
+ * cglm's value types. This header defines their names for GLSL.
  */
 #ifndef SHADERS_ABI_MATH_H
 #define SHADERS_ABI_MATH_H

@@ -1,24 +1,24 @@
 /*
  * brdf.h: BRDF of opaque surfaces, shared by shaders and the CPU reference.
  *
- * GGX microfacets (Trowbridge and Reitz 1975) on a diffuse base, as in glTF 2.0, appendix B. Light
- * is given as the radiance of a white diffuse surface. Environment light is prefiltered (Karis
- * 2013, "split sum"), with compensation for multiple scattering (Fdez-Aguera 2019).
+ * GGX microfacets (Trowbridge and Reitz 1975) lie on a diffuse base, as in glTF 2.0, appendix B.
+ * Light is given as the radiance of a white diffuse surface. Environment light is prefiltered
+ * (Karis 2013, "split sum") and compensated for multiple scattering (Fdez-Aguera 2019).
  */
 #ifndef SHADERS_BRDF_H
 #define SHADERS_BRDF_H
 #include "abi_math.h"
 
 /* Size and layers of the prefiltered environment map, an array of equirectangular images. The last
- * layer is diffuse irradiance. All other layers are specular, for roughness 1/7 to 1. */
+ * layer is diffuse irradiance. All earlier layers are specular, for roughness 1/7 to 1. */
 #define LIT_WIDTH         128
 #define LIT_HEIGHT        64
 #define LIT_ROUGH_LAYERS  7
 #define LIT_DIFFUSE_LAYER 7
 #define LIT_LAYERS        8
 
-/* Side of the split-sum BRDF table, texels. A texel holds the weights of f0 and f90. The x
- * coordinate is the square root of n_dot_v, y is the roughness, both from 0 to 1. */
+/* Side of the split-sum BRDF table, texels. A texel holds the weights of f0 and f90. The x axis is
+ * the square root of n_dot_v, and the y axis is the roughness. Both go from 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
 #define LIT_LIGHT_SPREAD 0.001f /* minimum lobe width for punctual lights */
@@ -61,8 +61,8 @@ ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
                     glm_clamp(roughness, 0.0f, 1.0f) * last);
 }
 
-/* Factors by which a surface scales prefiltered environment light. `specular` scales the specular
- * radiance, `diffuse` the radiance of a white diffuse surface. */
+/* Factors of prefiltered environment light on a surface. `specular` scales the specular radiance.
+ * `diffuse` scales the radiance of a white diffuse surface. */
 struct lit_environment_factors {
     vec3s specular, diffuse;
 };
@@ -85,8 +85,8 @@ ABI_FUNCTION ABI_STRUCT(lit_environment_factors)
     return factors;
 }
 
-/* Returns a surface's radiance in an environment. `split` is its split-sum table entry, `specular`
- * and `diffuse` are the prefiltered specular and diffuse light. */
+/* Returns a surface's radiance in an environment. `split` is the surface's entry in the split-sum
+ * table. `specular` and `diffuse` are the prefiltered environment light. */
 ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s specular,
                                       vec3s diffuse)
 {
@@ -95,8 +95,8 @@ ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, ve
                          glms_vec3_mul(factors.diffuse, diffuse));
 }
 
-/* Returns the ratio of a surface's Fresnel reflectance in a medium to that in air. `f0` is the
- * reflectance at normal incidence in air, `ior` the medium's refractive index. */
+/* Returns the factor by which a medium changes a surface's Fresnel reflectance, compared with air.
+ * `f0` is the reflectance at normal incidence in air. `ior` is the medium's refractive index. */
 ABI_FUNCTION float lit_reflectance_in_medium(float f0, float ior)
 {
     float root = sqrtf(glm_clamp(f0, 1e-6f, 0.99f));
@@ -138,8 +138,8 @@ ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec
     return lit_by_light_on(s, n, n, v, l, spread);
 }
 
-/* Returns the attenuation of a punctual light at a distance in metres, by KHR_lights_punctual:
- * inverse square, range and cone. `c` is the cosine between the light's axis and the ray. */
+/* Returns a punctual light's attenuation by distance (metres), range and cone, as defined by
+ * KHR_lights_punctual. `c` is the cosine between the light's axis and the ray. */
 ABI_FUNCTION float lit_attenuation(float distance, float range, float c, vec2s cone)
 {
     float near = range > 0.0f ? distance / range : 0.0f;
@@ -148,8 +148,8 @@ ABI_FUNCTION float lit_attenuation(float distance, float range, float c, vec2s c
     return window * edge * edge / fmaxf(distance * distance, 1e-8f);
 }
 
-/* Returns the radiance that a surface reflects from a punctual light without shadow. The light is a
- * row of the light texture; other parameters are those of lit_by_light_on(). */
+/* Returns the radiance that a surface reflects from an unshadowed punctual light. `position` to
+ * `cone` are the light's row of the light texture. For `n`, `base`, `v`, see lit_by_light_on(). */
 ABI_FUNCTION vec3s lit_by_punctual_light(ABI_STRUCT(lit_surface) s, vec3s point, vec3s n,
                                          vec3s base, vec3s v, vec4s position, vec4s direction,
                                          vec4s color, vec4s cone)

@@ -1,6 +1,6 @@
 /* alias_dependencies.c: finds which accesses must finish before a transient resource may reuse
- * memory. Within a frame, these are the accesses of resources that used the same bytes earlier.
- * Across frames, they are those of all resources that use the same bytes. */
+ * memory. Within a frame, these are the accesses of resources that used these bytes earlier. Across
+ * frames, these are the accesses of all resources that use these bytes. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 

@@ -76,8 +76,8 @@ static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
         r->last_barrier = c->barrier_count - 1;
 }
 
-/* Tries to extend an earlier barrier of this frame to cover a read, so that the barrier `next` is
- * not needed. Returns false if no earlier barrier can be extended. */
+/* Tries to extend an earlier barrier of this frame to cover a read too. If this succeeds, returns
+ * true, and the read does not need the barrier `next`. */
 static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
                   const struct rg_barrier *next)
 {

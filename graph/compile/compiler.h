@@ -214,9 +214,9 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
-/* Value of cell.visible for a write that is visible to all reads. Each bit stands for a pair of
- * stage and access. Bit 31 stands for other shader stages and stays clear, so that reads in these
- * stages always get a barrier. */
+/* Value of cell.visible if a write is visible to all reads. Each bit stands for a pair of stage and
+ * access. Bit 31 (other shader stages) is always clear, so reads in these stages always get a
+ * barrier. */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
 /* Returns true for accesses by shaders through a descriptor. */
@@ -411,8 +411,8 @@ void rg_pack_blocks(struct compiler *c);
 /* emit_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: finds the last pass in which each resource's memory had another owner.
- * Once all accesses are known, completes the barriers that wait for earlier owners' accesses. */
+/* alias_dependencies.c: finds the last earlier pass in which another resource used a resource's
+ * memory. Later sets the source scopes of barriers that wait for earlier uses of memory. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 
@@ -429,8 +429,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
 
 /* ---- barriers.c ---- */
 
-/* Adds the barriers that an access needs. If `restores_import`, the access returns an import to
- * its initial state, and subresources already in that state get no barrier. */
+/* Adds the barriers that an access needs. If `restores_import`, the access returns an import to its
+ * initial state. Subresources that are already in this state then get no barrier. */
 void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
                      bool restores_import);
 

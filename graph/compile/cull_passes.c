@@ -1,6 +1,6 @@
-/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. An
- * analysis shows only at its end which persistent content the next frame reads. It is therefore
- * repeated until nothing changes. */
+/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. The
+ * analysis is repeated until nothing changes, because only its end shows which persistent content
+ * the next frame reads. */
 #include "graph/compile/compiler.h"
 
 enum {

@@ -49,8 +49,8 @@ static void write_access(struct compiler *c, const struct access *a, struct rg_p
     }
 }
 
-/* Writes a pass of the plan. Barriers for the first use of a resource's memory come last, in order
- * to join a batch that the pass needs anyway and to acquire the memory as late as possible. */
+/* Writes a pass of the plan. Barriers for the first use of memory come last, because they may then
+ * join a batch that the pass needs anyway, and acquire the memory as late as possible. */
 static void write_pass(struct compiler *c, const struct pass *pass, uint32_t index)
 {
     const struct access *first = &c->accesses[pass->first_access];

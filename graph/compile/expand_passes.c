@@ -261,8 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns how often a pass runs: for each mip level or layer of the first image that it writes,
- * from the declared one on. Returns 1 if there is no such level or layer, 0 without an image. */
+/* Returns how often a pass runs; 0 if a repeated pass writes no image. A repeated pass runs for
+ * each mip level or layer of its first written image, from the declared one on, at least once. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

@@ -1,6 +1,6 @@
-/* memory_blocks.c: assigns transient resources to memory blocks and offsets (pack_memory.c).
- * Images, buffers and memory types have separate blocks, so bufferImageGranularity never applies.
- */
+/* memory_blocks.c: assigns transient resources to memory blocks and offsets (pack_memory.c). Images
+ * and buffers have separate blocks, so bufferImageGranularity never applies. Each memory type has
+ * its own blocks. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 

@@ -30,14 +30,14 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Range of allocated bytes. A list of spans is ascending, with gaps between the spans. The first
- * span begins at 0 and may be empty. The last is a sentinel at UINT64_MAX. */
+/* Range of allocated bytes. Spans in a list are ascending, with gaps between them. The first span
+ * begins at 0 and may be empty. The last span is a sentinel at UINT64_MAX. */
 struct span {
     VkDeviceSize begin, end;
 };
 
-/* Maximal set of items that are alive at the same pass. A new set begins when an item begins after
- * an item of the newest set has ended. */
+/* Maximal set of items that are alive at the same pass. If an item of the newest set has ended, the
+ * next item that begins starts a new set. */
 struct live_set {
     struct span *spans;
     struct span *next; /* span above the current item's gap */
@@ -336,8 +336,8 @@ static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceS
     return size;
 }
 
-/* Places items in order of first use, each at the lowest offset that is free then. The running time
- * does not depend on the lengths of lifetimes. Returns the block size. */
+/* Places each item at the lowest free offset, in order of first use. Returns the block size in
+ * bytes. The running time does not depend on the lengths of lifetimes. */
 static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
 {
     struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };

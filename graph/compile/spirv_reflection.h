@@ -1,5 +1,5 @@
 /* spirv_reflection.h: SPIR-V reflection of a shader's interface (Khronos, "SPIR-V Specification"
- * 1.6, sections 2.3 and 3). Safe for malformed modules: reads stay in bounds and loops terminate.
+ * 1.6, sections 2.3 and 3). Malformed modules are safe: reads stay in bounds and loops terminate.
  * Private to graph/ and its tests. */
 #ifndef RG_COMPILE_SPIRV_REFLECTION_H
 #define RG_COMPILE_SPIRV_REFLECTION_H
@@ -59,13 +59,13 @@ struct spirv {
     uint32_t id_room, variable_room, constant_room;
 };
 
-/* Parses the entry point `main` of a stage, and the variables that it uses. Returns NULL, or an
- * error message. After an error, or if out of memory, the functions below must not be called. */
+/* Parses the entry point `main` of a stage and its variables. Returns NULL, or an error message.
+ * After an error, or if out of memory, the functions below must not be called. */
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage);
 
-/* Returns the descriptor type of a variable; VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor.
- * *count gets the array length: 1 for a single descriptor, 0 if unknown. */
+/* Returns a variable's descriptor type, or VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor. Sets
+ * *count to the array length: 1 for a single descriptor, 0 if unknown. */
 VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
                                      uint32_t *count);
 
@@ -82,8 +82,8 @@ uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 /* Describes an image, sampled image or array of these in *image. Returns false for other types. */
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
 
-/* Returns the component type of a scalar or vector: 'f' float, 'i' or 'u' integer of at most 32
- * bits, else '?'. *count gets the number of components; it may be NULL. */
+/* Returns the component type of a scalar or vector: 'f' for float, 'i' or 'u' for integers of at
+ * most 32 bits, else '?'. Sets *count to the number of components; `count` may be NULL. */
 char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count);
 
 /* Returns the number of locations that an input or output of this type occupies. */

@@ -1,8 +1,8 @@
 /* subresource_state.c: synchronisation state of subresources at the start of a frame. */
 #include "graph/compile/subresource_state.h"
 
-/* Returns the initial state of an import's subresources (struct rg_import). Since earlier readers
- * are unknown, the first write waits for all commands. */
+/* Returns the state in which an import's subresources begin a frame (struct rg_import). The first
+ * write waits for all commands, because earlier readers are unknown. */
 static struct cell import_state(const struct compiler *c, struct resource *r)
 {
     enum rg_access access = c->params->imports[r->import].access;
@@ -77,8 +77,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit)
     }
 }
 
-/* Treats a read of the previous frame's content as synchronised if the previous frame has a barrier
- * for another such read. barriers.c then extends the barrier to both reads. */
+/* Marks a read of the previous frame's content as synchronised if the previous frame has a barrier
+ * for another such read. barriers.c then extends this barrier to cover both reads. */
 static void expect_history_read(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a)
 {

@@ -19,8 +19,8 @@ static inline bool rg_changes_cell(const struct cell *s, const struct access *a)
     return a->flags & ACCESS_WRITES || s->layout != a->layout;
 }
 
-/* Fills the barrier `b` apart from resource and range. Sets *release to the earliest pass that the
- * barrier may precede. Returns false if the access needs no barrier. */
+/* Returns false if the access needs no barrier. Fills the barrier `b` except its resource and
+ * range. Sets *release to the earliest pass that the barrier may precede. */
 static inline bool rg_needs_barrier(const struct cell *s, const struct access *a,
                                     struct rg_barrier *b, uint32_t *release)
 {
@@ -60,8 +60,8 @@ static inline void rg_apply_access(struct cell *s, const struct access *a, uint3
         return;
     s->flags &= ~(uint32_t)CELL_FRESH;
     s->read_stages |= a->stages;
-    /* A wait for a write of an earlier frame is not recorded, because some synchronization
-     * validation layers forget it at the end of the frame. */
+    /* A wait for an earlier frame's write is not recorded, because some synchronization validation
+     * layers forget such waits at the end of a frame. */
     if (s->flags & CELL_CERTAIN && !conditional)
         s->flags |= CELL_AWAITED;
     if (made_visible)

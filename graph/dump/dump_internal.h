@@ -17,8 +17,8 @@ struct rg_dump {
 
 /* ---- formatted_output.c ---- */
 
-/* Formats and writes text: %u is a uint32_t, %z a VkDeviceSize, %b a VkDeviceSize with a unit (12.5
- * MiB), %s a string as it is, and %n a name to escape. */
+/* Formats and writes text. %u takes a uint32_t, %z a VkDeviceSize, %b a VkDeviceSize to write with
+ * a unit (12.5 MiB), %s an unchanged string, and %n a name to escape. */
 void rg_dump_print(const struct rg_dump *d, const char *text, ...);
 
 /* Returns the nonzero UTF-8 character at *text, or U+FFFD if invalid, and advances *text. */

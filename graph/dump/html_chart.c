@@ -1,4 +1,4 @@
-/* html_chart.c: SVG timeline of passes and memory, with one column per pass and a last one for the
+/* html_chart.c: SVG timeline of passes and memory. Each pass has a column. The last column is the
  * end of the frame. Barrier batches are marked between columns. */
 #include <inttypes.h>
 #include "graph/dump/dump_internal.h"

@@ -1,5 +1,5 @@
-/* attachments.c: creates attachment views, and VkRenderPass objects if requested. A render pass has
- * one subpass. The plan's barriers replace subpass dependencies and layout transitions. */
+/* attachments.c: creates attachment views and, if requested, VkRenderPass objects. Each render pass
+ * has one subpass. The plan's barriers replace subpass dependencies and layout transitions. */
 #include "graph/exec/executor_internal.h"
 
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,

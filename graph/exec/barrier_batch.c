@@ -1,5 +1,5 @@
-/* barrier_batch.c: records the barriers of skipped passes in one call with those of the next pass
- * that runs, since llvmpipe flushes all pending work at each barrier call (0.05 to 0.1 ms). */
+/* barrier_batch.c: merges the barriers of skipped passes into the next pass's barrier call, because
+ * llvmpipe flushes all pending work at each barrier call (0.05 to 0.1 ms). */
 #include "graph/exec/executor_internal.h"
 
 static VkImageMemoryBarrier2 image_barrier(const struct rg_exec *exec, const struct rg_barrier *b)
@@ -55,8 +55,8 @@ static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubreso
            a->layerCount == b->layerCount;
 }
 
-/* Records the pending barriers in one call. If they come from several passes, each one waits for
- * the stages and accesses of all, because barriers of one call do not wait for each other. */
+/* Records the pending barriers in one call. If they come from several passes, each barrier gets the
+ * stages and accesses of all, because barriers of one call do not wait for each other. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands)
 {
     struct exec_batch *batch = &exec->batch;

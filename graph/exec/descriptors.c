@@ -165,8 +165,8 @@ static bool is_texels(const struct exec_descriptor *d)
            d->type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
 }
 
-/* Fills exec->descriptors for a pass and hashes them into *key. If there is an imported buffer,
- * sets *key to RG_NO_KEY, since the program may reuse the buffer's handle for another buffer. */
+/* Fills exec->descriptors for a pass and hashes them into *key. If a buffer is imported, sets *key
+ * to RG_NO_KEY, because the program may reuse the buffer's handle for another buffer. */
 static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
                                  const struct rg_plan_pass *plan, uint64_t *key)
 {
@@ -206,8 +206,8 @@ fail:
     return result;
 }
 
-/* Creates a descriptor pool that suffices even if all descriptors are of one type. Acceleration
- * structures (the last entry) are left out if the plan has no buffers with device addresses. */
+/* Creates a descriptor pool that suffices even if all descriptors have one type. If the plan has no
+ * buffers with device addresses, the pool has no acceleration structures (the last entry). */
 static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
                           VkDescriptorPool *pool)
 {

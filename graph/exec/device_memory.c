@@ -74,8 +74,8 @@ struct placement {
     uint64_t salt; /* distinguishes keys of equal names */
 };
 
-/* Finds or allocates a resource's memory. Fails if the plan's memory does not suit the resource,
- * which can happen only if the plan was not compiled for this device. */
+/* Finds or allocates a resource's memory. If the plan's memory does not suit the resource, fails.
+ * This happens only if the plan was compiled for another device. */
 static VkResult find_memory(struct rg_exec *exec, const struct placement *placement,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {

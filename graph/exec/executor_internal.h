@@ -26,7 +26,7 @@ struct exec_targets {
 };
 
 /* Objects for one image index of multi-image imports, such as swapchains. The sets for all indices
- * are created beforehand, so that a frame allocates nothing. */
+ * are created in advance, because a frame must not allocate. */
 struct exec_image_set {
     VkImage *images;               /* indexed by plan image */
     struct exec_targets *targets;  /* indexed by pass */
@@ -154,7 +154,7 @@ struct rg_cmd {
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
                        const char *of);
 
-/* Calls a function that logs its own failures. Jumps to `fail` on failure. The caller has a
+/* Calls a function that logs its own failures. If the call fails, jumps to `fail`. The caller has a
  * variable `result` and a label `fail`. */
 #define RG_TRY(call) \
     do { \
@@ -176,8 +176,8 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 #define RG_KEY(key, value) \
     ((key) = rg_exec_key((key), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t)))
 
-/* Sets *handle to the cached object with this key. Without such an object, creates and names one
- * with a Vulkan function. The object is freed with the plan. */
+/* Sets *handle to the cached object with this key. If there is none, creates an object with a
+ * Vulkan function and names it. The object is freed with the plan. */
 #define RG_MAKE_KEYED(exec, of, key, type, function, handle, ...) \
     do { \
         RG_TRY(rg_exec_reserve_object(exec)); \
@@ -190,8 +190,8 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 #define RG_MAKE(exec, of, type, function, handle, ...) \
     RG_MAKE_KEYED(exec, of, RG_NO_KEY, type, function, handle, __VA_ARGS__)
 
-/* Creates a zeroed array that is freed with the plan. False if out of memory. For a `key` other
- * than RG_NO_KEY, the result may be the previous plan's array of that key, with its content. */
+/* Creates a zeroed array that is freed with the plan; false if out of memory. If the previous plan
+ * has an array with this key (not RG_NO_KEY), takes over that array with its content. */
 #define RG_MAKE_KEYED_ARRAY(exec, key, array, count) \
     ((array) = rg_exec_make_array((exec), (key), (count), sizeof(*(array))), (array) != NULL)
 #define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
@@ -202,7 +202,7 @@ bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *h
 void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
                         const char *name);
 /* Frees objects of the previous plan that this plan does not use. Pipelines are kept for one more
- * plan, since programs often switch back and forth. */
+ * plan, because programs often switch between two plans. */
 void rg_exec_free_former(struct rg_exec *exec);
 /* Moves the pipelines in rg_exec_params.pipelines to the executor, for reuse. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);

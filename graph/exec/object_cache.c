@@ -68,8 +68,8 @@ static bool can_be_shared(VkObjectType type)
            type == VK_OBJECT_TYPE_RENDER_PASS || type == VK_OBJECT_TYPE_FRAMEBUFFER;
 }
 
-/* Finds an object of the previous plan. Both plans create objects in about the same order, so each
- * search resumes where the last one ended. */
+/* Finds an object of the previous plan. Each search resumes where the last one ended, because both
+ * plans create objects in about the same order. */
 static struct exec_object *find_former(struct exec_objects *former, VkObjectType type, uint64_t key)
 {
     for (uint32_t i = 0; i < former->count; i++) {

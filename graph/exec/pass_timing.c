@@ -1,6 +1,6 @@
-/* pass_timing.c: measures each pass by GPU timestamps, pipeline statistics or the host's clock. The
- * timestamp of a pass precedes the next barriers, because a tile-based software rasteriser may
- * write a timestamp after barriers only when the next pass has finished. */
+/* pass_timing.c: measures each pass by GPU timestamps, pipeline statistics or the host's clock. A
+ * pass's timestamp comes before the next barriers. After them, a tile-based software rasteriser may
+ * write the timestamp only when the next pass has finished. */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/executor_internal.h"
@@ -191,8 +191,8 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
     }
 }
 
-/* Ends the measurement of a pass. No timestamp is written for a skipped pass, because llvmpipe
- * flushes all pending work at each timestamp. */
+/* Ends the measurement of a pass. A skipped pass writes no timestamp, because llvmpipe flushes all
+ * pending work at each timestamp. */
 void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn)
 {
     const struct exec_slot *slot = &exec->slots[exec->slot];

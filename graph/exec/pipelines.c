@@ -282,8 +282,8 @@ static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
     RG_KEY(*key, RG_NONE);
 }
 
-/* Returns the cache key of a pipeline. Passes with equal keys share one pipeline. The key ignores
- * the VkRenderPass, because passes with equal targets have compatible render passes. */
+/* Returns a pipeline's cache key. Passes with equal keys share one pipeline. The key ignores the
+ * VkRenderPass, because passes with equal targets have compatible render passes. */
 static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pass *plan,
                              const struct exec_pass *pass)
 {

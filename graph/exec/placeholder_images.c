@@ -1,5 +1,5 @@
-/* placeholder_images.c: creates the 1x1 images that replace missing sampled images. Each one has
- * the format and view type of the image that it replaces, and is cleared before the first frame. */
+/* placeholder_images.c: creates 1x1 images that replace missing sampled images. Each placeholder
+ * has the missing image's format and view type, and is cleared before the first frame. */
 #include "graph/exec/executor_internal.h"
 
 static bool is_cube(const struct rg_use *use)

@@ -1,5 +1,5 @@
 /* vulkan_functions.h: table of the Vulkan functions that the executor calls. Each executor loads
- * its own table, so no loader is linked and no global names can collide. Private to graph/. */
+ * its own table. No loader is linked, and no global names can collide. Private to graph/. */
 #ifndef RG_EXEC_VULKAN_FUNCTIONS_H
 #define RG_EXEC_VULKAN_FUNCTIONS_H
 

@@ -1,5 +1,5 @@
 /* zero_fill_resources.c: zero-fills persistent resources before a plan's first frame, unless they
- * keep content, and moves images to the layouts in which frames begin. */
+ * keep content. Moves images to the layouts in which frames begin. */
 #include "graph/exec/executor_internal.h"
 
 static const VkImageLayout clear_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;

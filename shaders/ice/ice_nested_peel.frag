@@ -18,8 +18,8 @@ layout(location = 0) in vec3 normal;
 layout(location = 0) out vec4 face;
 layout(location = 1) out float depth;
 
-/* Writes a face of one nesting level. Discards faces outside the surrounding level. The depth test
- * keeps the nearest or farthest face. */
+/* Writes a face of one nesting level. If the face is outside the surrounding level, discards it.
+ * The depth test keeps the nearest or farthest face. */
 void main()
 {
     depth = gl_FragCoord.z;

@@ -1,5 +1,5 @@
-/* bubbles_light.glsl: light that bubbles reflect and transmit, looked up in the environment cube.
- * With BUBBLES_TRACED, rays from bubbles are first marched through the ice until they leave it.
+/* bubbles_light.glsl: light that bubbles reflect and transmit, from the environment cube map.
+ * BUBBLES_TRACED first marches rays from bubbles through the ice until they leave it.
  * BUBBLES_REFRACTED adds a depth output, in which composite.frag finds hits of refracted rays. */
 #ifndef BUBBLES_LIGHT_GLSL
 #define BUBBLES_LIGHT_GLSL
@@ -62,8 +62,8 @@ march_space bubble_space()
     return space;
 }
 
-/* Returns the radiance that arrives at a bubble from a direction. If the ray hits the ground, looks
- * up the environment cube in the direction from the cube's centre to the hit point. */
+/* Returns the radiance that arrives at a bubble from direction `dir`. If the ray hits the ground,
+ * looks up the environment cube map in the direction from its centre to the hit point. */
 vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
 {
     refract_path ray = refract_path(dir, frame.eye + eye_to_bubble, 0.0, 0.0, 0.0);
@@ -82,8 +82,8 @@ vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
     return light;
 }
 
-/* Returns the reflected and transmitted light of a bubble. Traces the stronger of the two rays and
- * looks up env_cube for the weaker one. */
+/* Returns a bubble's reflected and transmitted light. Traces the stronger of the two rays. For the
+ * weaker ray, looks up env_cube. */
 vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
     bool is_reflected = fresnel >= cover;

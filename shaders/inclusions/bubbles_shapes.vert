@@ -15,8 +15,8 @@ layout(location = 2) flat out float out_radius;
 layout(location = 3) flat out vec4 out_axis; /* xyz: unit; w: stretch */
 layout(location = 4) flat out float out_is_capsule;
 
-/* Draws a camera-facing rectangle along the bubble's axis that covers the bubble's outline. The
- * rectangle is degenerate if the camera is inside the bubble's bounding sphere. */
+/* Draws a camera-facing rectangle that covers the bubble's outline, along the bubble's axis. If the
+ * camera is inside the bubble's bounding sphere, the rectangle is degenerate. */
 void main()
 {
     const vec2 corners[] = { vec2(-1, -1), vec2(1, -1), vec2(-1, 1),

@@ -24,7 +24,7 @@
 
 #define CRACKS_MAX 64 /* maximum of cracks.count */
 
-/* Squared gap width at a vertex, relative to cracks_shading.gap. Linear interpolation of the square
+/* Squared ratio of a vertex's gap width to cracks_shading.gap. Linear interpolation of this square
  * gives the elliptic profile of a crack under tension (Sneddon 1946). */
 #define CRACKS_SQUARED_GAP(color) ((color).r)
 

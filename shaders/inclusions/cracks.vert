@@ -1,6 +1,6 @@
-/* cracks.vert: vertex shader of cracks. With CRACKS_UNCLIPPED, near and far planes are not fitted
- * to the object. Push constants are passed on as flat varyings, because lavapipe's fragment shaders
- * fetch each float of a uniform separately for each pixel (Mesa 22.3). */
+/* cracks.vert: vertex shader of cracks. If CRACKS_UNCLIPPED is defined, near and far planes are not
+ * fitted to the object. Push constants become flat varyings, because lavapipe's fragment shaders
+ * fetch each float of a uniform again for each pixel (Mesa 22.3). */
 #version 460
 #include "inclusions/cracks.h"
 #include "lib/object_pose.glsl"

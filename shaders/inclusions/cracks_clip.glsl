@@ -1,6 +1,6 @@
 /* cracks_clip.glsl: crack_is_inside(), which clips cracks to the ice. CRACKS_CONVEX clips at the
- * nearest front face and, with CRACKS_BEFORE_BACK, at the farthest back face. CRACKS_INTERVAL clips
- * to the intervals in which a pixel's ray is inside the ice. CRACKS_UNCLIPPED does not clip. */
+ * nearest front face. CRACKS_BEFORE_BACK also clips at the farthest back face. CRACKS_INTERVAL
+ * clips to the intervals of a pixel's ray inside the ice. CRACKS_UNCLIPPED does not clip. */
 #include "inclusions/cracks.h"
 #if defined CRACKS_CONVEX
 

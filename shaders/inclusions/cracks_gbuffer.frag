@@ -1,6 +1,6 @@
 /* cracks_gbuffer.frag: writes the image of cracks that refracted rays may hit
- * (refract_cracks.glsl). A highly reflective crack hides less reflective cracks, even nearer ones.
- */
+ * (refract_cracks.glsl). A highly reflective crack hides less reflective ones, even if they are
+ * nearer. */
 #version 460
 #include "inclusions/cracks_clip.glsl"
 #include "inclusions/cracks_shading.glsl"

@@ -28,7 +28,7 @@ ABI_FUNCTION float cracks_reflectance_at(vec3s gap, float phase, float wavelengt
 }
 
 /* Returns a gap's reflectance for red, green and blue light (610, 550, 465 nm). `c`: cosine of
- * incidence in the ice; `n`: index of ice / index of gap; `width`: gap width in micrometres. */
+ * incidence in the ice; `n`: refractive index, ice / gap; `width`: gap width in micrometres. */
 ABI_FUNCTION vec3s cracks_reflectance(float c, float n, float width)
 {
     float cosine2 = 1.0f - n * n * (1.0f - c * c); /* squared; negative for total reflection */

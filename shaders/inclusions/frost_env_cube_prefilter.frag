@@ -17,8 +17,8 @@ const uint count = 128u;
 const float golden = 2.39996323; /* golden angle, radians */
 const float brightest = 16.0;    /* maximum radiance of a sample; prevents spots from the sun */
 
-/* Computes the mean radiance scattered into a direction. Crystal slopes are GGX-distributed. At
- * refractive index n, a slope of angle d deflects refracted light by (n - 1) d. */
+/* Computes the mean radiance that frost scatters into a direction. The slopes of its crystals are
+ * GGX-distributed. A slope of angle d deflects light by (n - 1) d, with refractive index n. */
 void main()
 {
     vec2 ndc = gl_FragCoord.xy / float(FROST_CUBE_SIZE) * 2.0 - 1.0;

@@ -13,8 +13,8 @@
 #define MEDIUM_SIZE 64 /* side of a density grid, texels */
 #define MEDIUM_MAX  8  /* scattering media per scene */
 
-/* Binding of the density grids, which have MEDIUM_SIZE array layers each. A texel holds the
- * densities of two successive layers, so a single bilinear lookup allows interpolation along z. */
+/* Binding of the density grids. Each grid has MEDIUM_SIZE array layers. A texel holds the densities
+ * of two successive layers, so one bilinear lookup suffices for interpolation along z. */
 #define MEDIUM_TEXELS 16
 #define MEDIUM_AROUND 17 /* binding of LIT_ENVIRONMENT_BINDING in refract_medium.glsl */
 

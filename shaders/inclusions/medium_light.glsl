@@ -48,8 +48,8 @@ float medium_sun_depth(medium_field field, vec3 point, vec3 to_sun)
     return sum * field.extinction;
 }
 
-/* Returns the coefficients x, y, z of a fit x + y u + z u^2 to the optical depth towards the sun,
- * for u from 0 to 1 along a segment. The depth is smooth, so three shadow rays suffice. */
+/* Fits x + y u + z u^2 to the optical depth towards the sun along a segment, for u from 0 to 1.
+ * Returns x, y and z. Three shadow rays suffice, because the optical depth is smooth. */
 vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_sun)
 {
     float near = medium_sun_depth(field, from + segment / 6.0, to_sun);
@@ -60,8 +60,8 @@ vec3 medium_sun_depth_fit(medium_field field, vec3 from, vec3 segment, vec3 to_s
     return vec3(center - 0.5 * slope + 0.25 * curvature, slope - curvature, curvature);
 }
 
-/* Returns the in-scattered sunlight relative to the sunlight on a white diffuse surface. The
- * optical depth towards the sun, `depth`, attenuates the light and widens the phase function. */
+/* Returns the in-scattered sunlight relative to the sunlight on a white diffuse surface. `depth` is
+ * the optical depth towards the sun: it attenuates the light and widens the phase function. */
 float medium_sun_scattering(float cosine, float depth)
 {
     float g = frame.medium_g;
@@ -69,8 +69,8 @@ float medium_sun_scattering(float cosine, float depth)
     return 0.25 * medium_phase(cosine, widened) * exp(-(1.0 - g) * depth);
 }
 
-/* Returns the environment light scattered into a ray. `ahead` is the weight of light from near the
- * ray's direction, `anywhere` the weight of the mean light of all directions. */
+/* Returns the environment light scattered into a ray. `ahead` is the weight of light from around
+ * the ray's direction. `anywhere` is the weight of the mean light of all directions. */
 vec3 medium_environment_scattering(vec3 dir, float ahead, float anywhere)
 {
     vec3 forward = lit_diffuse(dir);
@@ -100,8 +100,8 @@ vec2 medium_bounds(medium_field field, vec3 from, vec3 along)
     return vec2(max(enter.x, max(enter.y, enter.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
-/* Ray-marches a segment of length `t` from an object-space point. Returns the optical depth and the
- * in-scattered sunlight. `remaining` is equal to `steps`, or 0 to skip the segment. */
+/* Ray-marches a segment of length `t` from the object-space point `from`. Returns its optical depth
+ * and in-scattered sunlight. `remaining` is equal to `steps`, or 0 to skip the segment. */
 medium_segment medium_march(medium_field field, vec3 from, vec3 along, vec3 to_sun, float cosine,
                             float t, int steps, int remaining)
 {

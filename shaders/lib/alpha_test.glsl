@@ -4,8 +4,8 @@
 #include "lib/globals.glsl"
 #include "lib/material_textures.glsl"
 
-/* Returns true if this sample skips a blended surface. A fraction `alpha` of a pixel's samples
- * keeps the surface (Enderton et al. 2010, "Stochastic transparency"). */
+/* Returns true if the current sample skips a blended surface. Of each pixel's samples, a fraction
+ * `alpha` keeps the surface (Enderton et al. 2010, "Stochastic transparency"). */
 bool is_alpha_skipped(float alpha, uint row)
 {
     float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));

@@ -12,8 +12,8 @@ layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 
 layout(set = 0, binding = AO_MAP) uniform sampler2D ao_map;
 
-/* Applies the objects' ambient occlusion and reflected light to a surface's diffuse and specular
- * light. Keeps the specular light of smooth surfaces, which show screen-space reflections. */
+/* Applies ambient occlusion and reflected light of objects to a surface's `diffuse` and `specular`
+ * light. Keeps `specular` on smooth surfaces, because they show screen-space reflections. */
 void ao_shade(lit_surface s, lit_environment_factors factors, vec3 point, vec3 n, vec3 irradiance,
               inout vec3 diffuse, inout vec3 specular)
 {

@@ -1,13 +1,13 @@
 /*
  * box_projection.glsl: box-projected cube map lookup, for rays from any point.
  *
- * ARM 2014, Guide to Unity (ARM 100140), 6.4: the lookup direction goes from the capture point to
- * the ray's intersection with the box. This is exact for surroundings on the box's sides.
+ * The lookup direction goes from the capture point to the ray's intersection with the box (ARM
+ * 2014, Guide to Unity, ARM 100140, 6.4). This is exact for surroundings on the box's sides.
  */
 #ifndef BOX_PROJECTION_GLSL
 #define BOX_PROJECTION_GLSL
 
-/* Returns a ray's direction for a cube map lookup; `dir` may have any length. If `point` is outside
+/* Returns a ray's direction for a cube map lookup. `dir` may have any length. If `point` is outside
  * the box or `dir` is 0, returns `dir`, as for an infinitely distant environment. */
 vec3 box_projection_dir(vec3 point, vec3 dir, vec3 low, vec3 high, vec3 captured)
 {
