@@ -29,8 +29,8 @@ struct camera_basis {
 /* Returns the axes of a camera. Replaces an `up` that is parallel to the view direction. */
 struct camera_basis camera_basis(const struct camera *camera);
 
-/* Returns clip_from_world for an image of width x height pixels. `near` is in metres. `jitter`
- * shifts the sample positions in pixels, x right and y down. */
+/* Returns the matrix from world to clip space for an image of width x height pixels. `near` is in
+ * metres. `jitter` shifts the sample positions in pixels: x to the right, y down. */
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
 
@@ -38,16 +38,16 @@ mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32
 float camera_half_height(const struct camera *camera);
 
 /* Returns the matrix from world to camera space (+X right, +Y up, -Z forward), for column vectors.
- * EXR multiplies row vectors, so its attribute worldToCamera is the transpose. */
+ * EXR's attribute worldToCamera is the transpose, because EXR multiplies row vectors. */
 mat4s camera_view_from_world(const struct camera *camera);
 
-/* Returns clip_from_world for one face of a cube map centred at `center`. `near` is in metres. The
- * field of view is 90 degrees. Order (+X -X +Y -Y +Z -Z) and orientation of faces are Vulkan's
- * (Vulkan 1.3, 16.5.4 "Cube Map Face Selection"). */
+/* Returns the matrix from world to clip space for one face of a cube map centred at `center`.
+ * `near` is in metres. The field of view is 90 degrees. Faces are ordered (+X -X +Y -Y +Z -Z) and
+ * oriented as in Vulkan 1.3, section 16.5.4 "Cube Map Face Selection". */
 mat4s camera_cube_clip_from_world(uint32_t face, vec3s center, float near);
 
-/* Returns the axes of a cube map face. `right` and `up` are +s and -t of the stored image. Since
- * faces are seen from inside, `right` x `up` is `forward`, and the screen winding is reversed. */
+/* Returns the axes of a cube map face. `right` and `up` are +s and -t of the stored image. Triangle
+ * winding is reversed, because faces are seen from inside: `right` x `up` is `forward`. */
 struct camera_basis camera_cube_basis(uint32_t face);
 
 /* Returns a camera that looks at `target`, from `distance` metres. Azimuth 0 is +Z, 90 is +X;
@@ -55,8 +55,8 @@ struct camera_basis camera_cube_basis(uint32_t face);
 struct camera camera_orbit(float azimuth_deg, float elevation_deg, float distance, vec3s target,
                            float fov_deg);
 
-/* Returns the camera distance at which a box's bounding sphere nearly fills the smaller image
- * dimension. `diagonal` is the sphere's diameter, metres. */
+/* Returns the camera distance in metres at which a sphere nearly fills the smaller image dimension.
+ * `diagonal` is the sphere's diameter in metres. */
 float camera_framing_distance(float diagonal, float fov_deg, uint32_t width, uint32_t height);
 
 #endif

@@ -130,8 +130,8 @@ bool material_table_needs_full_shading(const struct model *model)
     return has(model, needs_full_shading);
 }
 
-/* Returns true if a surface may be smooth enough for screen-space reflections. A material with a
- * roughness texture may have smooth parts. */
+/* Returns true if a surface may be smooth enough for screen-space reflections. If there is a
+ * roughness texture, parts of the surface may be smooth. */
 static bool is_reflective(const struct material *m)
 {
     const bool is_even = m->textures[MATERIAL_METALLIC_ROUGHNESS].layer == 0;

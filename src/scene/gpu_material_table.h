@@ -7,8 +7,8 @@
 /* Returns a dielectric's unclamped reflectance at normal incidence (F0), without textures. */
 vec3s material_f0(const struct material *material);
 
-/* Returns the GPU table of materials, or NULL when out of memory. Row 0 is for vertices without a
- * material, and row i + 1 for material i. The caller frees the table. */
+/* Returns the GPU table of materials, or NULL when out of memory. Row i + 1 is material i. Row 0 is
+ * for vertices without a material. The caller frees the table. */
 vec4s *material_table_make(const struct model *model);
 
 /* Returns the texture uses of a model. Bit i stands for use i, such as MATERIAL_BASE_COLOR. */
@@ -17,9 +17,9 @@ uint32_t material_table_uses(const struct model *model);
 /* Returns true if any material is alpha-masked or blended. */
 bool material_table_has_holes(const struct model *model);
 
-/* Returns the GPU table of a mesh's vertex extras (shaders/mesh_layout.h), in rows of
- * MESH_EXTRA_WIDTH texels. Returns NULL without extras or when out of memory. The caller frees the
- * table. */
+/* Returns the GPU table of a mesh's vertex extras (shaders/mesh_layout.h). Each row has
+ * MESH_EXTRA_WIDTH texels. If the mesh has no extras, or if out of memory, returns NULL. The caller
+ * frees the table. */
 vec4s *material_table_make_extras(const struct mesh *mesh);
 
 /* Returns true if lighting affects any vertex, that is, if a vertex lacks the flag MESH_UNLIT. */

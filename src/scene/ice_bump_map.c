@@ -80,8 +80,8 @@ static void gradient_noise(const struct lattice *lattice, const struct span *spa
     }
 }
 
-/* Fills a field with smoothed cellular noise, about 0 to 1: the squared distance to the nearest
- * feature point. It looks like adjacent bowls with rounded ridges. */
+/* Fills a span with smoothed cellular noise: the squared distance to the nearest feature point,
+ * about 0 to 1. The noise looks like adjacent bowls with rounded ridges. */
 static void cellular_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
     memset(values, 0, span->count * sizeof(*values));

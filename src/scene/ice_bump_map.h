@@ -1,7 +1,7 @@
 /*
- * ice_bump_map.h: procedural, tileable bump map of an ice surface. It stores the slopes of a height
- * field: dimples, like those of melting ice, and octaves of noise. Another noise selects smooth
- * regions. Results are bit-identical on every machine.
+ * ice_bump_map.h: generates a tileable bump map of an ice surface. The map stores the slopes of a
+ * height field of dimples, like those of melting ice, and of fractal noise. Another noise field
+ * selects smooth regions. Results are bit-identical on every machine.
  */
 #ifndef FIRN_SCENE_ICE_BUMP_MAP_H
 #define FIRN_SCENE_ICE_BUMP_MAP_H
@@ -14,8 +14,8 @@ enum {
 };
 
 struct bump_maps {
-    /* half RGBA texels of all mip levels (mip_levels.h): r and g are slopes along u and v (root
-     * mean square 1), b is the surface smoothness, and a is the frost thickness, 0 to 1 */
+    /* half RGBA texels of all mip levels (mip_levels.h): r and g are slopes along u and v, with a
+     * root mean square of 1; b is surface smoothness; a is frost thickness, 0 to 1 */
     uint16_t *texels;
     uint32_t size; /* width and height in texels; 0 if there is no texture */
 };

@@ -79,8 +79,8 @@ struct decoder {
     size_t next, count;
 };
 
-/* Decodes a subtree of at most `left` levels. Returns false unless the subtree covers exactly the
- * range that its parent assigned, so that each triangle is in one leaf. */
+/* Decodes the subtree that contains the triangles of `range`. Returns false if the data are
+ * invalid: too few words, more than `left` levels, or a wrong size of a leaf or child. */
 static bool decode_node(struct decoder *decoder, const struct bvh_range *range, uint32_t left)
 {
     if (!left || decoder->next == decoder->count)

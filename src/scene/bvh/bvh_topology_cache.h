@@ -19,8 +19,8 @@ enum {
 /* Returns a hash of positions, groups and build parameters of a scene part without bubbles. */
 uint64_t bvh_cache_key(const struct bvh_part *part);
 
-/* Reads the topology with this key into a BVH whose group ranges are set. Without a valid file,
- * returns false, leaves the nodes undefined, and does not change the triangle order. */
+/* Loads the BVH topology that was saved with `key`. The group ranges must already be set. If there
+ * is no valid file, returns false, leaves the nodes undefined, and keeps the triangle order. */
 bool bvh_cache_load(struct bvh_two_level *hierarchy, uint64_t key);
 
 /* Writes a BVH's topology to a cache file, evicting the least recently used files. */

@@ -149,8 +149,8 @@ static bool build_top_level(struct bvh_two_level *hierarchy)
     return done;
 }
 
-/* Returns the maximum depth of a group's BVH. Sets *group_count to the number of groups, or to 1 if
- * separate BVHs of the groups would make the whole BVH too deep. */
+/* Returns the maximum depth of a group's BVH. Stores the number of groups in *group_count. If
+ * separate BVHs of the groups would make the whole BVH too deep, *group_count is 1. */
 static uint32_t decide_depth(const struct bvh_part *part, uint32_t *group_count)
 {
     const uint32_t above =

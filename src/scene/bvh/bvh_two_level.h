@@ -1,7 +1,7 @@
 /*
- * bvh_two_level.h: two-level BVH: one BVH per object, and a top-level BVH over the objects. Moving
- * objects keep the topology of the rest pose. Only boxes are refitted, always from the rest pose,
- * so that a pose's BVH does not depend on earlier poses.
+ * bvh_two_level.h: builds two-level BVHs: one BVH per object, and a top-level BVH over the objects.
+ * Moving objects keep the BVH topology of the rest pose. Their boxes are always refitted from the
+ * rest pose, because a pose's BVH must not depend on earlier poses.
  */
 #ifndef FIRN_SCENE_BVH_BVH_TWO_LEVEL_H
 #define FIRN_SCENE_BVH_BVH_TWO_LEVEL_H
@@ -22,9 +22,9 @@ struct bvh_build_stats {
 MUST_USE bool bvh_two_level_build(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                   struct bvh_build_stats *work);
 
-/* Builds the BVH of a pose by refitting the BVH of the rest pose. A deformed group is rebuilt if
- * its SAH cost grows by more than work->cost_growth_max. All groups are rebuilt if their triangle
- * ranges differ from the rest pose. Returns false when out of memory. */
+/* Builds the BVH of a pose by refitting the BVH of the rest pose. If a group is deformed and its
+ * SAH cost grows by more than work->cost_growth_max, rebuilds the group. If the groups' triangle
+ * ranges differ from the rest pose, rebuilds all groups. Returns false when out of memory. */
 MUST_USE bool bvh_two_level_refit(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                   const struct bvh_two_level *rest,
                                   const struct bvh_part *rest_part, struct bvh_build_stats *work);

@@ -79,8 +79,8 @@ static float distance_to_ground(float radius, float cosine)
     return cosine < 0.0F && d >= 0.0F ? fmaxf(0.0F, -radius * cosine - sqrtf(d)) : -1.0F;
 }
 
-/* Maps texture coordinates (u, v) of the transmittance table to radius and cosine (Bruneton). u is
- * the distance to the top of the atmosphere, relative to its minimum and maximum at this radius. */
+/* Maps texture coordinates (u, v) of the transmittance table (Bruneton) to a radius and a cosine. u
+ * is 0 at the minimum distance to the top of the atmosphere, and 1 at the maximum distance. */
 static void transmittance_params(float u, float v, float *radius, float *cosine)
 {
     const float whole = sqrtf(air_radius * air_radius - ground_radius * ground_radius);
@@ -188,8 +188,8 @@ static vec3s integrate_step(vec3s source, vec3s extinction, float step)
     return glms_vec3_div(glms_vec3_sub(source, glms_vec3_mul(source, kept)), extinction);
 }
 
-/* Adds a ray's contribution to *second, the second-order scattering, and to *transfer, the fraction
- * of light that each order passes to the next (Hillaire 2020, equations 5 and 7). */
+/* Adds a ray's contribution to *second and *transfer (Hillaire 2020, equations 5 and 7). *second is
+ * second-order scattering. *transfer is the fraction that each order passes to the next order. */
 static void add_orders(const struct atmosphere *a, const struct ray *ray, vec3s sun, vec3s *second,
                        vec3s *transfer)
 {

@@ -27,17 +27,17 @@ struct atmosphere {
                              [ATMOSPHERE_MULTIPLE_SCATTERING_SIZE];
 };
 
-/* Computes the transmittance and multiple-scattering tables. `turbidity` is the extinction by air
- * and haze divided by that of air: 1 without haze, 2 in mountains, 3 in summer, 5 when hazy.
- * `albedo` is the ground's, 0 to 1. */
+/* Computes the tables of transmittance and multiple scattering. `turbidity` is the extinction of
+ * air with haze, divided by the extinction of air alone: 1 without haze, 2 in mountains, 3 in
+ * summer, 5 when hazy. `albedo` is the ground albedo, 0 to 1. */
 void atmosphere_make(struct atmosphere *atmosphere, float turbidity, float albedo);
 
-/* Returns the transmittance from `height` kilometres above the ground to the top of the atmosphere.
- * `cosine` is the cosine of the ray's zenith angle. Returns 0 if the ground occludes the ray. */
+/* Returns a ray's transmittance from `height` kilometres above the ground to the top of the
+ * atmosphere. If the ground occludes the ray, returns 0. `cosine` is of the ray's zenith angle. */
 vec3s atmosphere_transmittance(const struct atmosphere *atmosphere, float height, float cosine);
 
-/* Returns the radiance that arrives from the unit direction `dir` at `height` kilometres. Below the
- * horizon, the ground is included. `sun` is the unit direction to the sun. */
+/* Returns the radiance that arrives from the unit direction `dir` at `height` kilometres above the
+ * ground. Light from the ground is included. `sun` is the unit direction to the sun. */
 vec3s atmosphere_radiance(const struct atmosphere *atmosphere, float height, vec3s dir, vec3s sun);
 
 #endif

@@ -1,5 +1,5 @@
 /* cube_to_equirect.c: converts cube maps to equirectangular images. OpenEXR's cube faces are
- * oriented as in ImfEnvmap.cpp, where +Z is in the centre of an equirectangular image. */
+ * oriented as in OpenEXR's ImfEnvmap.cpp: +Z is in the centre of an equirectangular image. */
 #include "src/scene/environment/cube_to_equirect.h"
 #include <cglm/struct.h>
 #include <math.h>

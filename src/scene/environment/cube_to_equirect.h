@@ -15,13 +15,13 @@ enum panorama {
     PANORAMA_TALL_CROSS /* 3:4 cross; the back face is the lowest, and upside down */
 };
 
-/* Returns the cube map layout of an image, by aspect ratio. Since ordinary images may have the
- * aspect ratio of a cross, a cross must also be black outside the faces. */
+/* Returns the cube map layout of an image, by aspect ratio. A cross must also be black outside the
+ * faces, because an ordinary image may have a cross's aspect ratio. */
 enum panorama panorama_detect_cube(const struct image *image);
 
-/* Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it). The new
- * width is four faces, at most 8192 texels. Each texel is the mean of four bilinear samples. Logs
- * with `path` and returns STATUS_TRY_AGAIN when out of memory; the image is then unchanged. */
+/* Converts a cube map to an equirectangular image (-Z in the centre, +X right of the centre). The
+ * new width is four faces, at most 8192 texels. Each texel is the mean of four bilinear samples. If
+ * out of memory, logs `path`, keeps the image, and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status panorama_from_cube(struct image *image, enum panorama kind, const char *path);
 
 #endif

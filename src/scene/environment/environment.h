@@ -1,7 +1,7 @@
 /*
- * environment.h: environment image in linear Rec.709 radiance. An equirectangular image is at
- * infinity, with -Z in the centre, +Y at the top, and +X right of the centre. A captured cube is a
- * column of six faces in Vulkan's order and orientation, +X -X +Y -Y +Z -Z.
+ * environment.h: loads environment images in linear Rec.709 radiance. An equirectangular image is
+ * infinitely far away: -Z is in the centre, +Y at the top, and +X right of the centre. A captured
+ * cube is a column of six faces, ordered and oriented as in Vulkan: +X -X +Y -Y +Z -Z.
  */
 #ifndef FIRN_SCENE_ENVIRONMENT_ENVIRONMENT_H
 #define FIRN_SCENE_ENVIRONMENT_ENVIRONMENT_H
@@ -39,8 +39,8 @@ MUST_USE enum status environment_load(struct environment *environment, const cha
 /* Returns a unit direction. Angles are in degrees; azimuth 0 is +Z, and 90 is +X. */
 vec3s environment_direction(float azimuth_deg, float elevation_deg);
 
-/* EXR string attribute of the sun, "AZIMUTH ELEVATION RED GREEN BLUE". The angles are those of
- * sky.sun_azimuth and sky.sun_elevation, degrees. The colour is environment_sun.light. */
+/* EXR string attribute that stores the sun as "AZIMUTH ELEVATION RED GREEN BLUE". The angles are
+ * sky.sun_azimuth and sky.sun_elevation in degrees. The colour is environment_sun.light. */
 #define ENVIRONMENT_SUN_TEXT "firn/sun"
 
 /* Multiplies all radiances, the sun's included, by 2^stops. */

@@ -1,8 +1,8 @@
 /*
  * image_based_lighting.c: prefilters an environment for image-based lighting (split-sum). Glossy
  * lobes are importance-sampled with GGX. Each sample reads a mip level that matches the sample
- * density, so that few samples suffice without fireflies (Krivanek and Colbert 2008, "Real-time
- * shading with filtered importance sampling"). The diffuse lobe sums all texels of a small level.
+ * density, because few samples would cause fireflies (Krivanek and Colbert 2008, "Real-time shading
+ * with filtered importance sampling"). The diffuse lobe sums all texels of a small level.
  */
 #include "src/scene/environment/image_based_lighting.h"
 #include <cglm/struct.h>
@@ -277,8 +277,8 @@ uint16_t *image_based_lighting_brdf_table(void)
     return texels;
 }
 
-/* Texels belong to a dominant light if they are at least DOMINANT_FRACTION as bright as the
- * brightest texel. Dominant lights exist if that texel exceeds DOMINANT_RATIO times the mean. */
+/* A light is dominant if its brightest texel exceeds DOMINANT_RATIO times the mean. The light's
+ * other texels are at least DOMINANT_FRACTION as bright as its brightest texel. */
 #define DOMINANT_FRACTION 0.35f
 #define DOMINANT_RATIO    4.0f
 #define DOMINANT_COSINE   0.75f /* minimum cosine of the angle to the brightest texel */

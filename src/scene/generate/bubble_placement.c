@@ -44,8 +44,8 @@ static bool spans_zero(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* Counts crossings of the surface by rays along +x, +y and +z. A point is inside if all counts are
- * odd. One ray is not enough, since a ray through an edge may miss both triangles. */
+/* Returns a point's distance to the surface along the nearest axis, or 0 outside. Counts the hits
+ * of three rays, because one ray through an edge may miss both triangles at the edge. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
     uint32_t exits[3] = { 0 };
@@ -85,8 +85,8 @@ static bool is_unoccupied(const struct bubbles *bubbles, vec3s center, float rad
     return true;
 }
 
-/* Returns a bubble of the requested shape inside a bounding sphere. The bubble's axis deviates by
- * at most about 20 degrees from the direction to the object's centre. */
+/* Returns a bubble of the requested shape inside the sphere `bubble`. The new bubble's axis
+ * deviates by at most about 20 degrees from the line to `middle`, the object's centre. */
 static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
                                   vec3s middle, struct random *random)
 {
@@ -104,8 +104,8 @@ static struct bubble shape_bubble(struct bubble bubble, const struct generate_bu
     return bubble;
 }
 
-/* Adds a bubble at a random free position. Returns false if no position is found. A sphere is
- * inside a convex object if the centre is at least sqrt(3) radii from the surface along each axis.
+/* Adds a bubble at a random free position. Returns false if no position is found. In a convex
+ * object, a sphere fits if the centre is at least sqrt(3) radii from the surface along each axis.
  */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        const struct generate_bubbles *params, struct box box, float radius,

@@ -1,7 +1,7 @@
 /*
  * crack_meshes.c: generates crack sheets inside an object (Seipel and Nivfors 2006, section 3.3). A
  * few generic sheets are scaled to the object's box, randomly rotated, and placed near the centre.
- * Uses only floor and square root of the C library, as its other functions differ between machines.
+ * Uses only floor and sqrt of the C library, because other functions differ between machines.
  */
 #include <cglm/struct.h>
 #include <math.h>

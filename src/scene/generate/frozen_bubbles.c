@@ -63,8 +63,8 @@ static vec3s growth_at(const struct growth_params *growth_params, vec3s point,
     return glms_vec3_normalize(glms_vec3_muladds(random_box(random), 0.12f, inwards));
 }
 
-/* Returns true if two bubbles do not touch, with a margin of a tenth of the sum of their radii.
- * Measures the distance between the closest points of the bubbles' axis segments. */
+/* Returns true if two bubbles do not touch. The distance between the bubbles' axis segments must
+ * exceed 1.1 times the sum of the bubbles' radii. */
 static bool are_apart(const struct bubble *a, const struct bubble *b)
 {
     const float half_a = fmaxf(a->stretch, 0.0f), half_b = fmaxf(b->stretch, 0.0f);

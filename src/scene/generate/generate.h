@@ -27,33 +27,33 @@ enum {
     GENERATE_AIR_MAX = 64,
 };
 
-/* Generates a UV sphere with the volume of the unit sphere. Vertices are therefore slightly outside
- * the unit sphere. Normals are exact. */
+/* Generates a UV sphere with exact normals and the volume of the unit sphere. Vertices are slightly
+ * outside the unit sphere, because flat facets enclose less volume. */
 bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 
 /* Generates a rounded cube, about 1.6 m wide, of six grids of quads displaced by smooth noise. */
 bool generate_ice_cube(struct mesh *mesh, uint32_t triangles);
 
-/* Generates the Utah teapot from its 32 Bezier patches (Newell 1975), about 2 m wide, upright (+Y),
- * spout towards +X. It is one solid without inner walls: the gap around the lid and the spout's
- * mouth are closed, and handle and spout are joined to the body. */
+/* Generates the Utah teapot from its 32 Bezier patches (Newell 1975). The teapot is about 2 m wide,
+ * stands upright (+Y), and points its spout towards +X. It is one solid without inner walls. The
+ * lid's gap and the spout's mouth are closed. Handle and spout are joined to the body. */
 bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 
-/* Generates a valley surrounded by hills, 60 m wide. Its centre is 1.35 m below the origin. The
- * open surface faces up, is lit (not MESH_UNLIT), and is coloured by height and slope. */
+/* Generates a valley between hills, 60 m wide. The valley's centre is 1.35 m below the origin. The
+ * open surface faces up and is lit (not MESH_UNLIT). Its colour depends on height and slope. */
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
-/* Generates a level floor of pale tiles that shows the light transmitted by the object above. The
- * floor reaches the horizon, is lit, and faces up. */
+/* Generates a level floor of pale tiles below an object. The floor shows the light that the object
+ * transmits. The floor reaches the horizon, faces up, and is lit (not MESH_UNLIT). */
 bool generate_floor(struct mesh *mesh, struct box object);
 
 /* Generates a closed room, 11.7 x 6.3 x 9.9 m, with an off-centre table under the object. Walls,
- * floor and ceiling are tiled with coloured lines; a lamp and a window emit light. Vertex colours
+ * floor and ceiling are tiled with coloured lines. A lamp and a window emit light. Vertex colours
  * are baked radiances (MESH_UNLIT), with shadows of the furniture. */
 bool generate_room(struct mesh *mesh, struct box object);
 
 /* Generates coloured balls (MESH_ORBITS) in a ring around a box. The box can rotate about +Y
- * without touching them. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
+ * without touching the balls. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
 bool generate_orbiting_balls(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
@@ -61,8 +61,8 @@ struct generate_pool {
     float ice;         /* width of floating ice, metres; 0 for none */
 };
 
-/* Generates the surroundings of a square pool at the origin with water level 0: the walls above
- * water, and the stone paving. water.c draws the water, the floor and the submerged walls. */
+/* Generates the stone paving of a square pool at the origin, and the pool's walls above water. The
+ * water level is 0. water.c draws the water, the floor and the submerged walls. */
 bool generate_pool(struct mesh *mesh, const struct generate_pool *pool);
 
 /* Generates floating ice in the pool's centre: a partly submerged ice cube of width pool->ice. */
@@ -90,17 +90,17 @@ struct air_layers {
     uint32_t size, count;
 };
 
-/* Generates squares as wide as the box's diagonal, randomly rotated about points near its centre.
- * Texture coordinates span each square. The vertices' `material` is the layer index + 1. */
+/* Generates squares of milky air, randomly rotated about points near the box's centre. Each is as
+ * wide as the box's diagonal. Texture coordinates span it. `material` is 1 + the layer index. */
 bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
 
 /* Clips air planes to a k-DOP of the object. Returns false when out of memory; *planes is then
  * unchanged. */
 bool generate_air_clip(struct mesh *planes, const struct mesh *object);
 
-/* Generates the textures of air planes: haze that fades towards the edges, and bubbles of three
- * sizes. Each size is half as large and twice as frequent as the previous one. Returns false when
- * out of memory; *layers is then zeroed. */
+/* Generates textures for squares of milky air: haze that fades towards the edges, and bubbles of
+ * three sizes. Each size is half as large and twice as frequent as the previous size. Returns false
+ * when out of memory; *layers is then zeroed. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
 
 enum generate_bubbles_shape {

@@ -1,5 +1,5 @@
-/* ice_cube.c: generates a rounded cube of six grids, displaced by noise. The noise depends only on
- * position, which avoids gaps. It is too smooth to cause self-intersections. */
+/* ice_cube.c: generates a rounded cube of six grids, displaced by noise. The grids meet without
+ * gaps, because the noise depends only on position. Smooth noise avoids self-intersections. */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
@@ -18,8 +18,8 @@ static uint32_t choose_cells(uint32_t triangles)
     return more - target < target - fewer ? n + 1 : n;
 }
 
-/* Returns the vertex index of a surface point in a lattice of (n + 1)^3 points. Indices ascend with
- * at[2]. The first and last layers are full squares, those between are rings of 4n points. */
+/* Returns the vertex index of a surface point in a lattice of (n + 1)^3 points. Layers ascend with
+ * at[2]. The first and last layers are full squares. The layers between are rings of 4n points. */
 static uint32_t surface_index(const uint32_t at[3], uint32_t n)
 {
     uint32_t i = at[0], j = at[1], k = at[2];

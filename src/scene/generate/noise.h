@@ -7,9 +7,9 @@
 
 uint32_t noise_hash(uint32_t x);
 
-/* Returns value noise in [-1, 1]. Random values at integer coordinates are interpolated with two
- * continuous derivatives. Slopes are below 4. Different seeds give uncorrelated noise. Coordinates
- * must be below 2^30. */
+/* Returns value noise in [-1, 1], interpolated between random values at integer coordinates. Two
+ * derivatives are continuous, and slopes are below 4. Different seeds give uncorrelated noise.
+ * Coordinates must be below 2^30. */
 float noise_value(vec3s p, uint32_t seed);
 
 /* Returns a vector of three uncorrelated noise values. */

@@ -1,6 +1,6 @@
-/* room.c: generates a closed room with a table. Its straight lines make the refraction of ice
- * visible. All geometry is axis-aligned boxes. Vertex lighting is baked: a lamp and a window with
- * shadows of furniture, plus constant ambient light. */
+/* room.c: generates a closed room with a table, whose straight lines show the refraction of ice.
+ * All geometry is axis-aligned boxes. Lighting is baked into vertex colours: a lamp, a window,
+ * shadows of furniture, and constant ambient light. */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"

@@ -49,7 +49,7 @@ static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
     return 1 + (row - 1) * grid.columns + column % grid.columns;
 }
 
-/* Scales the sphere until its facets enclose the unit sphere's volume. Facets are then partly
+/* Scales the sphere until its facets enclose the unit sphere's volume. Each facet is then partly
  * inside and partly outside the unit sphere. This reduces the error of refracted directions to a
  * third. */
 static void fill_volume(struct mesh *mesh)

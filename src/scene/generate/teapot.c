@@ -101,8 +101,8 @@ static vec2s quarter_circle(float t)
     return (vec2s){ { w[0] + w[1] + 0.56F * w[2], 0.56F * w[1] + w[2] + w[3] } };
 }
 
-/* Returns a point of a tube. `side` (1 or -1) selects a half. v is 0 to 1 along the cross-section,
- * and u is about 0 to 2 along the tube. */
+/* Returns a point of a tube. `u` is about 0 to 2 along the tube. `v` is 0 to 1 around half of the
+ * cross-section. `side` (1 or -1) selects the half. */
 static vec3s tube_point(const float (*sections)[5], float u, float v, float side)
 {
     int patch = u < 1 ? 0 : 1;
@@ -333,8 +333,8 @@ static void add_body(struct teapot *t)
     }
 }
 
-/* Lists the vertices around a hole, the half with +Z first. Starts at the centre of the hole's
- * upper edge, or of the lower edge if `from_bottom`. */
+/* Lists the vertices around a hole, with the +Z half first. The list starts at the centre of the
+ * upper edge. If `from_bottom`, the list starts at the centre of the lower edge. */
 static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bottom, uint32_t *loop)
 {
     uint32_t size = loop_size(hole);
@@ -412,8 +412,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
     }
 }
 
-/* Adds a ring of vertices to the body just outside a tube's first ring, and stores it in
- * t->next_loop. The ring confines the smoothing of normals to the joint. */
+/* Adds a ring of vertices to the body just outside a tube's first ring. Stores the new ring in
+ * t->next_loop. The new ring confines the smoothing of normals to the joint. */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {

@@ -92,8 +92,8 @@ static struct box box_of(const struct mesh_vertex corner[3])
     return box;
 }
 
-/* Bisects a triangle at its longest side, recursively. Neighbours bisect a common side at the same
- * point, so that no cracks appear. */
+/* Bisects a triangle at its longest side, recursively. Adjacent triangles bisect their common side
+ * at one point, which avoids cracks. */
 static void bisect(struct cut *cut, const struct mesh_vertex corner[3])
 {
     int longest = 0;

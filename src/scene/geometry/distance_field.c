@@ -56,8 +56,8 @@ static float line_distance2(vec3s p, vec3s a, vec3s b)
     return glms_vec3_norm2(glms_vec3_sub(to, glms_vec3_scale(along, glm_clamp(t, 0.0f, 1.0f))));
 }
 
-/* Returns the squared distance from p to a triangle. If p projects outside the triangle, the
- * nearest point is on an edge whose outer side faces p. */
+/* Returns the squared distance from p to a triangle. If p is beyond any edge, measures to the
+ * nearest of these edges. Otherwise, measures to the triangle's plane. */
 static float distance2(const struct work *work, uint32_t triangle, vec3s p)
 {
     vec3s c[3];
@@ -121,8 +121,8 @@ static void test_near(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Updates a texel's nearest triangle from the 13 neighbours before the texel in scan order (`side`
- * -1) or after it (`side` 1). Skips neighbours last changed before sweep `since`. */
+/* Tests a texel against the nearest triangles of 13 neighbours: if `side` is -1, those earlier in
+ * scan order; if `side` is 1, those later. Skips neighbours unchanged since sweep `since`. */
 static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
@@ -148,7 +148,7 @@ static void test_neighbours(const struct work *work, size_t texel, int side, int
 }
 
 /* Propagates nearest triangles between neighbouring texels inside the mesh. Skips neighbours that
- * have not changed since the last sweep in the same direction. */
+ * have not changed since the previous sweep in this direction. */
 static void sweep(const struct work *work, int number)
 {
     const bool is_forward = number % 2 == 0;
@@ -171,8 +171,8 @@ static double area(vec3s a, vec3s b, double y, double z)
            ((double)b.z - (double)a.z) * (y - (double)a.y);
 }
 
-/* Adds a triangle's winding (1 or -1) to all texels behind it along +x. Texel rows are shifted
- * slightly, so that they do not pass through edges of a mesh aligned with the grid. */
+/* Adds a triangle's winding (1 or -1) to all texels behind the triangle along +x. Texel rows are
+ * shifted slightly, because rows must not pass through edges of a mesh aligned with the grid. */
 static void add_winding(const struct work *work, uint32_t triangle)
 {
     vec3s c[3];

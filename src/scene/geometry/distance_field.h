@@ -1,5 +1,5 @@
-/* distance_field.h: depth of points below the surface of a closed mesh, on a grid of texels. The
- * depth is the distance to the nearest triangle, exact at texel centres, and 0 outside. */
+/* distance_field.h: depth of points inside a closed mesh, on a grid of texels. The depth is the
+ * distance to the nearest triangle. It is exact at texel centres, and 0 outside the mesh. */
 #ifndef FIRN_SCENE_GEOMETRY_DISTANCE_FIELD_H
 #define FIRN_SCENE_GEOMETRY_DISTANCE_FIELD_H
 

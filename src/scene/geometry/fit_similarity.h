@@ -1,6 +1,6 @@
-/* fit_similarity.h: finds the similarity transform between two sets of triangles, to detect
- * instances. The transform is computed without a search, from an anchor of three corners that are
- * far apart. The caller then checks that all corners match. */
+/* fit_similarity.h: computes the similarity transform between two sets of triangles, to detect
+ * instances. Three corners that are far apart determine the transform without a search. The caller
+ * then checks that the transform maps all corners correctly. */
 #ifndef FIRN_SCENE_GEOMETRY_FIT_SIMILARITY_H
 #define FIRN_SCENE_GEOMETRY_FIT_SIMILARITY_H
 

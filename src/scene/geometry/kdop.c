@@ -26,8 +26,8 @@ static float distance(const vec4s *plane, const struct mesh_vertex *corner)
     return glms_vec3_dot(corner->position, glms_vec3(*plane)) - plane->w;
 }
 
-/* Returns the vertex where an edge crosses the plane. `at_a` and `at_b` are the signed distances of
- * the edge's ends, with opposite signs. */
+/* Returns the vertex where the edge from a to b crosses the plane. `at_a` and `at_b` are the signed
+ * distances of a and b from the plane, with opposite signs. */
 static struct mesh_vertex edge_point(const struct mesh_vertex *a, float at_a,
                                      const struct mesh_vertex *b, float at_b)
 {

@@ -1,6 +1,6 @@
-/* kdop.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it. The
- * plane normals are the directions from a cube's centre to its faces, edges and corners (Klosowski
- * et al. 1998). Each plane touches the mesh. */
+/* kdop.h: computes a mesh's discrete oriented polytope (26-DOP), and clips polygons to it. The
+ * plane normals point from a cube's centre to its faces, edges and corners (Klosowski et al. 1998).
+ * Each plane touches the mesh. */
 #ifndef FIRN_SCENE_GEOMETRY_KDOP_H
 #define FIRN_SCENE_GEOMETRY_KDOP_H
 
@@ -19,9 +19,9 @@ struct kdop {
 /* Returns the k-DOP of a mesh, which is empty for an empty mesh. */
 struct kdop kdop_of(const struct mesh *mesh);
 
-/* Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, 0 or 3 to
- * `count` + KDOP_PLANE_COUNT. `corners` must have room for the maximum. New vertices get
- * interpolated texture coordinates, and copy other attributes from the first vertex. */
+/* Clips a convex polygon of `count` <= 4 vertices to the k-DOP, in place. Returns the new vertex
+ * count. `corners` needs room for `count` + KDOP_PLANE_COUNT vertices. New vertices interpolate
+ * position and texture coordinates, and copy the rest from one end of the edge. */
 uint32_t kdop_clip(const struct kdop *kdop, struct mesh_vertex *corners, uint32_t count);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * mesh.h: indexed triangle mesh in memory, with the vertex layout of all passes. The meshes of a
- * scene are in world space (right-handed, +Y up, metres). Triangles are counter-clockwise seen from
- * outside. mesh_finish() frees the malloc'd arrays.
+ * mesh.h: defines an indexed triangle mesh, whose vertex layout all passes use. The meshes of a
+ * scene are in world space (right-handed, +Y up, metres). Triangles are counter-clockwise when seen
+ * from outside. mesh_finish() frees the malloc'd arrays.
  */
 #ifndef FIRN_SCENE_GEOMETRY_MESH_H
 #define FIRN_SCENE_GEOMETRY_MESH_H
@@ -68,18 +68,18 @@ bool box_contains(const struct box *outer, const struct box *inner);
 
 float box_diagonal(struct box box);
 
-/* Centres the mesh at the origin, and scales it uniformly to `width` along x. The mesh must not be
- * flat along x. Normals are unchanged. */
+/* Moves the mesh's centre to the origin, and scales the mesh uniformly to `width` along x. The mesh
+ * must not be flat along x. Normals are unchanged. */
 void mesh_fit(struct mesh *mesh, float width);
 
-/* Computes each vertex normal as the mean of the adjacent triangles' normals. The weight is the
- * angle at the vertex, which makes the mean independent of triangulation (Thuermer and Wuethrich
- * 1998). Vertices with only degenerate triangles, or none, get +Y. */
+/* Computes each vertex normal as a weighted mean of the adjacent triangles' normals. The weight is
+ * the triangle's angle at the vertex, because triangulation must not affect the mean (Thuermer and
+ * Wuethrich 1998). If there are no adjacent triangles of non-zero area, the normal is +Y. */
 void mesh_make_normals(struct mesh *mesh);
 
 #define MESH_CONVEX_MAX (1u << 24)
-/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal. Also
- * returns false if vertices times triangles exceed MESH_CONVEX_MAX. */
+/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal. If
+ * vertices times triangles exceed MESH_CONVEX_MAX, returns false without a test. */
 bool mesh_is_convex(const struct mesh *mesh);
 
 /* Original index of each triangle of a sorted mesh. */

@@ -14,8 +14,8 @@ struct grid {
     unsigned char hits[SIDE * SIDE]; /* number of triangles that each line hits, at most 255 */
 };
 
-/* Orthogonal directions, oblique to the faces of man-made objects. A line within a flat but
- * slightly uneven face would hit the face many times. */
+/* Orthogonal directions, oblique to the faces of man-made objects. A line parallel to a slightly
+ * uneven face could hit the face many times. */
 static const vec3s directions[3] = {
     { { 2.0f / 7.0f, 3.0f / 7.0f, 6.0f / 7.0f } },
     { { 3.0f / 7.0f, -6.0f / 7.0f, 2.0f / 7.0f } },

@@ -4,9 +4,9 @@
 
 #include "src/scene/geometry/mesh.h"
 
-/* Returns the fraction of lines that hit more than two triangles, among lines along three fixed
- * directions that hit the mesh. It is 0 for a convex mesh, and almost 0 for shallow hollows. For a
- * cavity, it is about the fraction of the silhouette that the cavity covers. */
+/* Returns the fraction of lines that hit more than two triangles, among all lines that hit the
+ * mesh. Lines have three fixed directions. The fraction is 0 if convex, and almost 0 for shallow
+ * hollows. For a cavity, it is about the part of the silhouette that the cavity covers. */
 float mesh_depth_complexity(const struct mesh *mesh);
 
 #endif

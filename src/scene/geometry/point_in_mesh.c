@@ -40,7 +40,7 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
 }
 
 /* Counts the triangles that overlap each grid column. If s->triangles is allocated, stores the
- * triangles instead, and fills each column from its end. */
+ * triangles' indices instead. Each column is filled from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
@@ -91,7 +91,7 @@ void closed_mesh_finish(struct closed_mesh *closed_mesh)
 }
 
 /* Returns twice the signed area of the triangle a, b, p in the xz plane, but never 0. Swapping a
- * and b exactly negates the result. A vertical line through an edge therefore hits exactly one of
+ * and b exactly negates the area, because a vertical line through an edge must hit exactly one of
  * the two triangles at the edge. */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {

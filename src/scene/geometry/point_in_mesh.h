@@ -1,7 +1,7 @@
 /*
  * point_in_mesh.h: tests whether points are inside a closed mesh. closed_mesh_init() borrows the
  * mesh, which must stay unchanged. closed_mesh_finish() does not free the mesh. A zeroed struct is
- * valid and empty. Several threads may call functions with a const struct at the same time.
+ * valid and empty. Functions that take a const struct may run in several threads at once.
  */
 #ifndef FIRN_SCENE_GEOMETRY_POINT_IN_MESH_H
 #define FIRN_SCENE_GEOMETRY_POINT_IN_MESH_H
@@ -22,8 +22,8 @@ bool closed_mesh_init(struct closed_mesh *closed_mesh, const struct mesh *mesh);
 
 void closed_mesh_finish(struct closed_mesh *closed_mesh);
 
-/* Returns true if a point is inside: an upward ray from it hits an odd number of triangles. A ray
- * through a shared edge hits exactly one of the two triangles. */
+/* Returns true if a point is inside the mesh: a ray upwards hits an odd number of triangles. If the
+ * ray passes through a shared edge, it hits exactly one of the edge's two triangles. */
 bool closed_mesh_contains(const struct closed_mesh *s, vec3s point);
 
 /* Returns true if the surface is both above and below a point, for example in a cavity. */
@@ -32,10 +32,10 @@ bool closed_mesh_surrounds(const struct closed_mesh *s, vec3s point);
 /* Returns true if the bounding box of any triangle of the mesh overlaps a box. */
 bool closed_mesh_may_overlap(const struct closed_mesh *s, struct box box);
 
-/* Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are
- * bisected until no side exceeds `step` metres, then cut where sides cross the surface. Details
- * smaller than `step` are missed. The new triangles share no vertices. Returns false when out of
- * memory; *sheet is then unchanged. */
+/* Clips a sheet (any triangles) to the inside of the closed mesh. Near the surface, triangles are
+ * bisected until no side exceeds `step` metres, and then cut at the surface. Details smaller than
+ * `step` are missed. The new triangles share no vertices. Returns false when out of memory; *sheet
+ * is then unchanged. */
 bool closed_mesh_clip(const struct closed_mesh *closed_mesh, struct mesh *sheet, float step);
 
 #endif

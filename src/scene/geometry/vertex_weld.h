@@ -1,7 +1,7 @@
 /*
  * vertex_weld.h: welds vertices that share a position but differ in other attributes. Model files
- * split vertices at hard edges and texture seams, but connected components and curvature flow need
- * true adjacency. Positions must be equal; a tolerance could join surfaces that merely touch.
+ * split vertices at hard edges and texture seams, which hides that triangles are adjacent.
+ * Positions must be exactly equal, because a tolerance could join surfaces that merely touch.
  */
 #ifndef FIRN_SCENE_GEOMETRY_VERTEX_WELD_H
 #define FIRN_SCENE_GEOMETRY_VERTEX_WELD_H
@@ -17,8 +17,8 @@ struct vertex_weld {
     uint32_t corner_count;
 };
 
-/* Welds the vertices that indices `first` to `first` + `count` - 1 refer to. Returns false when out
- * of memory; *vertex_weld is then zeroed. */
+/* Welds the vertices of mesh->indices[first] to mesh->indices[first + count - 1]. Returns false
+ * when out of memory; *vertex_weld is then zeroed. */
 bool vertex_weld_init(struct vertex_weld *vertex_weld, const struct mesh *mesh, uint32_t first,
                       uint32_t count);
 void vertex_weld_finish(struct vertex_weld *vertex_weld); /* {0} is fine */

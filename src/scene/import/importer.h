@@ -1,6 +1,6 @@
-/* importer.h: internal interface of the model importers (glTF, OBJ, PLY): import state,
- * formats, textures, mesh building. Functions that return a status log one line unless it is
- * STATUS_OK. */
+/* importer.h: declares the internal interface of the model importers (glTF, OBJ, PLY): import
+ * state, formats, textures, mesh building. If a function returns a status other than STATUS_OK, it
+ * has logged one line. */
 #ifndef FIRN_SCENE_IMPORT_IMPORTER_H
 #define FIRN_SCENE_IMPORT_IMPORTER_H
 
@@ -38,8 +38,8 @@ struct model_format {
     bool is_gltf;
 };
 
-/* Finds the format by a file's suffix. Returns STATUS_DATA if the suffix is unknown, or if the
- * first bytes of the file do not match the format. */
+/* Finds the format of a model file by the file's suffix. If the suffix is unknown, or the file's
+ * first bytes do not match the format, returns STATUS_DATA. */
 MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
 
 /* Loads a glTF file, posed by `pose`. */
@@ -55,8 +55,8 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
  * file is missing or outside the model's folder, records its name in *user and returns NULL. */
 FILE *model_file_open(void *user, const char *path);
 
-/* Converts a reference to a file (URI, Windows path or other path) to a relative path, in place.
- * Returns false if the path leaves the model's folder: "../a", "/a", "https://a", URI "file:a". */
+/* Converts a file reference (URI, Windows path or other path) to a relative path, in place. If the
+ * path leaves the model's folder, returns false: "../a", "/a", "https://a", URI "file:a". */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
 /* Returns a file's path in the model's folder, freed by the caller; NULL when out of memory. */
@@ -83,8 +83,8 @@ struct model_texture {
     char *file;
     enum model_texture_conversion change;
     float exponent; /* Ns for MODEL_TEXTURE_NS_TO_ROUGHNESS */
-    /* File of a second image that replaces one channel, or NULL. The channel is alpha if
-     * other_change is MODEL_TEXTURE_TO_ALPHA, blue if other_change is MODEL_TEXTURE_METALLIC. */
+    /* File of a second image that replaces one channel, or NULL. If other_change is
+     * MODEL_TEXTURE_TO_ALPHA, replaces alpha. If it is MODEL_TEXTURE_METALLIC, replaces blue. */
     char *other;
     enum model_texture_conversion other_change;
 };
@@ -157,12 +157,12 @@ MUST_USE enum status model_build_end(struct model_build *build);
 /* Adds one object for the whole file, with the material MATERIAL_FROM_SETTINGS. */
 MUST_USE enum status model_build_default_object(struct model_build *build);
 
-/* Computes missing (zero) normals, and welds identical vertices within each surroundings object.
- * Updates `starts`, each object's first vertex. Returns false when out of memory. */
+/* Computes missing (zero) normals. Welds identical vertices within each surroundings object, and
+ * updates `starts`, the objects' first vertices. Returns false when out of memory. */
 MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
-/* Clamps a finite colour to 0 to 1; if `is_unlit`, to 0 to MODEL_RADIANCE_MAX. Returns true if the
- * colour changed. Non-finite colours are left unchanged. */
+/* Clamps a finite colour to the range 0 to 1. If `is_unlit`, the maximum is MODEL_RADIANCE_MAX.
+ * Non-finite colours stay unchanged. Returns true if the colour changed. */
 bool model_color_clamp(vec3s *color, bool is_unlit);
 
 /* Logs a warning if colours of the file were clamped. Call it only for accepted files. */

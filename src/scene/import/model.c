@@ -118,9 +118,9 @@ static enum status add_lights(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
-/* Appends all objects of `other`, including refractive ones, to the surroundings objects. Must be
- * called before the meshes are appended. Vertices are numbered in order of first use, so an
- * object's first vertex is one more than the highest index of all earlier objects. */
+/* Appends all objects of `other`, including refractive ones, to the surroundings objects. Call this
+ * before the meshes are appended. Vertices are numbered in order of first use. Therefore, each
+ * object's first vertex is 1 + the highest index of all earlier objects. */
 static bool add_surroundings_objects(struct model *model, const struct model *other)
 {
     uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;

@@ -37,8 +37,8 @@
 #include "src/scene/punctual_light.h"
 #include "src/scene/refractive_object.h"
 
-/* Array of square RGBA8 textures of one size, rows from the top. Limits: 4096 layers, 2048 texels a
- * side, 512 MiB in total. Images of other sizes are resampled. */
+/* Array of square RGBA8 textures of one size, with rows from the top. Other sizes are resampled.
+ * Limits: 4096 layers, 2048 texels per side, 512 MiB in total. */
 struct texture_layers {
     uint8_t *texels; /* RGBA8 texels of all layers */
     /* texels per side (a power of two) and number of layers; both are 0 without textures */
@@ -90,8 +90,8 @@ struct model {
     uint32_t object_count;
     struct material *materials; /* referenced by objects and vertices */
     uint32_t material_count;
-    /* First vertex of each surroundings object, ascending. Vertices before them have no object.
-     * Padded with zeros to a multiple of MODEL_SURROUNDINGS_ROW, for upload as an image. */
+    /* First vertex of each surroundings object, ascending. Earlier vertices have no object. Zeros
+     * pad the array to a multiple of MODEL_SURROUNDINGS_ROW, for upload as an image. */
     uint32_t *surroundings_starts;
     /* names of the surroundings objects' nodes; "" if unnamed */
     char (*surroundings_names)[MATERIAL_NAME_SIZE];
@@ -129,8 +129,8 @@ struct model_pose {
     const char *animation;
     bool is_first; /* use the first animation, if any */
     float time;    /* animation time, seconds */
-    /* Names of the refractive objects, one per line, or NULL. Each name is that of a node with a
-     * mesh, else of a material. Meshes neither named nor transmissive are surroundings. */
+    /* Names of the refractive objects, one per line, or NULL. Each name is of a node with a mesh,
+     * or else of a material. Other meshes are surroundings unless transmissive. */
     const char *objects;
 };
 
@@ -138,19 +138,19 @@ struct model_pose {
 MUST_USE enum status model_load(struct model *model, const char *path,
                                 enum model_role default_role);
 
-/* Loads a file like model_load(), with nodes, skins and morph targets posed by `pose`. Also returns
- * STATUS_DATA if the file has no such animation. */
+/* Loads a file like model_load(), with nodes, skins and morph targets posed by `pose`. If the file
+ * has no such animation, returns STATUS_DATA. */
 MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
-/* Appends both meshes of `other` to the surroundings of *model. Renumbers the textures and
- * resamples the smaller ones. A box of `other` replaces that of *model. `other` is always zeroed.
- * On failure *model is unchanged. Returns STATUS_TRY_AGAIN when out of memory, and STATUS_DATA for
- * more than 4096 textures or 8191 materials. */
+/* Appends both meshes of `other` to the surroundings of *model. Renumbers textures, and resamples
+ * the smaller ones. If `other` has a box, the box replaces the box of *model. `other` is always
+ * zeroed. On failure *model is unchanged. Returns STATUS_TRY_AGAIN when out of memory, and
+ * STATUS_DATA for more than 4096 textures or 8191 materials. */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
-/* Adds a surroundings object whose first vertex is `start`. Objects must be added in order of first
- * vertex. Returns false when out of memory. */
+/* Adds a surroundings object whose first vertex is `start`. Add objects in ascending order of
+ * `start`. Returns false when out of memory. */
 MUST_USE bool model_surroundings_add_object(struct model *model, const char *name, uint32_t start);
 
 /* Returns 1 + the index of the surroundings object that contains a vertex; 0 if there is none. */

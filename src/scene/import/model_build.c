@@ -88,8 +88,8 @@ enum status model_build_allocate(struct model_build *build)
     return STATUS_DATA;
 }
 
-/* Returns the matrix that transforms normals: the cofactor matrix. It equals the inverse transpose
- * up to scale, and exists even for a singular matrix. */
+/* Returns the matrix that transforms normals: the cofactor matrix. It is the inverse transpose up
+ * to scale, but also exists for a singular matrix. */
 static mat3s normal_matrix(mat3s m, bool is_mirrored)
 {
     mat3s normal = { .col = {

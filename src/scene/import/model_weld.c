@@ -23,8 +23,8 @@ static uint32_t hash(const void *key, size_t size)
     return (uint32_t)state;
 }
 
-/* Returns true if the first key_size bytes of two vertices are equal. If key_size is the size of a
- * whole vertex, the vertices' extras must be equal too. */
+/* Returns true if the first key_size bytes of two vertices are equal. If key_size includes the
+ * whole vertex, the vertices' extras must also be equal. */
 static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key_size)
 {
     const bool is_whole = key_size == sizeof(struct mesh_vertex);
@@ -34,8 +34,8 @@ static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t
     return !extra_size || memcmp(&mesh->extras[a], &mesh->extras[b], extra_size) == 0;
 }
 
-/* Returns, for each vertex, the index of the first identical vertex in the same surroundings
- * object. The caller frees the array. Returns NULL when out of memory. */
+/* Returns, for each vertex, the index of the first identical vertex in its surroundings object. The
+ * caller frees the array. Returns NULL when out of memory. */
 static uint32_t *find_identical(const struct mesh *mesh, size_t key_size, const uint32_t *starts,
                                 uint32_t start_count)
 {

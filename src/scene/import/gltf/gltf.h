@@ -213,8 +213,8 @@ uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *coun
 MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
 /* Lists in *model the extensions that the file uses and its features that are not drawn. */
 MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
-/* Logs warnings about undrawn features and unsupported extensions. Call it only for an accepted
- * file, because the user sees only the first logged line of a rejected file. */
+/* Logs warnings about undrawn features and unsupported extensions. The file must be accepted,
+ * because the user sees only the first logged line of a rejected file. */
 void gltf_warn(const struct gltf *gltf, const struct model *model);
 
 /* Checks all indices in the file, including those in unused meshes, skins and cameras. */
@@ -231,8 +231,8 @@ void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 
 /* Returns true if morph targets or a skin deform a primitive of a node's mesh. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
-/* Computes the deformed positions and normals in *posed, and zeroes its other members. The results
- * are in model space if the mesh is skinned. The caller frees *posed, also after a fault. */
+/* Stores the deformed positions and normals in *posed, and zeroes other members. If the mesh is
+ * skinned, the results are in model space. The caller frees *posed, even after a fault. */
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,
                                      struct gltf_primitive *posed);

@@ -101,8 +101,8 @@ static void add_extension(struct gltf *gltf, struct model *model, const char *na
         (void)gltf_fault(&top, "expected at most %d extensions", MODEL_EXTENSION_MAX);
 }
 
-/* Adds every extension used within a JSON value, even if the file does not declare it. The parser
- * limits the nesting depth and thus the recursion. */
+/* Adds every extension that a JSON value uses, even if the file does not declare it. The parser
+ * limits the nesting depth, and thus the depth of this recursion. */
 static void add_extensions_within(struct gltf *gltf, struct model *model, json_t *json)
 {
     const char *key;

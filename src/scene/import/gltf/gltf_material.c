@@ -125,9 +125,9 @@ static bool has_image(const struct gltf_texture *texture)
     return texture->image != gltf_none;
 }
 
-/* Records the properties of a transmissive material that are not drawn. A thickness texture is not
- * drawn, because path lengths are traced. A metallic factor is recorded only if the file sets it
- * and no texture scales it. An omitted factor means 1, which is rarely intended. */
+/* Records a transmissive material's properties that are not drawn. Thickness textures are not
+ * drawn, because path lengths are traced. A metallic factor is recorded only if no texture scales
+ * it and the file sets it, because the default of 1 is rarely intended. */
 static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;

@@ -58,8 +58,8 @@ static bool read_draco(const struct source *source, const char *name, struct glt
     return true;
 }
 
-/* Returns an attribute with `width` components per vertex, or NULL if the attribute is absent or a
- * fault occurred. If `width` is 4, attributes of 3 components are padded with 0. */
+/* Returns an attribute with `width` components per vertex. If it is absent or a fault occurs,
+ * returns NULL. If `width` is 4, attributes of 3 components are padded with 0. */
 static float *read_attribute(const struct source *source, const char *name, uint32_t width)
 {
     struct gltf *gltf = source->object.gltf;

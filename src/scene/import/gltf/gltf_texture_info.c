@@ -97,8 +97,8 @@ static bool use_second_uv_set(struct gltf_material *material, const struct gltf_
     return material->other_uv_set == texture->uv_set;
 }
 
-/* Computes the transform from the vertices' texture coordinates to those of a texture. Returns
- * false if the material needs a third UV set. */
+/* Computes the transform from the vertices' texture coordinates to a texture's coordinates. If the
+ * material needs a third UV set, returns false. */
 static bool compute_transform(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {
