@@ -1,5 +1,5 @@
-/* trace_bvh.glsl: BVH traversal and intersection of triangles, cracks and bubbles (bvh_layout.h).
- * Rays descend front to back to a leaf, then test the leaf's triangles ("while-while", Aila and
+/* trace_bvh.glsl: intersects rays with the triangles, cracks and bubbles of a BVH (bvh_layout.h). A
+ * ray descends front to back to a leaf, then tests the leaf's triangles ("while-while", Aila and
  * Laine 2009). Finished lanes must leave the loops, otherwise Mesa 22.3 loses hits. */
 #ifndef TRACE_BVH_GLSL
 #define TRACE_BVH_GLSL
@@ -12,8 +12,8 @@ layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
     trace_frame trace;
 };
 
-/* The BVH is in texel buffers, which lavapipe reads three times as fast as storage buffers. Storage
- * buffers are the fallback for devices whose texel buffers are too small. */
+/* The BVH is in texel buffers, which lavapipe reads three times as fast as storage buffers. If a
+ * device's texel buffers are too small, storage buffers are used. */
 layout(set = 0, binding = TRACE_NODES) uniform usamplerBuffer nodes;
 layout(set = 0, binding = TRACE_TRIANGLES) uniform usamplerBuffer triangles;
 layout(set = 0, binding = TRACE_CORNERS) uniform usamplerBuffer corners;
@@ -105,9 +105,9 @@ trace_slabs trace_slabs_for(trace_ray ray, int root)
     return trace_slabs(inverse, -origin * inverse, cull, (1 << shift) - 1, shift);
 }
 
-/* Returns true if the ray hits a child's bounding box before `far`. Sets `enter` to the distance.
- * Compares floats as integers, because lavapipe needs four instructions for a NaN-safe minimum. The
- * result is the same: non-negative floats sort like integers, and negative exits are misses. */
+/* Returns true if the ray hits a child's bounding box before the distance `far`. Sets `enter` to
+ * the distance of the hit. Floats are compared as integers, because lavapipe's float minimum takes
+ * four instructions. Non-negative floats sort like integers. A negative exit distance is a miss. */
 bool trace_hits_box(trace_slabs slabs, uvec4 child, float far, out float enter)
 {
     ivec3 low = ivec3(child.xyz) & slabs.mask;
@@ -141,8 +141,8 @@ vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
     return bubble_intersect(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
 }
 
-/* Intersects a crack or a bubble. Rays inside a bubble ignore cracks. Cracks nearer than
- * trace.epsilon are also ignored, because the ray may start on a crack. */
+/* Returns true if the ray can hit crack or bubble `i`. Sets a bubble's distance `t`. Rays in
+ * bubbles ignore cracks. Cracks nearer than trace.epsilon are ignored: rays may start on one. */
 bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 last, inout float t,
                           inout float u, inout float v)
 {
@@ -216,8 +216,8 @@ void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
     } while (node != trace_nothing);
 }
 
-/* Returns a BVH's pose: cosine and sine of the rotation about the vertical axis, then x and z of
- * the translation. With matrices, tracing would take a sixth longer. */
+/* Returns a BVH's pose: cosine and sine of its rotation about the vertical axis, then its
+ * translation in x and z. A pose is not a matrix, because tracing would take a sixth longer. */
 vec4 trace_bvh_pose(int bvh)
 {
     vec4 pose = bvh == BVH_MOVERS ? trace.movers_rotation : vec4(1.0, 0.0, 0.0, 0.0);
@@ -253,9 +253,9 @@ void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
     trace_hit_bvh(ray, int(trace.roots[bvh]), bvh, hit);
 }
 
-/* Returns a ray's nearest hit. An inactive ray hits nothing. Each ray has a bit mask of BVHs, so
- * that SIMD lanes may traverse different BVHs at the same time. A ray that hits an object from
- * inside skips surroundings if all of them are outside the objects' bounding box. */
+/* Returns the nearest hit of a ray with the BVHs in its bit mask. If `is_active` is false, returns
+ * no hit. Lanes with different masks traverse different BVHs at the same time. If all scenery is
+ * outside the objects' bounding box, a ray that hits an object from inside skips the scenery. */
 trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);

@@ -39,8 +39,8 @@ vec3 lighting_sky(vec3 dir)
     return lit_specular(dir, 0.0, 0.0);
 }
 
-/* Returns the sun's visibility from a point, 0 to 1. Casts a shadow ray to a random point of the
- * sun's disc (next-event estimation). Blended surfaces attenuate the result. */
+/* Returns the sun's visibility from `point`, 0 to 1. Casts a shadow ray to a random point of the
+ * sun's disc (next-event estimation). Alpha-blended surfaces reduce the visibility. */
 float light_gather_sun(trace_hit from, vec3 point, uint seed)
 {
     vec2 at =
@@ -64,8 +64,8 @@ float light_gather_sun(trace_hit from, vec3 point, uint seed)
     return passing;
 }
 
-/* Returns the brightness ratio of unoccluded lighting `all` to sky sample `some`. Multiplies
- * `throughput` by the remaining ratio of the two colours, clamped to 0.5 to 2. */
+/* Returns the brightness ratio of `all` (unoccluded lighting) to `some` (a sky sample). Multiplies
+ * `throughput` by the colour all / some, divided by this ratio and clamped to 0.5 to 2. */
 float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
 {
     some = max(some, lighting_radiance_min);
@@ -74,8 +74,8 @@ float lighting_sky_factor(vec3 some, vec3 all, inout vec3 throughput)
     return open;
 }
 
-/* Pushes a lighting ray from a surface, in the current path's medium. `open` scales the sky
- * radiance of an unoccluded ray. Russian roulette replaces weak rays by unoccluded radiance. */
+/* Pushes a ray that gathers light from a surface onto the stack of pending paths. `open` scales the
+ * sky's radiance. If Russian roulette ends the ray, adds the radiance of an unoccluded ray. */
 void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uint seed)
 {
     vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;

@@ -2,8 +2,8 @@
 #ifndef TRACE_DISPERSION_GLSL
 #define TRACE_DISPERSION_GLSL
 
-/* Traces a pixel. With TRACE_DISPERSION, traces one path per colour channel. Results other than
- * radiance are those of green. A loop keeps drivers from inlining trace_pixel() three times. */
+/* Traces a pixel. With TRACE_DISPERSION, traces one path per colour channel. The green path gives
+ * all results except radiance. A loop keeps drivers from inlining trace_pixel() three times. */
 void trace_all_channels(vec3 eye, vec3 e)
 {
 #ifdef TRACE_DISPERSION

@@ -9,9 +9,9 @@ struct trace_fresnel_split {
     float fresnel, reflected_weight, refracted_weight;
 };
 
-/* Computes the reflected and refracted directions and returns the Fresnel reflectance. `n` points
- * to the incident side; `eta` is the incident index over the transmitted one. With `is_thin`, the
- * result includes interreflections: 2F / (1 + F). */
+/* Returns the Fresnel reflectance, and sets the reflected and refracted directions. `n` points to
+ * the incident side. `eta` is the incident index of refraction divided by the transmitted one. If
+ * `is_thin`, the reflectance includes interreflections: 2F / (1 + F). */
 float trace_fresnel(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
 {
     float ci = min(-dot(d, n), 1.0);
@@ -25,8 +25,8 @@ float trace_fresnel(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected,
     return is_thin ? 2.0 * fresnel / (1.0 + fresnel) : fresnel;
 }
 
-/* Corrects directions that a normal map sends to the wrong side of the triangle. A rough surface
- * drops the sample. A smooth surface uses the direction given by the geometric normal. */
+/* Corrects directions that a normal map sends to the wrong side of the triangle. On rough surfaces,
+ * such directions get weight 0. On smooth surfaces, the geometric normal is used instead. */
 void trace_correct_sides(inout trace_fresnel_split p, vec3 d, vec3 facet, float eta, bool is_rough)
 {
     vec3 facet_reflected, facet_refracted;

@@ -1,5 +1,5 @@
-/* trace_inclusions.glsl: intersection of paths with inclusions in the ice. Cracks are air gaps too
- * thin to displace light. Bubbles contain the outside medium. */
+/* trace_inclusions.glsl: intersects paths with the cracks and bubbles in the ice. Cracks are air
+ * gaps too thin to shift light sideways. Bubbles contain the medium outside the ice. */
 #ifndef TRACE_INCLUSIONS_GLSL
 #define TRACE_INCLUSIONS_GLSL
 #include "inclusions/cracks.h"
@@ -64,8 +64,8 @@ vec3 trace_reflectance(trace_hit hit, trace_crossing c, vec3 dir, inout float fr
     return reflectance;
 }
 
-/* Returns the intersection of an inclusion with a path in ice or in a bubble. `n` is the
- * interpolated crack normal in object space; `eta` is the index of ice relative to the outside. */
+/* Returns the hit of a path in ice or in a bubble with a crack or bubble. `n` is the crack's
+ * interpolated normal in object space. `eta` is the index of ice relative to the outside. */
 trace_crossing trace_inclusion_crossing(trace_path path, trace_hit hit, vec3 n, float eta)
 {
     trace_crossing c;

@@ -6,7 +6,7 @@
 #include "trace/trace_shading.glsl"
 
 /* Multiplies surface parameters by texels. Returns the outward normal from the normal map. The
- * returned normal is valid only if `is_bumpy` becomes true. */
+ * normal is valid only if `is_bumpy` becomes true. */
 vec3 trace_object_material(trace_hit hit, vec3 origin, vec3 dir, bool is_object,
                            inout object_material surface, out bool is_bumpy)
 {

@@ -1,5 +1,5 @@
-/* trace_medium_stack.glsl: medium stack of a path, which holds the priorities of all objects around
- * the path's origin. It is a bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list. */
+/* trace_medium_stack.glsl: medium stack of a path: priorities of all objects around the path's
+ * origin. The stack is a bit mask or, with TRACE_HAS_MANY_OBJECTS, a descending list. */
 #ifndef TRACE_MEDIUM_STACK_GLSL
 #define TRACE_MEDIUM_STACK_GLSL
 #include "trace/trace_bvh.glsl"

@@ -114,7 +114,7 @@ vec3 trace_normal_mapped(trace_surface_point p, vec3 n, vec3 texel, float scale)
 }
 
 /* Returns the sunlight on a surface that faces the sun, as radiance of a white diffuse surface.
- * Sets `through` to the part that objects refract. An opaque base (`is_base`) is fully lit. */
+ * Sets `through` to the part that objects refract. If `is_base` (opaque base), ignores shadows. */
 vec3 trace_sun(trace_surface_point p, bool is_base, out vec3 through)
 {
     through = vec3(0.0);

@@ -71,8 +71,8 @@ vec3 sun_disc(vec2 at)
     return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
 }
 
-/* Returns the light map coordinates of a ray that enters the water at `p` with a slope. The ray
- * lands on the floor, at `depth`, or on a wall that faces the sun. */
+/* Returns the light map coordinates where a ray lands: on the floor at `depth`, or on a sunlit
+ * wall. The ray enters the water at `p`; `slope` is the ray's horizontal distance per depth. */
 vec2 map_landing(vec2 p, vec2 slope, float depth)
 {
     vec2 undeviated = sun_inside().xy / -sun_inside().z;
@@ -82,9 +82,9 @@ vec2 map_landing(vec2 p, vec2 slope, float depth)
     return p + at * slope + (depth - at) * undeviated;
 }
 
-/* Refracts a sun ray at the point p of the surface. Returns light map coordinates in xy and flux in
- * z. Flux 1 is the light that enters the same area of level water from the sun's centre. The flux
- * is 0 if the wave itself or the rim of the pool shadows p. */
+/* Refracts a sun ray at point p of the water surface. Returns light map coordinates in xy and flux
+ * in z. Flux 1 is the light from the sun's centre that enters an equal area of level water. The
+ * flux is 0 if the wave itself or the pool's rim shadows p. */
 vec3 land(vec2 p, vec3 sun)
 {
     vec3 wave = wave_at(push.water, p, frame.time);

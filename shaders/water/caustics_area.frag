@@ -6,8 +6,8 @@ layout(location = 0) in vec2 p;          /* position on the water surface */
 layout(location = 1) flat in float flux; /* flat: slivers would extrapolate it */
 layout(location = 0) out float raw;      /* accumulated by additive blending */
 
-/* Computes the light of a projected grid triangle: the ratio of a texel's areas on the surface and
- * on the floor. The ratio is constant over a flat triangle. */
+/* Computes the light of a projected grid triangle. The light is the flux times a ratio: a texel's
+ * area on the surface to its area on the floor. The ratio is constant over a flat triangle. */
 void main()
 {
     vec2 x = dFdx(p);

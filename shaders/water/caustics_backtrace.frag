@@ -4,8 +4,8 @@
 
 layout(location = 0) out float raw;
 
-/* Traces one ray up from the floor, along the path of sunlight through level water, and refracts it
- * at the waves. The light is a glow that depends on the refracted ray's angle to the sun. */
+/* Follows sunlight through level water back from the floor to the waves, which refract the ray. The
+ * light is a glow that decreases with the refracted ray's angle to the sun. */
 void main()
 {
     vec3 inside = sun_inside();

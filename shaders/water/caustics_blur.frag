@@ -6,8 +6,8 @@ layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
 
 layout(location = 0) out float light;
 
-/* Returns the offset, in light map texels, between two sun rays that land on ground at `depth`
- * through level water: one from the sun's centre, one from the point `at` of the sun's disc. */
+/* Returns where light from the point `at` of the sun's disc lands, relative to light from the
+ * disc's centre, in light map texels. The light passes through level water to ground at `depth`. */
 vec2 image_of(vec2 at, float depth)
 {
     vec3 sun_center = sun_inside();
@@ -16,8 +16,8 @@ vec2 image_of(vec2 at, float depth)
     return shift * depth / map_texel_size();
 }
 
-/* Blurs light from the sun's centre over the ellipse of light that the sun's disc casts through
- * level water. In large ellipses, samples are `pace` texels apart. */
+/* Blurs light from the sun's centre over an ellipse, which is the image of the sun's disc through
+ * level water. If the ellipse is large, samples are `pace` texels apart. */
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);

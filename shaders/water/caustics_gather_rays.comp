@@ -18,8 +18,8 @@ vec2 random(uvec2 texel)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-/* Traces a ray up from the ground; `dir` points up. Returns the Fresnel transmittance of the
- * surface if the refracted ray hits the sun, otherwise 0. */
+/* Returns the surface's Fresnel transmittance if a ray from `ground` hits the sun after refraction,
+ * otherwise 0. `dir` points up. */
 float gathered(vec3 ground, vec3 dir, vec3 sun_dir, float sun_radius)
 {
     vec2 p = ground.xy - dir.xy / dir.z * ground.z;
@@ -34,8 +34,8 @@ float gathered(vec3 ground, vec3 dir, vec3 sun_dir, float sun_radius)
     return 1.0 - optics_fresnel(dir, -n, push.water.ior);
 }
 
-/* Averages over directions that cover the cone uniformly (Roberts' R2 sequence). Radiance in water
- * is the radiance in air times the squared index of refraction. */
+/* Gathers sunlight from directions that cover a cone around the refracted sun uniformly (Roberts'
+ * R2 sequence). Radiance in water is radiance in air times the squared index of refraction. */
 void main()
 {
     uvec2 texel = gl_GlobalInvocationID.xy;

@@ -19,8 +19,8 @@ vec4 random(uint index)
     return vec4(v >> 8u) / 16777216.0;
 }
 
-/* Traces one photon from a random point of the sun through a random point of the surface. Weights
- * are integers, so the order of photons does not change the sum. */
+/* Traces one photon from a random point of the sun through a random point of the surface. Photon
+ * weights are integers, because integer sums do not depend on the order of photons. */
 void main()
 {
     uint index = gl_GlobalInvocationID.x;

@@ -1,6 +1,6 @@
-/* march_floating_ice.glsl: traces rays through the floating ice by marching through depth and
- * normal maps (refract_bounce.c). Rays end in the air or in the water below the surface at rest.
- * All colours share the path of green (no dispersion); partial internal reflections are ignored. */
+/* march_floating_ice.glsl: traces rays through floating ice by ray marching in depth and normal
+ * maps (refract_bounce.c). Rays end in the air or below the level water surface. All colours take
+ * the path of green light (no dispersion). Partial internal reflections are ignored. */
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH refract_march(16u, 8u, 4u)
 #include "refract/refract_march_ray.glsl"
@@ -13,8 +13,8 @@ float ice_ratio(float height)
     return (height < 0.0 ? 1.0 / push.water.ior : 1.0) / frame.eta;
 }
 
-/* Continues a ray that has left the ice. A ray going up in water is reflected at the surface; a ray
- * going down in air is refracted into the water. The ray does not enter the ice again. */
+/* Continues a ray that has left the ice and does not enter it again. In water, a ray that goes up
+ * is reflected at the surface. In air, a ray that goes down is refracted into the water. */
 water_ray ice_outside(water_ray ray)
 {
     bool in_water = ray.from.z < 0.0;

@@ -48,8 +48,8 @@ vec3 transmittance(float path)
     return exp(-path * vec3(push.water.red, push.water.green, push.water.blue));
 }
 
-/* Returns the light that a white surface below the water reflects: sunlight refracted as by level
- * water, plus sky light. Water absorbs part of both. */
+/* Returns the light that a white surface below the water reflects. The light is the sum of
+ * sunlight, refracted as by level water, and sky light. Water absorbs part of both. */
 vec3 light_below(vec3 at, vec3 n, float sun_fraction)
 {
     vec3 sun_dir = pool_sun_dir();

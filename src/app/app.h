@@ -129,12 +129,12 @@ enum app_command {
     APP_INFO = 2048,
 };
 
-/* Parses the arguments after the command. Logs an error in one line and returns STATUS_USAGE. If
- * help is requested, prints it and sets *done. */
+/* Parses the arguments after the command. If an argument is invalid, logs an error in one line and
+ * returns STATUS_USAGE. If help is requested, prints it and sets *done. */
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/* Prints only the arguments of a command that firn render also accepts, without the first `skip`
+/* Prints those arguments of a command that firn render also accepts, except the first `skip`
  * positional arguments. Each argument is preceded by a space and quoted for a shell. */
 void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
@@ -156,8 +156,8 @@ enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);
 
-/* Sets an image option ("size") or a setting ("cracks.count") by its name. `value` has the syntax
- * of the command line. On failure logs and returns STATUS_USAGE. */
+/* Sets an image option ("size") or a setting ("cracks.count") by its name. `value` is in
+ * command-line syntax. If the name or value is invalid, logs an error and returns STATUS_USAGE. */
 MUST_USE enum status app_set_option(struct setup_image *image, const char *name, const char *value);
 
 /* Adds the command's default output file if the options name no output. */

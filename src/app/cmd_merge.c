@@ -24,8 +24,8 @@ struct job {
     struct image image;                       /* merged image, with the planes of `first` */
 };
 
-/* Parses "3 of 4x2" or "3 of 4x2 interleaved": the third tile in a grid of 4 columns and 2 rows.
- * Sets *number to the tile's index, from 0. Returns false if the text is invalid. */
+/* Parses "3 of 4x2" (third tile in a grid of 4 columns and 2 rows) or "3 of 4x2 interleaved". Sets
+ * *number to the tile's index from 0. If the text is invalid, returns false. */
 static bool read_text(const char *text, struct tiling *tiling, uint32_t *number, bool *interleaved)
 {
     unsigned columns, rows, at;

@@ -484,9 +484,9 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/* Renders all frames. Continues if a file cannot be created. Stops at other failures, such as a
- * full disk, because they would recur. Returns STATUS_FAILED if files could be created for some
- * frames only. */
+/* Renders all frames. If a file cannot be created, continues with the next frame. Stops at other
+ * failures, such as a full disk, because they would recur. If files could be created for some
+ * frames only, returns STATUS_FAILED. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;

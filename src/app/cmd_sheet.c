@@ -111,8 +111,8 @@ static void write_label(const struct job *job, uint32_t point, char label[static
                                    profile_sweep_value(&job->sweep, point, i));
 }
 
-/* Returns the labels of all images, separated by commas, which no value contains. The caller frees
- * them. Returns NULL when out of memory. */
+/* Returns the labels of all images in one string, separated by commas. No label contains a comma.
+ * The caller frees the string. If out of memory, returns NULL. */
 static char *list_labels(const struct job *job)
 {
     char *labels = NULL;

@@ -13,8 +13,8 @@ struct diff_sheet {
     float exposure;                       /* exposure of both images, stops */
 };
 
-/* Encode the errors as a PNG file. diff_sheet_all() adds both images and a colour scale. The caller
- * frees *data. On failure log and return an error. */
+/* Encode the image of errors as a PNG file in *data, which the caller frees. diff_sheet_all() adds
+ * both images and a colour scale. If encoding fails, both functions log and return an error. */
 MUST_USE enum status diff_sheet_heat(const struct diff_sheet *sheet, void **data, size_t *size);
 MUST_USE enum status diff_sheet_all(const struct diff_sheet *sheet, void **data, size_t *size);
 

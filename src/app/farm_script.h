@@ -1,5 +1,5 @@
-/* farm_script.h: generates sh scripts that submit a sequence to Slurm or GNU parallel. Each task
- * runs firn render --resume --chunk K/N. A repeated task draws only the missing frames. */
+/* farm_script.h: writes sh scripts that submit a sequence of frames to Slurm or GNU parallel. Each
+ * task runs firn render --resume --chunk K/N. A repeated task draws only the missing frames. */
 #ifndef FIRN_APP_FARM_SCRIPT_H
 #define FIRN_APP_FARM_SCRIPT_H
 

@@ -4,9 +4,9 @@
 
 #include "src/app/sequence_frame_list.h"
 
-/* Prints the state of all frames as text or JSON. A frame is done if firn render --resume would
- * keep its files. If no scene is named, a frame is done if its settings, except the time, are those
- * of the newest file. Logs errors. Returns STATUS_FAILED if some frames are not done. */
+/* Prints the state of all frames as text or JSON. Logs errors. If some frames are not done, returns
+ * STATUS_FAILED. A frame is done if firn render --resume would keep its files. If no scene is
+ * named, a frame is done if its settings, except the time, equal the newest file's settings. */
 MUST_USE enum status farm_status(const struct app_options *options,
                                  const struct sequence *sequence);
 

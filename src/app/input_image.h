@@ -6,8 +6,8 @@
 #include "src/file/image.h"
 #include "src/file/reader_process.h"
 
-/* Reads an EXR, HDR or PNG file into *image, which must be {0}. Returns STATUS_USAGE if the file
- * name is of another type, else the status of image_reader_read(). */
+/* Reads an EXR, HDR or PNG file into *image, which must be {0}. If the file name has another
+ * suffix, returns STATUS_USAGE. Otherwise returns the status of image_reader_read(). */
 MUST_USE enum status input_image_read(const char *path, const struct reader_params *params,
                                       struct image *image);
 
@@ -15,8 +15,8 @@ MUST_USE enum status input_image_read(const char *path, const struct reader_para
 MUST_USE enum status input_image_check_size(const struct image *image, const char *path,
                                             const struct image *other, const char *other_path);
 
-/* Allocates a mask, *counted, that the caller frees. The mask is true for pixels whose `channel` is
- * above 0. Returns STATUS_DATA if there is no such pixel, STATUS_TRY_AGAIN when out of memory. */
+/* Sets *counted to a mask, which the caller frees. The mask is true for pixels whose `channel` is
+ * above 0. If there are none, returns STATUS_DATA. If out of memory, returns STATUS_TRY_AGAIN. */
 MUST_USE enum status input_image_make_mask(const struct image *image, const char *path,
                                            const char *channel, bool **counted);
 

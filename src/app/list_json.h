@@ -4,8 +4,8 @@
 
 #include "src/base/status.h"
 
-/* Prints a JSON object on stdout with all lists, or only the list `topic`. On failure logs and
- * returns a status of gpu_list() or STATUS_TRY_AGAIN. */
+/* Prints all lists, or only the list `topic`, as a JSON object on stdout. If this fails, logs an
+ * error and returns a status of gpu_list() or STATUS_TRY_AGAIN. */
 MUST_USE enum status list_json(const char *topic); /* may be NULL */
 
 #endif

@@ -17,8 +17,8 @@
 
 /* ---- device and clock ---- */
 
-/* Returns the requested clock if the device has it. By default passes are timed by timestamps,
- * except on CPU devices, where the host's clock measures the same cores. */
+/* Returns the requested clock if the device has it. By default, GPU timestamps time the passes. On
+ * CPU devices, the default is the host's clock, because it measures the same cores. */
 static enum rg_clock choose_clock(const struct gpu *gpu, enum rg_clock requested)
 {
     const bool has_timestamps = gpu->properties.limits.timestampComputeAndGraphics;

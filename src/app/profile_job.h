@@ -17,8 +17,8 @@ struct profile_job {
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures all images in turn, several times. The profiles must be empty. The caller frees them
- * with profile_finish(), even after a failure. */
+/* Measures all images in turn, several times. The profiles must be empty. The caller frees the
+ * profiles with profile_finish(), even after a failure. */
 MUST_USE enum status profile_job_measure(struct profile_job *job, const struct setup_image *images,
                                          struct profile *profiles, uint32_t count);
 

@@ -23,8 +23,8 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
 /* Draws the bar after `done` of the frame's `all` steps, unless there is only one step in total. */
 void progress_show(const struct progress *progress, uint32_t done, uint32_t all);
 
-/* Writes the bar and the steps to `line`. After 2 seconds, adds the estimated remaining time if
- * there is room. `seconds` is the time since the start. */
+/* Writes the progress bar and the step count to `line`. `seconds` is the time since the start.
+ * After 2 seconds, adds the estimated remaining time if there is room. */
 void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *progress,
                     uint32_t done, uint32_t all, double seconds);
 

@@ -31,15 +31,15 @@ MUST_USE enum status render_report_init(struct report *report, uint32_t count);
 
 void render_report_finish(struct report *report); /* {0} is fine */
 
-/* Hashes firn's version and a frame's settings to 16 hexadecimal digits (64-bit FNV-1a). The hash
- * is equal on all machines. If the hash changes, --resume draws the frame again. */
+/* Hashes firn's version and a frame's settings to 16 hexadecimal digits (64-bit FNV-1a). All
+ * machines compute the same hash. If a frame's hash has changed, --resume draws the frame again. */
 void render_report_hash(const char *settings, char hash[static 17]);
 
 /* Returns true if some frames have failed and others are complete. */
 bool render_report_is_mixed(const struct report *report);
 
-/* Returns the report as JSON text, which the caller frees, or NULL when out of memory. `code` is
- * the exit code of the program. */
+/* Returns the report as JSON text, which the caller frees. If out of memory, returns NULL. `code`
+ * is the exit code of the program. */
 char *render_report_json(const struct report *report, const struct sequence *sequence,
                          const struct app_options *options, int code, size_t *size);
 

@@ -19,8 +19,8 @@ enum {
 
 /* ---- reading ---- */
 
-/* Logs the expected value of the first setting that differs in the file. Does not log the file's
- * value, which is not trusted. */
+/* Logs the first setting that differs in the file, with the expected value. Does not log the file's
+ * value, because the file is not trusted. Returns STATUS_DATA. */
 static enum status refuse_settings(const struct sample_sums_file *file, const char *expected,
                                    const char *found)
 {

@@ -1,6 +1,6 @@
-/* sample_sums_file.h: stores the sample sums of a path-traced image, from which --resume continues.
- * The sums of a.exr are in a.sums.exr, with the planes of reference_sample_sums.h and the metadata
- * of a.exr. A sandboxed reader process parses a.sums.exr. */
+/* sample_sums_file.h: stores the sample sums of a path-traced image, which --resume continues. The
+ * sums of a.exr are in a.sums.exr, with the metadata of a.exr. reference_sample_sums.h describes
+ * the planes. A sandboxed reader process parses a.sums.exr. */
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
@@ -17,12 +17,12 @@ struct sample_sums_file {
     double cost;          /* its duration, seconds */
 };
 
-/* Implements reference_load_fn, with a struct sample_sums_file as `user`. Refuses sums of another
- * image or firn version, and too many samples. A missing file counts as 0 samples. */
+/* Implements reference_load_fn; `user` is a struct sample_sums_file. If the file is missing, loads
+ * 0 samples. Refuses too many samples, and sums of another image or firn version. */
 MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
 
-/* Implements reference_save_fn. Always writes the last sums. Writes earlier sums so rarely that
- * this takes at most a tenth of the run time. Logs errors. */
+/* Implements reference_save_fn. Always writes the last sums. Writes earlier sums only while writing
+ * takes at most a tenth of the run time. Logs errors. */
 MUST_USE enum status sample_sums_file_store(void *user, const struct reference_sums *sums,
                                             bool is_last);
 

@@ -1,7 +1,7 @@
 /*
- * disk_cache.h: disk cache of recomputable data, in "$XDG_CACHE_HOME/firn" or ~/.cache/firn. Each
- * file ends with a hash of its contents. Failures are not errors: the caller recomputes the data.
- * Any thread may call these functions while no thread changes environment variables.
+ * disk_cache.h: caches recomputable data on disk, in "$XDG_CACHE_HOME/firn" or ~/.cache/firn. Each
+ * file ends with a hash of its contents. Failures are not errors, because the caller recomputes the
+ * data. Any thread may call these functions, but not while a thread changes environment variables.
  */
 #ifndef FIRN_BASE_DISK_CACHE_H
 #define FIRN_BASE_DISK_CACHE_H
@@ -26,13 +26,13 @@ struct disk_cache_file {
 /* Returns true if the last DISK_CACHE_HASH_SIZE bytes are the hash of the preceding bytes. */
 bool disk_cache_is_intact(const void *data, size_t size);
 
-/* Reads a file, including the hash at its end, and marks it as just used. The caller frees the
- * result. Returns NULL if the file is missing. Returns NULL with a warning if other users can write
- * to the file or its folder, or if is_sound() rejects its data (without a warning if is_quiet). */
+/* Returns a file's data and hash, which the caller frees. Marks the file as just used. If the file
+ * is missing, returns NULL. If other users can write to the file or its folder, warns and returns
+ * NULL. If is_sound() rejects the data, returns NULL, and warns unless is_quiet. */
 void *disk_cache_read(const struct disk_cache_file *request, size_t *size);
 
-/* Appends the hash to `data` and writes both to a file atomically, readable only by the user.
- * `data` needs DISK_CACHE_HASH_SIZE spare bytes after `size` bytes. Failures are not logged. */
+/* Writes `data` and its hash to a file atomically. Only the user may read the file. `data` needs
+ * DISK_CACHE_HASH_SIZE spare bytes for the hash after `size` bytes. Failures are not logged. */
 void disk_cache_write(const char *name, void *data, size_t size);
 
 /* Deletes least recently used files with a name prefix until at most `bytes_max` bytes remain. */

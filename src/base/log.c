@@ -3,9 +3,9 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Returns the length in bytes of the character at `text` if it is unsafe to print, else 0. Unsafe
- * are UTF-8 control characters (C0, C1, DEL), line and paragraph separators, and bidirectional
- * controls, since they can control a terminal or disguise text. */
+/* If the character at `text` is unsafe to print, returns its length in bytes, otherwise 0. Unsafe
+ * characters can control a terminal or disguise text. They are UTF-8 control characters (C0, C1,
+ * DEL), line and paragraph separators, and bidirectional controls. */
 static size_t control_size(const unsigned char *text)
 {
     if (text[0] < 0x20 || text[0] == 0x7f)

@@ -1,6 +1,6 @@
 /*
- * log.h: messages for the user on stderr, one line each. Any thread may log. Each line is written
- * with one call, so that the lines of several threads do not mix.
+ * log.h: logs messages for the user on stderr, one line each. Any thread may log. Each line is
+ * written with one call, because lines of several threads must not mix.
  */
 #ifndef FIRN_BASE_LOG_H
 #define FIRN_BASE_LOG_H
@@ -20,8 +20,8 @@ void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Writes an informative message: "firn: note: ", the formatted and sanitised text, a newline. */
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
- * The definition is inline to show static analysers that the result is not STATUS_OK. */
+/* Logs "WHAT: out of memory" and returns STATUS_TRY_AGAIN. If `what` is NULL, logs "out of memory".
+ * The definition is inline, because static analysers must see that the result is not STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)
 {
     if (what)

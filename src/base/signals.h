@@ -20,8 +20,8 @@ struct signals {
 };
 
 /* Blocks the termination signals and starts the thread that waits for them. Must be called before
- * other threads exist, because they inherit the signal mask. In *stop, only `last` and `user` may
- * be set. *stop must not be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
+ * other threads exist, because they inherit the signal mask. Only `last` and `user` may be set in
+ * *stop. *stop must not move afterwards. On failure, logs why and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status signals_begin(struct signals *stop);
 
 /* Stops the waiting thread. The signals stay blocked and do nothing. *stop may be {0}. */

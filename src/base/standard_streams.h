@@ -4,14 +4,14 @@
 
 #include "src/base/status.h"
 
-/* Opens /dev/null for each standard stream that is closed. Otherwise an output file could get the
- * stream's descriptor and receive messages. Reading stdin or writing stdout or stderr still fails.
- * Ignores SIGPIPE and SIGXFSZ, so that closed pipes and file size limits become write errors. Must
- * be called before any file is opened. */
+/* Opens /dev/null for each closed standard stream. Otherwise an output file could get the stream's
+ * descriptor and receive messages. Reading or writing a closed stream still fails. Ignores SIGPIPE
+ * and SIGXFSZ, because closed pipes and file size limits then become write errors. Must be called
+ * before any file is opened. */
 void standard_streams_begin(void);
 
-/* Flushes stdout at the end of the program. Returns `status`, or logs and returns STATUS_WRITE if
- * output was lost. If the reader has gone (`firn list | head`), ends silently with SIGPIPE. */
+/* Flushes stdout at the end of the program and returns `status`. If output was lost, logs this and
+ * returns STATUS_WRITE. If the reader has gone (`firn list | head`), ends silently with SIGPIPE. */
 enum status standard_streams_end(enum status status);
 
 #endif

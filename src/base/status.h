@@ -1,7 +1,7 @@
 /*
- * status.h: result of an operation that may fail. The values are the program's exit codes. The
+ * status.h: result of an operation that may fail. The values are the program's exit codes. A
  * function that detects an error logs one line (what, where, how to fix it) and returns the status.
- * Its callers return the same status and log nothing.
+ * Calling functions pass the status on and log nothing.
  */
 #ifndef FIRN_BASE_STATUS_H
 #define FIRN_BASE_STATUS_H

@@ -20,17 +20,17 @@ struct suggest {
 };
 
 /*
- * Offers a known name. The name is a candidate if its edit distance to the word is at most 2 and
- * below the word's length, or if name and word share a prefix of at least 3 characters. `best`
- * becomes the candidate with the smallest distance; among equal distances, the first candidate.
+ * Offers a known name as a suggestion. The name is a candidate if its edit distance to the word is
+ * at most 2 and below the word's length. A shared prefix of 3 characters also makes the name a
+ * candidate. `best` becomes the first candidate with the smallest edit distance.
  */
 void suggest_offer(struct suggest *suggest, const char *name);
 
 /* Writes ": did you mean 'BEST'?" to `hint`, or "" if there is no candidate. Returns `hint`. */
 const char *suggest_hint(const struct suggest *suggest, char hint[static SUGGEST_HINT_SIZE]);
 
-/* Text that lists known names with their numbers: "0 'Left', 1 'Right'". Names that do not fit are
- * replaced by "...". Initialise with zeros. */
+/* Text that lists known names with their numbers: "0 'Left', 1 'Right'". If names do not fit, "..."
+ * replaces them. Must be initialised with zeros. */
 struct suggest_list {
     char text[SUGGEST_LIST_SIZE];
     uint32_t count;

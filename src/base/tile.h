@@ -1,7 +1,7 @@
 /*
- * tile.h: division of an image into columns and rows of tiles, numbered row by row from 0. Tiles
- * begin at even pixels, so that tile boundaries do not cut the 2x2 pixel quads used for
- * derivatives. Apart from that, tile sizes are as equal as possible.
+ * tile.h: divides an image into columns and rows of tiles, numbered row by row from 0. Tiles begin
+ * at even pixels, because tile boundaries must not cut the 2x2 pixel quads of derivatives. Apart
+ * from this, tile sizes are as equal as possible.
  */
 #ifndef FIRN_BASE_TILE_H
 #define FIRN_BASE_TILE_H

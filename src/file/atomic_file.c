@@ -151,8 +151,8 @@ static int find_mode(const struct target *target)
 }
 
 /* Creates and locks a temporary file. `old_mode` is the mode of the file to be replaced, or -1 if
- * there is none. Users who may not read that file may not read the temporary file either. Tries
- * another name if another process removes the temporary file before it is locked. */
+ * there is none. Users who may not read the old file may not read the temporary file. If another
+ * process removes the temporary file before it is locked, tries another name. */
 static bool open_temporary(const struct target *target, int old_mode, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
@@ -175,8 +175,8 @@ static bool open_temporary(const struct target *target, int old_mode, struct tem
 }
 
 /*
- * Returns true if an open temporary file is abandoned. A file that can be locked is abandoned,
- * because writers hold a lock until they exit. On file systems without locks, a file is abandoned
+ * Returns true if an open temporary file is abandoned. If the file can be locked, it is abandoned,
+ * because writers hold a lock until they exit. On file systems without locks, the file is abandoned
  * if it was not modified for an hour.
  */
 static bool is_stale(int file, time_t now)
@@ -265,8 +265,8 @@ static enum status write_direct(const char *path, const void *data, size_t size)
     return status;
 }
 
-/* Writes a temporary file and renames it over the target. The file is closed last, because closing
- * unlocks it, and other processes may remove unlocked temporary files. */
+/* Writes a temporary file and renames it over the target. Closes the file last, because closing
+ * unlocks it and other processes may remove unlocked temporary files. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {

@@ -20,8 +20,8 @@
 /*
  * Writes `size` bytes to `path`, or to stdout if `path` is "-". An existing pipe or device is
  * written directly, without a temporary file. A symbolic link is followed; a dangling link is
- * rejected. Logs errors. Returns STATUS_CANT_CREATE (opening or creating the file failed) or
- * STATUS_WRITE (writing, fsync, close or rename failed).
+ * rejected. Logs errors. If opening or creating the file fails, returns STATUS_CANT_CREATE. If
+ * writing, fsync, close or rename fails, returns STATUS_WRITE.
  */
 MUST_USE enum status file_io_write(const char *path, const void *data, size_t size);
 
@@ -29,14 +29,14 @@ MUST_USE enum status file_io_write(const char *path, const void *data, size_t si
 bool file_io_is_direct(const char *path);
 
 /*
- * Checks that `path` is not a folder and its folder is writable, for use before a long computation.
- * If not, logs why and returns STATUS_CANT_CREATE.
+ * Checks before a long computation that `path` is not a folder and that its folder is writable. If
+ * not, logs why and returns STATUS_CANT_CREATE.
  */
 MUST_USE enum status file_io_check(const char *path);
 
 /*
  * Opens a regular file for reading and sets *size to its size in bytes. The caller closes the file.
- * On failure logs, returns STATUS_NO_INPUT and sets *file to NULL.
+ * If opening fails, logs an error, sets *file to NULL and returns STATUS_NO_INPUT.
  */
 MUST_USE enum status file_io_open(const char *path, FILE **file, int64_t *size);
 

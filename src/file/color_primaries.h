@@ -16,7 +16,7 @@ enum primaries_kind {
 };
 
 /* Computes the row-major matrix from linear colours with primaries `from` to Rec.709. White stays
- * white (Bradford adaptation). The matrix is the identity unless PRIMARIES_OTHER is returned. */
+ * white (Bradford adaptation). Unless PRIMARIES_OTHER is returned, the matrix is the identity. */
 enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9]);
 
 #endif

@@ -34,9 +34,9 @@ MUST_USE enum status exr_encode(const struct image *image, const struct exr_head
 typedef enum status exr_rows_fn(void *user, uint32_t y, struct image *rows);
 
 /*
- * Encodes an image like exr_encode(), but without holding all of it in memory. `image` gives only
- * the size and the planes; its texels are not used. `fill` is called for successive groups of rows.
- * If `fill` fails, its status is returned.
+ * Encodes an image like exr_encode(), but without holding the whole image in memory. `image` gives
+ * only the size and the planes; its texels are not used. `fill` is called for successive groups of
+ * rows. If `fill` fails, returns the status of `fill`.
  */
 MUST_USE enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
                                      exr_rows_fn *fill, void *user, void **data, size_t *size);
@@ -53,14 +53,14 @@ struct exr_file;
 MUST_USE enum status exr_open(struct exr_file **opened, const char *path,
                               struct image_header *head);
 
-/* Points *row to row y of a plane. The file owns the row, which is valid until the next call.
- * Texels may be non-finite. Reading rows in ascending order is fastest. */
+/* Points *row to row y of a plane. The row belongs to the file and stays valid until the next call.
+ * Texels may be NaN or infinite. Reading rows in ascending order is fastest. */
 MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const float **row);
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a whole image into *image, which must be zeroed. On failure *image is zeroed. Limits and
- * errors are those of exr_open(). */
+/* Reads a whole image into *image, which must be zeroed. If reading fails, *image is zeroed.
+ * exr_open() describes the limits and errors. */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
 /* Reads an image and its header. On failure *image and *head are zeroed. The caller frees *head. */

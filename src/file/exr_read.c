@@ -137,8 +137,8 @@ static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **l
     return EXR_ERR_SUCCESS;
 }
 
-/* Reads the size of a chunk: a tile, or the scan lines that are compressed together. Rejects scan
- * line files with an attribute `tiles`, for which the library reports 0 scan lines. */
+/* Reads the size of a chunk, which is a tile or a group of scan lines compressed together. Rejects
+ * scan line files with an attribute `tiles`, because OpenEXR reports 0 lines per chunk for them. */
 static exr_result_t read_chunk_size(struct exr_file *file)
 {
     int32_t height;

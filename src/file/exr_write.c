@@ -205,8 +205,8 @@ struct compressor {
 };
 
 /*
- * Calls the library's compressor. A chunk whose compressed and uncompressed lengths are equal is
- * stored uncompressed, because readers take it as such. OpenEXR 3.1.5 would store it compressed.
+ * Calls the library's compressor. If compression leaves a chunk's length unchanged, stores the
+ * chunk uncompressed, because readers expect it. OpenEXR 3.1.5 would store compressed data.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {

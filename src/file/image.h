@@ -1,6 +1,6 @@
 /*
- * image.h: image in memory that consists of named planes of floats and owns them. Row 0 is the top
- * row; colours are linear Rec.709.
+ * image.h: image in memory, which consists of named planes of floats and owns them. Row 0 is the
+ * top row. Colours are linear Rec.709.
  */
 #ifndef FIRN_FILE_IMAGE_H
 #define FIRN_FILE_IMAGE_H
@@ -45,8 +45,8 @@ void image_init(struct image *image, uint32_t width, uint32_t height);
 void image_finish(struct image *image);
 
 /*
- * Adds a plane of zeros and returns its texels, or NULL when out of memory. The name is copied; it
- * must be unique and shorter than IMAGE_NAME_SIZE. Pointers to other planes' texels stay valid.
+ * Adds a plane of zeros and returns its texels. If out of memory, returns NULL. The name is copied;
+ * it must be unique and shorter than IMAGE_NAME_SIZE. Other planes' texels do not move in memory.
  */
 float *image_add_plane(struct image *image, const char *name, bool half);
 

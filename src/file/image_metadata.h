@@ -1,6 +1,6 @@
 /*
- * image_metadata.h: header of an image file: size, channels, text metadata, windows, matrices. It
- * owns its texts and the names of its planes, which image_header_finish() frees.
+ * image_metadata.h: header of an image file: size, channels, text metadata, windows, matrices. The
+ * header owns its texts and its planes' names. image_header_finish() frees both.
  */
 #ifndef FIRN_FILE_IMAGE_METADATA_H
 #define FIRN_FILE_IMAGE_METADATA_H
@@ -48,8 +48,8 @@ void image_header_finish(struct image_header *head);
 MUST_USE bool image_header_add_plane(struct image_header *head, const char *name, bool half);
 
 /*
- * Adds a copy of a text. Ignores names without firn's prefix, too long values, values that contain
- * '\0', and texts beyond the maximum number. Returns false when out of memory.
+ * Adds a copy of a text. Ignores names without firn's prefix, values that are too long or contain
+ * '\0', and texts beyond the maximum number. If out of memory, returns false.
  */
 MUST_USE bool image_header_add_text(struct image_header *head, const char *name, const char *value,
                                     size_t value_length);

@@ -12,8 +12,8 @@ bool image_reader_knows_suffix(const char *path);
 
 struct image_reader;
 
-/* Starts to read an image. `path` and `params` must outlive the reader. The caller frees *head. On
- * failure *opened is NULL and *head is zeroed. */
+/* Starts to read an image. `path` and `params` must outlive the reader. The caller frees *head. If
+ * this fails, *opened is NULL and *head is zeroed. */
 MUST_USE enum status image_reader_open(struct image_reader **opened, const char *path,
                                        const struct reader_params *params,
                                        struct image_header *head);
@@ -26,8 +26,8 @@ MUST_USE enum status image_reader_row(struct image_reader *image_reader, uint32_
 /* Closes a reader, even before all rows are read. `image_reader` may be NULL. */
 void image_reader_close(struct image_reader *image_reader);
 
-/* Reads a whole image into *image, which must be zeroed. Texels may take up to a quarter of the
- * memory limit (1 GiB by default). On failure *image is zeroed. */
+/* Reads a whole image into *image, which must be zeroed. If reading fails, *image is zeroed. Texels
+ * may take up to a quarter of the memory limit; the default is a quarter of 4 GiB. */
 MUST_USE enum status image_reader_read(struct image *image, const char *path,
                                        const struct reader_params *params);
 

@@ -1,6 +1,6 @@
 /*
- * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp(). That
- * interface has no text chunks, so they are encoded here (PNG specification, 2nd edition, 5.3).
+ * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp(). The
+ * interface has no text chunks, so this file encodes them (PNG specification, 2nd edition, 5.3).
  */
 #include <assert.h>
 #include <png.h>
@@ -80,8 +80,8 @@ static bool is_ascii(const char *text)
     return *text == '\0';
 }
 
-/* Writes ASCII text as a tEXt chunk, other text as an iTXt chunk (UTF-8). The four additional zero
- * bytes of iTXt mean: no compression, language or translated name. */
+/* Writes ASCII text as a tEXt chunk, other text as an iTXt chunk (UTF-8). An iTXt chunk has four
+ * more zero bytes: they mean no compression, no language and no translated name. */
 static uint8_t *write_text(uint8_t *chunk, const struct image_text *text)
 {
     const size_t name_size = strlen(text->name) + 1, value_size = strlen(text->value);
@@ -115,8 +115,8 @@ static enum status out_of_memory(const struct png_image_source *picture)
     return STATUS_TRY_AGAIN;
 }
 
-/* Replaces the gAMA chunk at the start of a 16-bit file by an sRGB chunk. libpng takes 16-bit input
- * as linear and therefore writes gAMA. */
+/* Replaces the gAMA chunk at the start of a 16-bit file by an sRGB chunk. libpng writes gAMA,
+ * because it takes 16-bit input as linear. */
 static void declare_srgb(uint8_t *bytes, size_t *size)
 {
     uint8_t *chunk = bytes + HEAD_SIZE;

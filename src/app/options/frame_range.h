@@ -27,8 +27,8 @@ struct frame_range {
  * STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status frame_range_parse(struct frame_range *range, const char *text);
 
-/* Splits the list into n consecutive chunks (n up to 1000000) of sizes that differ by at most one.
- * Keeps only chunk k (1 to n), which may be empty. The split depends only on the list and n. */
+/* Keeps only chunk k (1 to n) of the list; the chunk may be empty. The n chunks (n up to 1000000)
+ * are consecutive and equally long, give or take one. The split depends only on the list and n. */
 void frame_range_chunk(struct frame_range *range, uint32_t k, uint32_t n);
 
 void frame_range_finish(struct frame_range *range); /* {0} is fine */

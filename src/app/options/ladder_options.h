@@ -8,12 +8,12 @@
 option_fn option_ladder_output;     /* of struct setup_outputs */
 option_fn option_refraction_models; /* of struct app_ladder */
 
-/* Sets the defaults of firn ladder: selects exact refraction, and switches off what the path tracer
- * does not draw. Must be called before the options are parsed. */
+/* Sets the defaults of firn ladder: exact refraction, without effects that the path tracer does not
+ * draw. Must be called before the options are parsed. */
 void option_ladder_settings(struct settings *settings);
 
-/* Switches the inclusions and surface effects of ice back on. Settings of --set and --preset are
- * kept. Cracks are drawn as gaps, as by the path tracer. */
+/* Switches the inclusions and surface effects of ice back on. Keeps the settings that --set and
+ * --preset have made. Cracks are drawn as gaps, because the path tracer draws them as gaps. */
 void option_ladder_whole(struct setup_scene *scene);
 
 #endif

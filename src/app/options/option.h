@@ -6,8 +6,8 @@
 
 struct option;
 
-/* Sets the option's field at `at`. `value` is NULL if the option is given without a value. If the
- * value is invalid, logs and returns STATUS_USAGE. */
+/* Sets the field at `at` to an option's value. `value` is NULL if the option is given without one.
+ * If the value is invalid, logs an error and returns STATUS_USAGE. */
 typedef enum status option_fn(const struct option *option, void *at, const char *value);
 
 struct option {

@@ -23,8 +23,8 @@ enum option_names {
     OPTION_LAYERS,
 };
 
-/* Logs that the first `length` characters of `word` are not a known name. Suggests a similar name
- * and firn list. Returns STATUS_USAGE. */
+/* Logs that the first `length` characters of `word` are not a known name. The message suggests a
+ * similar name and the command firn list. Returns STATUS_USAGE. */
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length);
 

@@ -14,9 +14,9 @@ struct option_file {
     bool is_written;
 };
 
-/* Logs and returns STATUS_USAGE if two outputs go to one file, or an output overwrites an input.
- * Recognises different spellings of a path. Files that are not regular, such as /dev/null, may be
- * named several times. Opens no file. */
+/* Checks that all outputs are different files and that no output overwrites an input. If not, logs
+ * an error and returns STATUS_USAGE. Recognises different spellings of a path. Special files, such
+ * as /dev/null, may be named several times. Opens no file. */
 enum status option_check_files(const struct option_file *files, size_t count);
 
 #endif
