@@ -1,5 +1,5 @@
-/* material_layout.h: layout of the material texture, which src/scene/gpu_material_table.c writes:
- * one row per material, four floats per texel. Row 0 is for vertices without material. */
+/* material_layout.h: layout of the material texture, which src/scene/gpu_material_table.c writes.
+ * Each row is a material. Each texel has four floats. Row 0 is for vertices without material. */
 #ifndef SHADERS_MATERIAL_LAYOUT_H
 #define SHADERS_MATERIAL_LAYOUT_H
 #include "abi_math.h"
@@ -9,8 +9,8 @@
 #define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
 /* x: normal scale; y: occlusion strength; z: 1 for textured ice; w: 1 for a water layer */
 #define MATERIAL_ROW_SCALES 3
-/* Index of the first of two texels per texture. The first texel holds the transform of u, and array
- * layer + 1. The second holds the transform of v, and 9 * uv_set + 3 * wrap_v + wrap_u. */
+/* First texel of the row's texture data. Each texture has two texels: the transform of u and array
+ * layer + 1, then the transform of v and 9 * uv_set + 3 * wrap_v + wrap_u. */
 #define MATERIAL_ROW_TEXTURES 4
 #define MATERIAL_ROW_WIDTH    (MATERIAL_ROW_TEXTURES + 2 * MATERIAL_TEXTURE_COUNT)
 
@@ -40,8 +40,8 @@
 
 #define MATERIAL_ROUGH 0.6f /* minimum roughness without screen-space reflections */
 
-/* Applies a wrap mode to a coordinate of a texture of `size` texels that repeats. All modes other
- * than MATERIAL_REPEAT clamp to the edge texels. */
+/* Applies a wrap mode to a texture coordinate. `size` is the texture's width in texels.
+ * MATERIAL_REPEAT is left to the sampler. Other modes clamp to the centres of the edge texels. */
 ABI_FUNCTION float material_wrap(float x, uint32_t mode, float size)
 {
     if (mode == MATERIAL_REPEAT)

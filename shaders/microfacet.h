@@ -40,8 +40,8 @@ ABI_FUNCTION uint32_t microfacet_reversed(uint32_t x)
 }
 #endif
 
-/* Owen-scrambles x: a hash of the seed and of all higher bits decides whether a bit is flipped
- * (Burley 2020, section 3, with the constants of Vegdahl 2021). */
+/* Owen-scrambles x (Burley 2020, section 3, with Vegdahl's constants of 2021). Whether a bit is
+ * flipped depends on a hash of the seed and of all higher bits. */
 ABI_FUNCTION uint32_t microfacet_scrambled(uint32_t x, uint32_t seed)
 {
     x = microfacet_reversed(x);
@@ -104,8 +104,8 @@ ABI_FUNCTION vec3s microfacet_in_basis(vec3s x, vec3s y, vec3s z, vec3s at)
                          glms_vec3_scale(z, at.z));
 }
 
-/* Samples the normal of a visible microfacet for an incident ray of direction `dir`, where dot(dir,
- * n) < 0. `at` is a random point of the unit square. */
+/* Samples the normal of a visible microfacet. `dir` is the direction of the incident ray, where
+ * dot(dir, n) < 0. `at` is a random point of the unit square. */
 ABI_FUNCTION vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
 {
     float alpha = roughness * roughness;

@@ -1,8 +1,8 @@
 /*
  * object_material.h: textured surface parameters of transmissive materials, for shaders and CPU.
  *
- * As in glTF 2.0 and KHR_materials_transmission, transmitted light is multiplied by the base
- * colour; light that is neither reflected nor transmitted reaches the diffuse base.
+ * The model is KHR_materials_transmission of glTF 2.0. The base colour multiplies transmitted
+ * light. Light that is neither reflected nor transmitted reaches the diffuse base.
  */
 #ifndef SHADERS_OBJECT_MATERIAL_H
 #define SHADERS_OBJECT_MATERIAL_H

@@ -1,9 +1,9 @@
 /*
  * specialization_constants.h: identifiers of specialisation constants.
  *
- * Drivers remove code that these constants make unreachable. lavapipe, which runs shaders on a
- * CPU's SIMD units, executes both sides of other branches, including texture fetches, and
- * recompiles large shaders that branch on a uniform in every frame (Mesa 22.3).
+ * Drivers remove code that these constants make unreachable. Branches on uniforms are slow on
+ * lavapipe, which runs shaders on a CPU's SIMD units. It executes both sides, including texture
+ * fetches, and recompiles large shaders in every frame (Mesa 22.3).
  */
 #ifndef SHADERS_SPECIALIZATION_CONSTANTS_H
 #define SHADERS_SPECIALIZATION_CONSTANTS_H

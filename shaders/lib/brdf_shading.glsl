@@ -13,8 +13,8 @@ layout(set = 0, binding = SURROUNDINGS_DATA_TEXTURES) uniform sampler2DArray dat
 layout(set = 0, binding = SURROUNDINGS_BRDF_TABLE) uniform sampler2D splits;
 layout(set = 0, binding = SURROUNDINGS_LIGHTS) uniform sampler2D lights;
 
-/* Returns the bitangent for a vertex tangent with handedness in w. `n` is on either side of the
- * surface, `outward` is the vertex normal. */
+/* Returns the bitangent for a vertex tangent with handedness in w. `n` is the unit normal on either
+ * side of the surface. `outward` is the vertex normal. */
 vec3 normal_map_bitangent(vec3 n, vec3 outward, vec4 tangent)
 {
     return sign(tangent.w) * (dot(n, outward) < 0.0 ? -1.0 : 1.0) * cross(n, tangent.xyz);
@@ -77,8 +77,8 @@ struct lit_material {
     vec4 scales;       /* MATERIAL_ROW_SCALES */
 };
 
-/* Samples a material. `albedo` includes the base colour texture. Below a water layer, `ior` reduces
- * specular reflection (lit_reflectance_in_medium()), unless it is 0. */
+/* Samples a material. `albedo` includes the base colour texture. `ior` is the refractive index of a
+ * water layer above, or 0. Water reduces specular reflection (lit_reflectance_in_medium()). */
 lit_material lit_material_at(uint row, vec2 uv, float blur, vec3 albedo, float ior)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);

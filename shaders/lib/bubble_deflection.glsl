@@ -18,7 +18,7 @@ vec2 bubble_double(vec2 deflection)
 }
 
 /* Returns the deflection of transmitted light, 2 (theta_t - theta_i). The impact parameter `b` must
- * be at most 1 / `eta`. Beyond this limit, reflection is total. */
+ * be at most 1 / `eta`, because reflection is total beyond. */
 vec2 bubble_transmitted(float b, float eta)
 {
     vec2 incident = vec2(sqrt(1.0 - b * b), b);
@@ -39,8 +39,8 @@ vec3 bubble_rotate(vec3 e, vec3 outward, vec2 deflection)
     return deflection.x * e + deflection.y * outward;
 }
 
-/* Returns the opacity with which transmitted light is composited: 0 for undeflected light, 1 at the
- * critical angle. This is an approximation: see bubbles.c. */
+/* Returns an approximate opacity of transmitted light for compositing (see bubbles.c). The opacity
+ * is 0 for undeflected light and 1 at the critical angle. */
 float bubble_opacity(float b, float eta)
 {
     return min(eta * eta * b * b, 1.0);

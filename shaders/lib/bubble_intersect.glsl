@@ -1,11 +1,11 @@
-/* bubble_intersect.glsl: ray intersection with bubbles: ellipsoids of revolution or capsules (C:
- * src/scene/bubble_intersect.c). Points are relative to the bubble's centre. Axes are unit vectors.
- */
+/* bubble_intersect.glsl: ray intersection with bubbles (C: src/scene/bubble_intersect.c). Bubbles
+ * are ellipsoids of revolution or capsules. Points are relative to the bubble's centre. Axes are
+ * unit vectors. */
 #ifndef BUBBLE_INTERSECT_GLSL
 #define BUBBLE_INTERSECT_GLSL
 
-/* Returns the distances at which a ray enters and leaves a sphere. If the ray misses, x > y. For a
- * cylinder, pass `from` and `dir` perpendicular to the axis. `square` is dot(dir, dir). */
+/* Returns a ray's entry distance (x) and exit distance (y) for a sphere. If the ray misses, x > y.
+ * For a cylinder, pass `from` and `dir` perpendicular to its axis. `square` is dot(dir, dir). */
 vec2 bubble_intersect_sphere(vec3 from, vec3 dir, float square, float radius)
 {
     float along = dot(from, dir) / square;

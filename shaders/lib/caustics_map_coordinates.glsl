@@ -1,8 +1,8 @@
 /*
  * caustics_map_coordinates.glsl: coordinates of the pool's caustic map, on the plane of the floor.
  *
- * A point of a wall is mapped to where sunlight through calm water would hit the floor if the wall
- * were not there. The map has a margin for light that waves deflect.
+ * Points on walls are mapped to the floor plane along the direction of sunlight in calm water. The
+ * map has a margin, because waves deflect light.
  */
 #ifndef CAUSTICS_MAP_COORDINATES_GLSL
 #define CAUSTICS_MAP_COORDINATES_GLSL
@@ -10,7 +10,7 @@
 
 const float caustics_map_margin = 0.15; /* fraction of the pool's depth */
 
-/* Returns the map's region in pool coordinates, metres: xy is the lower corner, zw the side
+/* Returns the map's rectangle in pool coordinates, metres. xy is the lower corner, zw the side
  * lengths. `inside` is the refracted direction of sunlight below calm water. */
 vec4 caustics_map_region(pool_params pool, vec3 inside)
 {
@@ -21,8 +21,8 @@ vec4 caustics_map_region(pool_params pool, vec3 inside)
     return vec4(lower, upper - lower);
 }
 
-/* Returns the height above the floor, metres, at which sunlight for a map point hits a wall; 0 if
- * the sunlight reaches the floor. Sets `facing` to the wall's normal. */
+/* Returns the height above the floor, in metres, at which the sunlight of map point `at` hits a
+ * wall. If the sunlight reaches the floor, returns 0. Sets `facing` to the wall's normal. */
 float caustics_map_height(pool_params pool, vec3 inside, vec2 at, out vec2 facing)
 {
     vec2 slope = inside.xy / -inside.z;

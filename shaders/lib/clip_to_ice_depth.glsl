@@ -1,6 +1,6 @@
-/* clip_to_ice_depth.glsl: clips fragments to the ice, between the nearest front face and the
- * farthest back face of their pixel (Seipel and Nivfors 2006, 3.3). Targets must have the depth
- * maps' size. */
+/* clip_to_ice_depth.glsl: clips fragments to the ice (Seipel and Nivfors 2006, 3.3). Per pixel, the
+ * ice lies between its nearest front face and its farthest back face. Render targets must have the
+ * size of the depth maps. */
 #ifndef CLIP_TO_ICE_DEPTH_GLSL
 #define CLIP_TO_ICE_DEPTH_GLSL
 #include "ice/ice_depth.h"

@@ -1,14 +1,14 @@
 /*
  * depth_map_bilinear.glsl: interpolation of depth maps in which 0 means no face.
  *
- * The latency of this function limits ray marching. The function therefore avoids min(), which
- * tests for NaN on CPUs, and has as few dependent additions as possible.
+ * The latency of this function limits ray marching. The function therefore has few dependent
+ * additions. It avoids min(), because min() tests for NaN on CPUs.
  */
 #ifndef DEPTH_MAP_BILINEAR_GLSL
 #define DEPTH_MAP_BILINEAR_GLSL
 
-/* Interpolates the depths of four texels, in textureGather() order, at `fraction` from 0 to 1. If a
- * texel has no face, returns the nearest texel's depth instead. */
+/* Interpolates four depths, in textureGather() order, at `fraction` from 0 to 1. If any of the four
+ * texels has no face, returns the nearest texel's depth instead. */
 float depth_interpolate(vec4 d, vec2 fraction)
 {
     float low = fma(fraction.x, d.z - d.w, d.w);

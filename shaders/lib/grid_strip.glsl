@@ -2,8 +2,8 @@
 #ifndef GRID_STRIP_GLSL
 #define GRID_STRIP_GLSL
 
-/* Returns the grid corner of a strip vertex. The grid has `cells` squares per side. The strip has
- * cells * (2 * cells + 4) vertices, because degenerate triangles join the grid's rows. */
+/* Returns the grid corner of a vertex of a triangle strip. The grid has `cells` squares per side.
+ * Degenerate triangles join the rows, hence the strip has cells * (2 * cells + 4) vertices. */
 uvec2 grid_strip_corner(uint index, uint cells)
 {
     uint row_length = 2u * cells + 4u;

@@ -32,8 +32,8 @@ vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
                 material_wrap(at.y, uint(wrap_v), size.y));
 }
 
-/* Samples a texture. By default, derivatives select the mip level. The ray tracer uses level 0.
- * Per-vertex shading uses a level that is 64 texels wide, because the samples are sparse. */
+/* Samples a texture. Derivatives select the mip level by default. The ray tracer uses level 0.
+ * Per-vertex shading uses the level of 64 texels' width, because vertices are sparse. */
 vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 {
 #ifdef LIT_NO_DERIVATIVES

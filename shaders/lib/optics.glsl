@@ -64,9 +64,9 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
     return 0.5 * (rs * rs + rp * rp);
 }
 
-/* Returns the reflectance of a thin gap, 2R / (1 + R) with interreflections between parallel sides
- * of reflectance R. `eta` is the refractive index outside over that in the gap. There is no
- * interference, because gaps are wider than a wavelength. */
+/* Returns the reflectance of a thin gap, 2R / (1 + R), with interreflections. R is the reflectance
+ * of each of the two parallel sides. `eta` is the index outside over the index in the gap.
+ * Interference is left out, because gaps are wider than a wavelength. */
 float optics_gap(vec3 e, vec3 n, float eta)
 {
     float r = optics_fresnel(e, n, eta);

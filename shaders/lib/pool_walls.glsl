@@ -1,5 +1,5 @@
-/* pool_walls.glsl: geometry and sunlight of the pool, a box of water. Pool coordinates have z up
- * and calm water at z = 0; x is the world's x, y is the world's -z. */
+/* pool_walls.glsl: geometry and sunlight of the pool, a box of water. In pool coordinates, z is up
+ * and calm water is at z = 0. Pool x is the world's x, and pool y is the world's -z. */
 #ifndef POOL_WALLS_GLSL
 #define POOL_WALLS_GLSL
 #include "lib/globals.glsl"

@@ -1,5 +1,5 @@
-/* primary_ray.glsl: primary rays and their depth. Rays start at the camera or, in orthographic
- * views, on the plane through the camera that is perpendicular to the view axis. */
+/* primary_ray.glsl: primary rays and their depth. In perspective views, rays start at the camera.
+ * In orthographic views, rays start on the image plane through the camera. */
 #ifndef PRIMARY_RAY_GLSL
 #define PRIMARY_RAY_GLSL
 #include "lib/globals.glsl"

@@ -1,5 +1,5 @@
-/* sun_light_space.glsl: light space of the sun for shadow and caustic maps (uniform `light`). Depth
- * is reversed: the near plane's distance over the point's. Depth 0 means no surface. */
+/* sun_light_space.glsl: light space of the sun, for shadow and caustic maps (uniform `light`).
+ * Depth is the near plane's distance over the point's distance, or 0 without a surface. */
 #ifndef SUN_LIGHT_SPACE_GLSL
 #define SUN_LIGHT_SPACE_GLSL
 #include "lib/globals.glsl"
@@ -20,8 +20,8 @@ vec2 ice_light_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Returns a point shifted along normal `n` towards the sun by the shadow bias, which avoids
- * self-shadowing. `n` may point to either side of the surface. */
+/* Returns a point shifted towards the sun by the shadow bias, which avoids self-shadowing. The
+ * shift is along normal `n`, which may point to either side of the surface. */
 vec3 ice_light_biased(vec3 point, vec3 n)
 {
     return point + (dot(n, frame.sun_dir) < 0.0 ? -light.shadow_bias : light.shadow_bias) * n;
@@ -48,8 +48,8 @@ bool ice_light_is_before(sampler2D front, vec4 clip)
     return depth > 0.0 && clip.z / clip.w > depth;
 }
 
-/* Returns true if the ground hides a point from the sun. Compares the point's depth with the
- * farthest of the four nearest texels in the ground's light-space depth map, with a tolerance. */
+/* Returns true if the ground hides a point from the sun. The point's depth is compared, with a
+ * tolerance, with the farthest of four texels in the ground's light-space depth map. */
 bool ice_light_is_hidden(sampler2D ground, vec4 clip)
 {
     const float tolerance = 0.02 / ICE_CAUSTICS_DISTANCE;

@@ -27,8 +27,8 @@ float sun_shadow_open(vec4 clip)
     return mix(ice_light_pcf(sun_shadow_map, uv, clip.z / clip.w), 1.0, faded);
 }
 
-/* Returns the sunlight at light-space position `clip`. `lifted` is the position with shadow bias.
- * There are no caustics where surroundings cast a shadow. */
+/* Returns the sunlight at a light-space position `clip`. `lifted` is the position shifted by the
+ * shadow bias. If surroundings shade the position, there are no caustics. */
 sun_shadow sun_shadow_lookup(vec4 clip, vec4 lifted)
 {
     float visibility = sun_shadow_open(lifted);

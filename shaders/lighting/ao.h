@@ -15,8 +15,8 @@
 #define AO_HEIGHTS_RANGE 3.0f  /* range of the height fields, in units of ao_occluders.height */
 #define AO_HEIGHTS_GAP   0.01f /* minimum height, relative to AO_HEIGHTS_RANGE */
 
-/* Box that occludes environment light. `sky` and `ground` are the fractions of sky and ground light
- * that the box passes on to the ground around it. */
+/* Box that occludes environment light. The box passes on to the ground around it the fraction `sky`
+ * of sky light and the fraction `ground` of ground light. */
 struct ao_occluder {
     vec3s min, max; /* box corners, object space, metres */
     vec3s sky, ground;

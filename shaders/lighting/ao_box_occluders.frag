@@ -15,8 +15,8 @@ layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 layout(set = 0, binding = AO_HEIGHTS) uniform sampler2D heights;
 layout(set = 0, binding = AO_UNDERSIDES) uniform sampler2D undersides;
 
-/* rgb: change in irradiance of a level white diffuse surface; a: fraction of ground light that the
- * objects reflect back to the ground */
+/* rgb: change in the irradiance of a white, level, diffuse surface; a: fraction of ground light
+ * that objects reflect back */
 layout(location = 0) out vec4 map;
 
 const float wide_sine = 0.6;    /* minimum sine of undeflected light */
@@ -28,8 +28,8 @@ const int azimuth_steps = 10;   /* samples per azimuth, in geometric progression
 const float first_step = 1.5 / float(AO_HEIGHTS_SIZE); /* in sides of the map */
 const float full_radius = 0.6;                         /* relative radius where the fade begins */
 
-/* Returns an edge's term of the polygon form factor. `a` and `b` are unit directions to the edge's
- * ends. The term is the angle between `a` and `b` over 2 pi, along the normal of their plane. */
+/* Returns the term of one edge in the polygon form factor. `a` and `b` are unit directions to the
+ * edge's ends. The term has length angle(a, b) / (2 pi) and the direction of cross(a, b). */
 vec3 edge(vec3 a, vec3 b)
 {
     vec3 normal = cross(a, b);
@@ -37,7 +37,7 @@ vec3 edge(vec3 a, vec3 b)
     return sine > 1e-6 ? normal * (atan(sine, dot(a, b)) / (6.2831853 * sine)) : vec3(0.0);
 }
 
-/* Returns the vector irradiance from a box, divided by pi, by summing over silhouette edges
+/* Returns the vector irradiance from a box, divided by pi. Sums over the silhouette's edges
  * (Lambert 1760). `low` and `high` are the box corners relative to the receiving point. */
 vec3 outline(vec3 low, vec3 high)
 {
@@ -61,8 +61,8 @@ vec3 outline(vec3 low, vec3 high)
     return sum;
 }
 
-/* Returns the fraction of uniform environment light that box occluder `i` blocks at a point, as a
- * vector towards the box. Point and normal are in object space. */
+/* Returns the fraction of uniform environment light that box `i` blocks at a point. The result is a
+ * vector towards the box. `point` and `n` (the normal) are in object space. */
 vec3 blocked_by(uint i, vec3 point, vec3 n)
 {
     vec3 low = ao.all[i].min - point, high = ao.all[i].max - point;
@@ -73,7 +73,7 @@ vec3 blocked_by(uint i, vec3 point, vec3 n)
 }
 
 /* Returns the environment light behind an occluder, prefiltered over the occluder's solid angle.
- * `sine` is the sine of half the angle that the occluder subtends. */
+ * `sine` is the sine of half the angle under which the occluder appears. */
 vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
 {
     if (constant_background != GLOBALS_ENVIRONMENT)
@@ -85,8 +85,8 @@ vec3 light_behind(vec3 dir, vec3 unoccluded, float sine)
                textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
 }
 
-/* Returns the surroundings' height in metres above the objects' base. Returns 0 below overhangs
- * that are thinner than the free space below, such as table tops. */
+/* Returns the surroundings' height in metres above the objects' base. Below a thin overhang, such
+ * as a table top, returns 0. Thin means thinner than the free space below. */
 float height_at(vec2 uv)
 {
     float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;
@@ -113,8 +113,8 @@ float occluded_by_surroundings(vec2 uv)
     return sum / float(directions);
 }
 
-/* Computes how objects change the irradiance at a texel. Hardly deflected light has the radiance
- * behind the object. Small objects do not show bright sources, whose light they refract aside. */
+/* Computes how objects change the irradiance at a texel. Hardly deflected light has the
+ * radiance behind the object. Small objects refract the light of bright sources aside. */
 void main()
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);

@@ -11,8 +11,8 @@ layout(set = 0, binding = AO_BINDING, scalar) uniform Occluders
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_MATERIAL) in uint material;
 
-/* Projects the surroundings orthographically from above onto the square of the occlusion map.
- * Clamps heights to the maximum. Clips geometry below the objects' base. */
+/* Projects the surroundings orthographically from above, onto the occlusion map's square. Clamps
+ * heights to the map's maximum. Geometry below the objects' base is clipped. */
 void main()
 {
     vec3 off = pose_surroundings(position, material) - ao.center;

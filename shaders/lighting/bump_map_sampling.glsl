@@ -1,5 +1,5 @@
-/* bump_map_sampling.glsl: samples the ice's bump map, either at the mesh's uv or by triplanar
- * mapping, which blends three projections along the axes of object space. */
+/* bump_map_sampling.glsl: samples the ice's bump map by the mesh's uv or by triplanar mapping.
+ * Triplanar mapping blends three projections along the axes of object space. */
 #ifndef BUMP_MAP_SAMPLING_GLSL
 #define BUMP_MAP_SAMPLING_GLSL
 #include "lib/globals.glsl"
@@ -37,8 +37,8 @@ bump_planes bump_read_planes(vec3 normal)
     return planes;
 }
 
-/* Samples the map at the mesh's uv. Without uv the derivatives are 0, for which lavapipe's
- * anisotropic filter (Mesa 25) returns NaN, so mip level 0 is read instead. */
+/* Samples the map at the mesh's uv. If the derivatives are 0, as without uv, reads mip level 0,
+ * because lavapipe's anisotropic filter would return NaN (Mesa 25). */
 vec4 bump_read_uv()
 {
     vec2 at = bump_at.xy;

@@ -1,8 +1,6 @@
-/*
- * bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C. Surface gradients
- * (Mikkelsen 2010, Bump Mapping Unparametrized Surfaces on the GPU) do not depend on the
- * parametrisation: gradients of the three triplanar projections can be added without tangents.
- */
+/* bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C. Surface gradients need
+ * no parametrisation (Mikkelsen 2010, Bump Mapping Unparametrized Surfaces on the GPU). Gradients
+ * of the three triplanar projections can therefore be added without tangents. */
 #ifndef SHADERS_LIGHTING_BUMP_NORMAL_H
 #define SHADERS_LIGHTING_BUMP_NORMAL_H
 #include "abi_math.h"
@@ -29,8 +27,8 @@ ABI_FUNCTION vec3s bump_perturbed(vec3s normal, vec3s gradient)
         glms_vec3_add(aside, glms_vec3_scale(normal, glms_vec3_dot(normal, gradient))));
 }
 
-/* Returns a perturbed normal that faces the camera. A normal that faces away is tilted back until
- * it is nearly perpendicular to the view direction `e`. */
+/* Returns `perturbed`, made to face the camera. If `perturbed` faces away, it is tilted until it
+ * is nearly perpendicular to the view direction `e`. */
 ABI_FUNCTION vec3s bump_facing(vec3s perturbed, vec3s normal, vec3s e)
 {
     float excess = glms_vec3_dot(perturbed, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);

@@ -41,8 +41,8 @@ ABI_FUNCTION vec3s diffuse_sampling_cosine_dir(vec3s n, vec2s at)
         glms_vec3_add(glms_vec3_scale(n, 1.0001f), diffuse_sampling_sphere(at)));
 }
 
-/* Returns the direction of a diffuse ray. Guided rays sample the cone from which most light comes.
- * `guide` is the cone's unit axis and the cosine of its half-angle, or (0, 0, 0, 1) for no cone. */
+/* Returns the direction of a diffuse ray. Odd rays sample the cone from which most light comes.
+ * `guide` is the cone's unit axis and its half-angle's cosine, or (0, 0, 0, 1) for no cone. */
 ABI_FUNCTION vec3s diffuse_sampling_dir(vec3s n, vec4s guide, uint32_t ray_index, vec2s at)
 {
     vec3s axis = ABI_VEC3(guide.x, guide.y, guide.z);

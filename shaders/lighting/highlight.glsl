@@ -1,5 +1,5 @@
-/* highlight.glsl: Blinn-Phong highlights of the light sources on the ice's front faces.
- * HIGHLIGHT_VERTEX selects the vertex shader's functions. These pass uniforms as flat varyings,
+/* highlight.glsl: Blinn-Phong highlights of the light sources on the ice's front faces. With
+ * HIGHLIGHT_VERTEX, it defines the vertex shader's functions. These pass uniforms as flat varyings,
  * because lavapipe's fragment shaders fetch each float of a uniform separately. */
 #ifndef HIGHLIGHT_GLSL
 #define HIGHLIGHT_GLSL

@@ -19,8 +19,8 @@ vec4 counted(ivec2 texel)
     return found;
 }
 
-/* Filters the photon counts with a 3 x 3 tent, which reduces noise and softens shadow edges.
- * Multiplies the counts by the area, in texels, that one photon represents. */
+/* Filters the photon counts with a 3 x 3 tent, which reduces noise and softens shadow edges. Scales
+ * the counts by the texel area that one photon represents. */
 void main()
 {
     const float weights[3] = { 0.25, 0.5, 0.25 };

@@ -1,6 +1,6 @@
-/* ice_caustics_photons.frag: photon pass, one photon per texel of the ice's front faces in light
- * space. Writes each photon's energy and its landing point in the caustic map. The faces are read
- * from depth and normal maps or, with REFRACT_BUMP, rasterised again with bump mapping. */
+/* ice_caustics_photons.frag: photon pass, with one photon per light-space texel of the ice's front
+ * faces. Writes each photon's energy and landing point in the caustic map. Reads the faces from
+ * depth and normal maps. With REFRACT_BUMP, the faces are rasterised again with bump mapping. */
 #version 460
 #ifndef REFRACT_BUMP
 #define REFRACT_PHOTONS
@@ -57,7 +57,7 @@ vec3 sun_ray(vec3 e)
     return normalize(e + away * (cos(angle) * a + sin(angle) * b));
 }
 
-/* Returns the length of a ray to the edge of the caustic map, at clip-space |x| = w or |y| = w. */
+/* Returns a ray's distance to the caustic map's edge (|x| = w or |y| = w in clip space). */
 float length_to_map_edge(vec4 clip, vec4 dir_clip)
 {
     float limit = ground_last * frame.radius;
@@ -83,9 +83,9 @@ bool march_is_in_ground(vec3 point)
     return is_below(ice_light_clip(point));
 }
 
-/* Intersects a ray with the depth map of the ground by steps of growing length, then bisection.
- * Returns map coordinates in xy; z is 1 for a hit, otherwise 0. The depth map is treated as solid:
- * a ray that passes behind a surface hits the surface. */
+/* Intersects a ray with the ground's depth map by growing steps, then bisection. xy are map
+ * coordinates, and z is 1 for a hit, otherwise 0. The map counts as solid: a ray that passes behind
+ * a surface hits that surface. */
 vec3 land(vec3 point, vec3 dir)
 {
     vec4 clip = ice_light_clip(point);

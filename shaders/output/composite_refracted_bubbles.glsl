@@ -1,5 +1,5 @@
-/* composite_refracted_bubbles.glsl: intersects refracted rays with the depth image of bubbles, for
- * composite.frag with BUBBLES_REFRACTED. Bubbles are shaded as seen along unrefracted rays. */
+/* composite_refracted_bubbles.glsl: intersects refracted rays with the bubbles' depth image.
+ * Used by composite.frag with BUBBLES_REFRACTED. Shades bubbles as seen along unrefracted rays. */
 #ifndef COMPOSITE_REFRACTED_BUBBLES_GLSL
 #define COMPOSITE_REFRACTED_BUBBLES_GLSL
 #include "lib/optics.glsl"

@@ -5,8 +5,8 @@
 
 #define PRESENT_IMAGE 0
 
-/* Specialisation constant: 1 if the swapchain encodes sRGB, so that the shader must decode the
- * image. With a push constant, lavapipe would decode all pixels even if the value is 0. */
+/* Specialisation constant: 1 if the shader must decode the image, because the swapchain encodes
+ * sRGB. With a push constant instead, lavapipe would decode all pixels even at 0. */
 #define PRESENT_ENCODES 0
 
 /* Tests for the bright and dark columns between two images, which are visible on any content. */
@@ -14,8 +14,8 @@
 #define PRESENT_IS_DARK(column, line)   ((column) == (line) + 1u)
 #define PRESENT_NO_LINE                 0xfffffff0u
 
-/* Placement of the image in the window. Texture coordinates are computed by the vertex shader,
- * which saves a third of the scaling pass's time on lavapipe. */
+/* Placement of the image in the window. The vertex shader computes texture coordinates, because
+ * this saves a third of the scaling pass's time on lavapipe. */
 struct present_push {
     vec2s uv_from_clip; /* uv per unit of clip space */
     vec2s uv_of_center; /* texture coordinates at the centre of the window */

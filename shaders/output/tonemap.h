@@ -12,8 +12,8 @@
 #define TONEMAP_HABLE   4
 #define TONEMAP_LAST    TONEMAP_HABLE
 
-/* Parameters of tone mapping, the same for tonemap.frag and for all callers in C. What tone mapping
- * does must depend on nothing else. */
+/* Parameters of tone mapping, shared by tonemap.frag and all callers in C. The result of tone
+ * mapping must not depend on anything else. */
 struct tonemap_params {
     float gain;     /* exp2(exposure) */
     uint32_t curve; /* TONEMAP_NEUTRAL, ... */
@@ -31,8 +31,8 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    /* Neither division depends on the other. The published form computes new_peak = above / below
-     * first, then 1 / (desaturation * (peak - new_peak) + 1). */
+    /* The two divisions are independent of each other. In the published form, the second one waits:
+     * new_peak = above / below, then 1 / (desaturation * (peak - new_peak) + 1). */
     float below = peak + (range - start);
     float above = below - range * range;
     float scale = above / (peak * (desaturation * (peak * below - above) + below));

@@ -14,8 +14,8 @@
 
 layout(set = 0, binding = REFRACT_CRACKS) uniform sampler2D cracks_hits;
 
-/* Cosine between a ray and the view axis. Above it, cracks are treated as parallel to the image
- * plane, which avoids flicker in animations; below it, their slopes are taken into account. */
+/* Minimum cosine between a ray and the view axis at which cracks count as parallel to the image
+ * plane. This avoids flicker in animations. At smaller cosines, cracks keep their slopes. */
 const float cracks_across_cosine = 0.7;
 
 struct cracks_hit {

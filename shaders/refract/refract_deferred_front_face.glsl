@@ -1,7 +1,7 @@
 /* refract_deferred_front_face.glsl: reads the visible front face from the G-buffer
- * ice_normal.front, for deferred shading by a full-screen triangle. Rasterisers that shade pixels
- * in blocks shade each block once for this triangle, but once per triangle of the ice if the ice
- * itself is drawn. */
+ * ice_normal.front. The ice is shaded by a full-screen triangle instead of by its own triangles.
+ * Rasterisers that shade blocks of pixels then shade each block once, not once per triangle of the
+ * ice. */
 #ifndef REFRACT_FULLSCREEN_GLSL
 #define REFRACT_FULLSCREEN_GLSL
 #include "lib/primary_ray.glsl"

@@ -1,8 +1,8 @@
 /*
  * refract_depth_maps.glsl: lookups in the screen-space depth and normal maps of the ice.
  *
- * Depths are reversed: near plane distance over view-space distance, or 0 without a face. Such
- * depths are linear in screen space on a plane. Clip coordinates are linear along a ray.
+ * Depth is the near plane's distance over the view-space distance, or 0 without a face. On a plane,
+ * depth is linear in screen space. Along a ray, clip coordinates are linear.
  */
 #ifndef REFRACT_DEPTH_MAPS_GLSL
 #define REFRACT_DEPTH_MAPS_GLSL

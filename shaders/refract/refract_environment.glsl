@@ -29,12 +29,12 @@ const float cube_nearest = 0.0;
 
 const int cube_refinements = 3; /* root search iterations per hit */
 
-/* Depth behind a surface, as a fraction of the surface's distance, beyond which a ray passes behind
- * the surface's edge. The cube map does not show what such a ray hits. */
+/* Minimum depth behind a surface at which a ray passes behind the surface's edge, where the cube
+ * map shows no hit. The depth is relative to the surface's distance. */
 const float cube_occluded_min = 0.15;
 
-/* Returns how far a point is behind the surface in the cube map, or a negative number in front. The
- * result is linear along a ray if surfaces are flat. `point` is relative to the cube's centre, in
+/* Returns a point's signed depth behind the surface in the cube map, negative in front. If surfaces
+ * are flat, the result is linear along a ray. `point` is relative to the cube's centre, in
  * homogeneous coordinates. */
 float cube_depth_behind(vec4 point)
 {
@@ -72,8 +72,8 @@ cube_bracket cube_find_bracket(vec4 from, vec4 to)
     return ends;
 }
 
-/* Returns the point where a ray leaves the empty sphere around the cube's centre, whose radius is
- * the distance to the nearest surface. A search may start there. */
+/* Returns the point where a search for a ray's hit may start. Around the cube's centre, a sphere up
+ * to the nearest surface is empty. A ray inside the sphere starts where it leaves the sphere. */
 vec3 cube_first_point(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)
@@ -86,8 +86,8 @@ vec3 cube_first_point(vec3 from_center, vec3 dir)
 
 /*
  * Returns the direction from the cube's centre to a ray's hit. If the ray passes behind a surface's
- * edge, returns the direction beside the edge. Steps are equal in homogeneous coordinates, from the
- * ray's origin to infinity, which spaces the sampled directions evenly.
+ * edge, returns the direction beside the edge. The search spaces directions evenly, because its
+ * steps are equal in homogeneous coordinates, from the ray's origin to infinity.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
@@ -113,8 +113,8 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     return mix(from, to, is_past ? ends.before : cube_root(ends)).xyz;
 }
 
-/* Returns true if a point is behind the surfaces of the cube map, and so in the ground. Ice in wet
- * ground has no air below it, and therefore no total internal reflection there. */
+/* Returns true if a point is in the ground, which is behind the surfaces of the cube map. Ice in
+ * wet ground has no total internal reflection there, because no air is below. */
 bool refract_is_below_ground(vec3 point)
 {
     vec3 from_center = point - frame.cube_center;

@@ -12,7 +12,7 @@ struct march_bracket {
     bool near_front; /* front face is nearer at `within` */
 };
 
-/* Returns an estimate of the exit's distance. Interpolates between signed distances and subtracts
+/* Returns the estimated distance of the exit, from signed distances by interpolation. Subtracts
  * `exact` / 4 to stay inside. If a signed distance is unknown, returns the bracket's middle. */
 float march_root(march_bracket ends, float exact)
 {

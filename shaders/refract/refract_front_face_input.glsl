@@ -1,5 +1,5 @@
-/* refract_front_face_input.glsl: position and normal of the visible front face, from varyings. With
- * REFRACT_FULLSCREEN, both are read from a G-buffer instead. With REFRACT_PHOTONS, main() sets
+/* refract_front_face_input.glsl: position and normal of the visible front face. Both are varyings
+ * by default. With REFRACT_FULLSCREEN, both come from a G-buffer. With REFRACT_PHOTONS, main() sets
  * both. */
 #ifndef REFRACT_FRONT_FACE_INPUT_GLSL
 #define REFRACT_FRONT_FACE_INPUT_GLSL

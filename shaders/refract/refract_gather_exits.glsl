@@ -43,12 +43,12 @@ const uint exits_false_max = 2u;
 /* Maximum number of reflections by cracks between two exits. */
 const uint exits_crack_reflections = 3u;
 
-/* Cosine between the normals of two successive crack hits, above which both count as one crack. A
- * ray that leaves a crack would otherwise hit the same crack's image again. */
+/* Minimum cosine between the normals of two successive hits that count as one crack. Without this
+ * limit, a ray that leaves a crack would hit the image of this crack again. */
 const float exits_same_crack = 0.9;
 
-/* Throughput below which a ray is reflected at most once more. This limits long chains of total
- * internal reflection, as in cubes, for which a whole SIMD unit would wait. */
+/* Throughput below which a ray is reflected at most once more. The limit cuts long chains of total
+ * internal reflection, as in cubes, because a whole SIMD unit would wait for them. */
 const float exits_weak_throughput = 0.1;
 
 /* State of a path inside the object. */
@@ -80,8 +80,8 @@ float exits_mean(vec3 weight)
     return dot(weight, vec3(1.0 / 3.0));
 }
 
-/* Splits a path at a crack in front of the next face. The path continues along the stronger branch.
- * The weaker branch is stored in `pixel`, or adds an environment lookup to `pixel.light`. */
+/* Splits a path at a crack in front of the next face. The path follows the stronger branch. The
+ * weaker branch is stored in `pixel`, or only its environment light is added to `pixel.light`. */
 void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
 {
     cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);

@@ -1,6 +1,5 @@
-/* refract_march_ray.glsl: marches a ray inside the ice through screen-space depth maps to the exit
- * point. Without REFRACT_BOUNCE, only back faces are exits, and points in front of the ice count as
- * inside the ice. */
+/* refract_march_ray.glsl: marches a ray inside the ice through screen-space depth maps to its exit.
+ * Without REFRACT_BOUNCE, only back faces are exits, and points in front of the ice are inside. */
 #ifndef REFRACT_MARCH_RAY_GLSL
 #define REFRACT_MARCH_RAY_GLSL
 #include "refract/refract_depth_maps.glsl"
@@ -55,8 +54,8 @@ march_space march_space_of_frame()
 /* Distance in bounding radii where marching starts; coarse texels make nearer depths unreliable. */
 const float march_start = 0.02;
 
-/* Returns a point's signed distances to the back face (x) and the front face (y), negative outside.
- * The unit is depth times w, in which distances to a flat face are linear along a ray. */
+/* Returns a point's signed distances to the back face (x) and to the front face (y), negative
+ * outside. The unit is depth times w, in which distances to flat faces are linear along rays. */
 vec2 march_signed_distances(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -182,8 +181,8 @@ float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
     return march_find_exit(space, point, dir, false, near_front, jumps);
 }
 
-/* Returns the outward normal at a ray's exit: of the front face if `near_front`, otherwise of the
- * back face. If the ray cannot leave through that face, returns the opposite face's normal. */
+/* Returns the outward normal at a ray's exit. The exit is on the front face if `near_front`,
+ * otherwise on the back face. If the ray cannot leave there, returns the opposite face's normal. */
 vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

@@ -6,7 +6,7 @@
 #include "lib/object_pose.glsl"
 
 /* Ray-marches a medium over a segment of length `t`. Returns the scattered radiance, attenuated by
- * `transmittance`. Then multiplies `transmittance` by the transmittance of the segment. */
+ * the old `transmittance`. Multiplies `transmittance` by the segment's transmittance. */
 vec3 refract_in_scatter(medium_field field, vec3 point, vec3 dir, float t,
                         inout float transmittance)
 {

@@ -77,8 +77,8 @@ float nested_depth_at(int layer, vec2 at, vec2 texel)
     return depth_interpolate(textureGather(depths, coords), fraction);
 }
 
-/* Returns a point's signed distances to a level's far faces (x) and near faces (y), negative
- * outside the level. The unit is depth times w. */
+/* Returns a point's signed distances to the far faces (x) and near faces (y) of a nesting level.
+ * Negative is outside the level. The unit is depth times w. */
 vec2 nested_signed_distances(nested_space space, int level, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -93,8 +93,8 @@ float nested_signed_distance(vec2 dists)
     return min(dists.x, dists.y);
 }
 
-/* Returns the signed distance to the nearest face of a level or of the next inner level. The
- * distance is negative outside the level and inside the inner level. */
+/* Returns the signed distance to the nearest face of a nesting level or of the next inner level.
+ * Negative is outside the level or inside the inner level. */
 float nested_level_distance(nested_space space, int level, vec4 at, out bool is_in_next)
 {
     float dist = nested_signed_distance(nested_signed_distances(space, level, at));
@@ -114,9 +114,9 @@ float nested_length(vec3 point, vec3 dir)
     return sqrt(max(half_b * half_b - outside, 0.0)) - half_b;
 }
 
-/* Returns the last distance along a ray inside the ray's level, and the first one beyond. Sets
- * `enters` if the ray enters the inner level. Refines the interval by the Illinois method: if the
- * same end moves twice, the signed distance at the other end is halved. */
+/* Returns the last ray distance inside the ray's level (x) and the first beyond (y). Sets `enters`
+ * if the ray enters the inner level. Refines by the Illinois method: if one end moves twice, the
+ * signed distance at the fixed end is halved. */
 vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
 {
     vec4 from = space.map_from_world * vec4(ray.point, 1.0);
@@ -163,8 +163,8 @@ vec2 nested_find_face(nested_space space, nested_ray ray, out bool enters)
     return vec2(ends.within, ends.beyond);
 }
 
-/* Returns the outward normal of a level's face nearest to a point, or 0 if there is no face. Sets
- * `medium` to the medium inside the face. */
+/* Returns the outward normal of the level's face that is nearest to a point. If there is no face,
+ * returns 0. Sets `medium` to the medium inside the face. */
 vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -226,10 +226,9 @@ struct nested_face {
 };
 
 /*
- * Moves a ray to its next face. If the maps show no face, the ray continues straight.
- *
- * A cavity between two parts of an object is a nesting level only where the maps show both parts.
- * If a cavity ends where its surrounding level ends, a ray leaves both levels without a face.
+ * Moves a ray to its next face. If the maps show no face, the ray continues straight. Where a
+ * cavity and its surrounding level end together, a ray leaves both without a face, because the maps
+ * show a cavity between two parts of an object only where they show both parts.
  */
 nested_face nested_next_face(nested_space space, int channel, inout nested_ray ray)
 {
@@ -270,9 +269,9 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     return face;
 }
 
-/* Continues a ray from a face by refraction or reflection. A ray that ends gets throughput 0.
- * Returns the throughput of all directions that are not followed. Callers multiply this throughput
- * by the surroundings' mean radiance. */
+/* Continues a ray from a face by refraction or reflection. Returns the throughput of directions
+ * that are not followed, by which callers multiply the surroundings' mean radiance. If the ray
+ * ends, its throughput becomes 0. */
 vec3 nested_scatter(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;

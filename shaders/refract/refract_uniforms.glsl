@@ -1,5 +1,5 @@
-/* refract_uniforms.glsl: uniforms of the refraction models, as the block refract_frame. With
- * REFRACT_FULLSCREEN, flat varyings replace the uniforms, because lavapipe's fragment shaders fetch
+/* refract_uniforms.glsl: uniforms of the refraction models, in the block refract_frame. With
+ * REFRACT_FULLSCREEN, they are flat varyings instead, because lavapipe's fragment shaders fetch
  * each uniform float separately for each pixel (Mesa 22.3). */
 #ifndef REFRACT_UNIFORMS_GLSL
 #define REFRACT_UNIFORMS_GLSL

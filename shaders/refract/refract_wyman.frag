@@ -9,8 +9,8 @@ float bounding_cube_side()
     return 2.0 * refract_frame.radius * inversesqrt(3.0);
 }
 
-/* Returns the ice's thickness along the unrefracted ray in metres; 0 without a back face. Distance
- * is proportional to 1 / depth in perspective views, and linear in depth in orthographic views. */
+/* Returns the ice's thickness along the unrefracted ray, in metres. Without a back face, returns 0.
+ * Distance is 1 / depth times a constant in perspective views, but linear in orthographic views. */
 float thickness_along_ray()
 {
     float back = texelFetch(depth_back, ivec2(gl_FragCoord.xy), 0).r;
@@ -22,8 +22,8 @@ float thickness_along_ray()
     return back > 0.0 ? length(eye_to_point) * max(gl_FragCoord.z / back - 1.0, 0.0) : 0.0;
 }
 
-/* Returns the ice's thickness along the front normal. Looks for the back face at a guessed
- * thickness, initially bounding_cube_side(). Halves the guess while no back face is found. */
+/* Returns the ice's thickness along the front normal. First looks for the back face at a distance
+ * of bounding_cube_side(). While there is no back face, halves the distance. */
 float thickness_along_normal(vec3 point, vec3 n_f)
 {
     float guess = bounding_cube_side();

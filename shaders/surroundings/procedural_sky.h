@@ -1,8 +1,8 @@
-/* procedural_sky.h: radiance and irradiance of the procedural sky. Callers multiply by
- * globals.sky_strength. The sky is a gradient from horizon to zenith, a sun with a soft glow, and
- * dark ground. */
-#ifndef SHADERS_SURROUNDINGS_PROCEDURAL_SKY_H
-#define SHADERS_SURROUNDINGS_PROCEDURAL_SKY_H
+/* procedural_sky.h: radiance and irradiance of the procedural sky. The sky is a gradient from
+ * horizon to zenith, a sun with a soft glow, and dark ground. Callers multiply by
+ * globals.sky_strength. */
+#ifndef SHADERS_SURROUNDINGS_SKY_H
+#define SHADERS_SURROUNDINGS_SKY_H
 #include "abi_math.h"
 
 #define SKY_SUN_COLOR ABI_VEC3(1.0f, 0.93f, 0.80f)
@@ -28,8 +28,8 @@ ABI_FUNCTION vec3s sky_radiance_with_sun(vec3s dir, vec3s sun_dir, float sun_str
     return glms_vec3_add(sky_gradient(dir), sun);
 }
 
-/* Returns the radiance of a sun disc with an angular radius of `radius` or `blur`, whichever is
- * larger. Under this sun, a white diffuse surface that faces it has radiance 1. */
+/* Returns the radiance of a sun disc. The disc's angular radius is the larger of `radius` and
+ * `blur`. A white diffuse surface that faces this sun has radiance 1. */
 ABI_FUNCTION float sky_disc(vec3s dir, vec3s sun_dir, float radius, float blur)
 {
     float wide = fmaxf(radius, blur);
@@ -47,8 +47,8 @@ ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
     return glms_vec3_lerp(below, above, 0.5f + 0.5f * normal.y);
 }
 
-/* Returns an estimate of the sky's radiance, prefiltered for a reflection of the given roughness.
- * Excludes the sun's disc, which is a separate light source. */
+/* Returns the sky's approximate radiance, prefiltered for a reflection of the given roughness. The
+ * sun's disc is left out, because it is a separate light source. */
 ABI_FUNCTION vec3s sky_glossy(vec3s dir, float roughness, vec3s sun_dir, float sun_strength)
 {
     float c = glm_clamp(glms_vec3_dot(dir, sun_dir), 0.0f, 1.0f);

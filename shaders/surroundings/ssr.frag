@@ -13,8 +13,8 @@ const float fade_border = 0.04;   /* width of the fade at image edges, relative 
 const float fade_roughness = 0.4; /* roughness at which reflections begin to fade out */
 const float sharp = 2.0;          /* footprint in pixels up to which refracted colours are used */
 
-/* Returns the premultiplied colour of the objects at `t` along the segment. Narrow reflection lobes
- * show refraction; wide ones show the image blurred to the lobe's footprint. */
+/* Returns the objects' premultiplied colour at `t` along the segment. Narrow reflection lobes show
+ * refraction. Wide lobes show the image, blurred to the lobe's footprint. */
 vec4 hit_color(segment p, float t, float roughness)
 {
     vec4 clip = mix(p.from, p.to, t);

@@ -49,8 +49,8 @@ segment segment_in_box(vec3 point, vec3 dir)
     return p;
 }
 
-/* Returns a point's depth behind the objects' front faces, in metres along the view axis. The
- * result is negative in front of the objects and beside them. */
+/* Returns a point's depth behind the objects' front faces, in metres along the view axis. If the
+ * point is in front of or beside the objects, the depth is negative. */
 float depth_behind_front(vec4 clip)
 {
     vec2 uv = image_uv(clip);

@@ -15,8 +15,8 @@
 #define SSR_HIT_POINT 20 /* hit point of the reflected ray, relative to the camera */
 #define SSR_HIT_DIR   21 /* direction of the reflected ray */
 
-/* Upper limit of reflected radiance. Sun glints depend on the view direction, so reflections show
- * glints in wrong places. Glints also alias at half resolution. */
+/* Upper limit of reflected radiance. The limit dims sun glints, because reflections show them in
+ * wrong places. Glints also alias, because reflections have half resolution. */
 #define SSR_RADIANCE_MAX 2.0f
 
 struct ssr_push {

@@ -14,9 +14,9 @@ layout(set = 0, binding = SSR_HIT_DIR) uniform sampler2D dirs;
 
 layout(location = 0) out vec4 refracted; /* premultiplied alpha */
 
-/* Shades a reflected ray at the object it hits, with the refraction model of primary rays. The
- * depth maps contain only faces visible to the camera. A ray that hits such a face from behind has
- * passed a hidden face before, so the result is empty. */
+/* Shades a reflected ray at the object it hits, with the refraction model of primary rays. If the
+ * ray hits a face from behind, the result is empty. Such a ray has passed a face before, which the
+ * depth maps lack, because only faces visible to the camera are in them. */
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);

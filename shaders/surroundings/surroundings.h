@@ -28,8 +28,8 @@ struct surroundings_push {
     uint32_t inverse;      /* 1: output alpha is 1 / distance in metres; 0: output alpha is 1 */
 };
 
-/* Returns equirectangular texture coordinates of a unit direction; -Z is in the middle, +Y at the
- * top. `turn` rotates the map counterclockwise about +Y, in turns; u is from 0 to 1 + turn. */
+/* Returns equirectangular texture coordinates of a unit direction. -Z is in the middle, +Y at the
+ * top. `turn` rotates the map counterclockwise about +Y, in turns. u is from 0 to 1 + `turn`. */
 ABI_FUNCTION vec2s surroundings_equirect_uv(vec3s dir, float turn)
 {
     float pi = 3.14159265358979f;

@@ -1,6 +1,6 @@
-/* surroundings_materials.frag: fragment shader of surroundings with materials.
- * SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. SURROUNDINGS_EXTRA adds the attributes
- * of struct mesh_extra. SURROUNDINGS_SSR adds outputs for screen-space reflections. */
+/* surroundings_materials.frag: fragment shader of surroundings with materials. With
+ * SURROUNDINGS_CAUSTICS, adds the ice's caustics and shadow. With SURROUNDINGS_EXTRA, reads the
+ * attributes of struct mesh_extra. With SURROUNDINGS_SSR, writes inputs of reflections. */
 #version 460
 #include "lib/alpha_test.glsl"
 #include "lib/ao.glsl"
@@ -39,8 +39,8 @@ vec3 view_vector()
 #include "lib/sun_shadow_caustics.glsl"
 #endif
 
-/* Returns the square root of a texture footprint's width over its length, at least 1/2. Cube maps
- * scale the footprint by this factor instead of filtering anisotropically. */
+/* Returns a factor on the texture footprint that replaces anisotropic filtering in cube maps. The
+ * factor is the square root of the footprint's width over its length, at least 1/2. */
 float footprint_blur()
 {
     vec2 x = dFdx(uv), y = dFdy(uv);

@@ -1,7 +1,7 @@
-/* surroundings_per_vertex.vert: vertex shader of surroundings with materials, lit per vertex
- * without normal maps. SURROUNDINGS_EXTRA adds the attributes of struct mesh_extra.
- * SURROUNDINGS_CAUSTICS adds outputs for the ice's caustics and shadow. Uniforms are passed on as
- * flat outputs, because lavapipe's fragment shaders fetch each float of a uniform separately. */
+/* surroundings_per_vertex.vert: vertex shader of surroundings lit per vertex, without normal maps.
+ * With SURROUNDINGS_EXTRA, reads the attributes of struct mesh_extra. With SURROUNDINGS_CAUSTICS,
+ * writes outputs for the ice's caustics and shadow. Passes uniforms on as flat outputs, because
+ * lavapipe's fragment shaders fetch each float of a uniform separately. */
 #version 460
 #define LIT_PER_VERTEX
 #include "lib/ao.glsl"
@@ -84,8 +84,8 @@ void write_texture_lookups(uint row)
     out_lookups = vec4(base.layer, base.wraps, emissive.layer, emissive.wraps);
 }
 
-/* Computes a vertex's lighting and returns the sunlight on the diffuse base. Diffuse light excludes
- * the base colour texture, which the fragment shader applies. */
+/* Computes a vertex's lighting and returns the sunlight on the diffuse base. The base colour
+ * texture is left out of diffuse light, because the fragment shader applies it. */
 vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec3 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, 1.0).rgb;

@@ -48,8 +48,8 @@ const int trace_pending_max = 2;
 const int trace_ends_max = 3; /* maximum number of paths per pixel */
 #endif
 const int trace_segments_max = 40; /* maximum number of segments per path */
-/* Paths are no longer split after this number of segments in a pixel. llvmpipe terminates loops
- * after 65 535 iterations, and the light of pending paths would then be lost. */
+/* Number of segments in a pixel after which paths are no longer split. Light of pending paths would
+ * be lost, because llvmpipe terminates loops after 65 535 iterations. */
 const int trace_split_segments_max = 256;
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
@@ -66,8 +66,8 @@ struct trace_path {
     int left;   /* number of segments left */
     bool is_in_bubble;
     bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
-    /* factor on the sky radiance of an unoccluded ray; 0 after refraction by an object; negative if
-     * the ray started inside an object */
+    /* if positive, factor on the radiance of the sky that an unoccluded ray reaches; 0 after
+     * refraction by an object; negative if the ray started inside an object */
     float open;
     vec3 d_origin, d_dir; /* ray differentials of origin and direction */
 };
@@ -97,7 +97,7 @@ bool sets_last; /* the followed path may set result.last */
 
 #ifndef TRACE_RAYS
 /* End of a path that leaves the objects. Environment lookups wait until all paths of the pixel have
- * ended. All pixels of a group then perform the lookups together. */
+ * ended. All pixels of a SIMD group then do their lookups together. */
 struct trace_ray_end {
     vec3 origin, dir, throughput;
     float kind;
@@ -226,8 +226,8 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     return next;
 }
 
-/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced,
- * for example at grazing angles, where rasterised points are not exactly on triangles. */
+/* Reads the primary hit from the rasterised front faces. Returns false if the hit must be traced.
+ * At grazing angles, it must be, because rasterised points are not exactly on triangles. */
 bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
 {
 #ifdef TRACE_RAYS
@@ -343,8 +343,8 @@ object_material trace_material_at(trace_crossing c)
     return trace_untextured(c.rank);
 }
 
-/* Computes Fresnel reflection and refraction at a hit. On a rough surface, a microfacet is sampled
- * from the distribution of visible normals. */
+/* Computes Fresnel reflection and refraction at a hit. If the surface is rough, samples a
+ * microfacet from the distribution of visible normals. */
 trace_fresnel_split trace_fresnel_at(trace_crossing c)
 {
     trace_fresnel_split p;
@@ -373,8 +373,8 @@ trace_fresnel_split trace_fresnel_at(trace_crossing c)
     return p;
 }
 
-/* Returns the throughput that a surface transmits, not yet reduced by Fresnel reflection. If the
- * surface is not fully transmissive, adds the opaque base's radiance to the pixel. */
+/* Returns the throughput that a surface transmits before Fresnel reflection. If the surface is not
+ * fully transmissive, adds the radiance of its opaque base to the pixel. */
 vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
 {
     vec3 through = path.throughput * p.refracted_weight;
@@ -413,8 +413,8 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
     }
 }
 
-/* Continues the path at a surface by refraction or reflection. If the throughput in the other
- * direction is high enough, pushes a second path. Returns false if no throughput is left. */
+/* Continues the path at a surface by refraction or reflection. If the branch not taken has enough
+ * throughput, pushes it as a second path. Returns false if no throughput is left. */
 bool trace_scatter(trace_hit hit, trace_crossing c)
 {
     trace_fresnel_split p = trace_fresnel_at(c);
@@ -445,8 +445,8 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     return max(path.throughput.r, max(path.throughput.g, path.throughput.b)) > 1e-5;
 }
 
-/* Adds the light of the environment or surroundings that a path reaches. Returns true if the path
- * continues through a hole or a blended surface. */
+/* Adds the light of the environment or surroundings where a path ends. Returns true if the path
+ * continues instead, through a hole or a blended surface. */
 bool trace_end_path(trace_hit hit)
 {
     bool goes_on = false;
