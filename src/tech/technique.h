@@ -72,8 +72,8 @@ enum technique_scene {
     SCENE_OF_ANY,
 };
 
-/* Returns the passes of a pass group, or none if the technique is off. The builder allocates and
- * owns tables that depend on `config` (src/tech/pass_arena.h). */
+/* Returns the passes of a pass group. Returns no passes if the technique is off. If tables depend
+ * on `config`, `builder` allocates and owns them (src/tech/pass_arena.h). */
 typedef struct rg_technique technique_passes_fn(const struct technique_config *config,
                                                 struct pass_arena *builder);
 
@@ -98,8 +98,8 @@ struct refraction_model {
     bool (*refracts_cracks)(const struct settings *settings);
     /* Optional. Sets the members of `config` that depend on the model, once all others are set. */
     void (*choose)(struct technique_config *config);
-    /* Makes a photon pass of ice_caustics.c trace photons through the scene's triangles. Adds the
-     * uses `own`, a list that {0} ends. Returns false if rays hit no surroundings. */
+    /* Makes `pass`, a photon pass of ice_caustics.c, trace through the scene's triangles. Adds
+     * the uses `own`; {0} ends this list. Returns false if rays hit no surroundings. */
     bool (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_arena *builder, const struct rg_use *own);
 };

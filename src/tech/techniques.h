@@ -1,6 +1,6 @@
 /* techniques.h: registry of all techniques, generated from the list in meson.build. The list
- * defines the order of setting groups, refraction models, layers, and pass groups within a phase.
- */
+ * defines the order of setting groups, refraction models and layers. It also orders pass groups in
+ * a phase. */
 #ifndef FIRN_TECH_TECHNIQUES_H
 #define FIRN_TECH_TECHNIQUES_H
 

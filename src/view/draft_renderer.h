@@ -41,13 +41,13 @@ struct draft_renderer {
     bool failed;    /* there was not enough memory */
 };
 
-/* Returns settings for drafts. First, each setting that matches a quality level is set to its value
- * at quality level `draft`. Then the upper limits of draft level `level` are applied. */
+/* Returns a copy of `settings` with lower quality for drafts. Settings at the value of a quality
+ * level get the value of quality level `draft`. Then upper limits of draft level `level` apply. */
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level);
 
 /* Creates the draft renderers. Draws hidden frames to compile the shaders and to measure the frame
- * time. If memory runs out, succeeds without draft renderers. */
+ * time. If out of memory, creates no draft renderers and returns STATUS_OK. */
 MUST_USE enum status draft_renderer_create(struct draft_renderer *q,
                                            const struct draft_renderer_params *params,
                                            const struct renderer_shot *shot);

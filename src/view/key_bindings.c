@@ -9,8 +9,8 @@ enum {
     KEYS_MAX = 2, /* maximum keys of an action */
 };
 
-/* Keys for letters and signs are compared by the typed character, not by key code, because key
- * codes depend on the keyboard layout. */
+/* Table of shortcuts. Letters and signs are compared by typed character, because their key codes
+ * depend on the keyboard layout. */
 static const struct {
     int keys[KEYS_MAX];             /* GLFW key codes; 0 if unused */
     const char *characters;         /* typed characters, or NULL */

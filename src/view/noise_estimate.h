@@ -1,6 +1,6 @@
-/* noise_estimate.h: standard error of a progressively refined image. Each sample gives a mean for
- * every block of 8x8 pixels. A block's standard error follows from the variance of its means. The
- * estimate is the mean error of all blocks, with samples assumed to be independent. */
+/* noise_estimate.h: standard error of a progressively refined image. Each sample gives one mean per
+ * block of 8x8 pixels. The variance of these means gives the block's standard error. The estimate
+ * is the mean error of all blocks. It assumes independent samples. */
 #ifndef FIRN_VIEW_NOISE_ESTIMATE_H
 #define FIRN_VIEW_NOISE_ESTIMATE_H
 
@@ -19,7 +19,7 @@ struct noise_estimate {
 void noise_estimate_finish(struct noise_estimate *noise); /* {0} is fine */
 
 /* Adds sample number `sample` to the estimate. Number 0 restarts the estimate. `sums` contains the
- * accumulated planes R, G and B. If memory runs out, noise_estimate_now() then returns -1. */
+ * accumulated planes R, G and B. If out of memory, makes noise_estimate_now() return -1. */
 void noise_estimate_add(struct noise_estimate *noise, const struct image *sums, uint32_t sample);
 
 /* Returns the standard error in the image's units. Returns -1 with fewer than two samples. */

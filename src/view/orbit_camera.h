@@ -1,5 +1,5 @@
 /* orbit_camera.h: rotates, pans and zooms a camera around a target, without inertia. Each result
- * depends only on the camera and the movement. Rotation keeps +Y upwards and thus removes roll. */
+ * depends only on the camera and the movement. Rotation removes roll, because +Y stays upwards. */
 #ifndef FIRN_VIEW_ORBIT_CAMERA_H
 #define FIRN_VIEW_ORBIT_CAMERA_H
 
@@ -12,14 +12,14 @@ void orbit_camera_rotate(struct camera *camera, float azimuth_deg, float elevati
 void orbit_camera_look_from(struct camera *camera, float azimuth_deg, float elevation_deg);
 
 /* Toggles between perspective and orthographic projection. Objects at the target's distance keep
- * their size. An orthographic camera shows objects up to `depth` metres away. */
+ * their size in the image. The orthographic camera shows objects up to `depth` metres away. */
 void orbit_camera_toggle_projection(struct camera *camera, float depth);
 
 /* Pans camera and target by fractions of the image height, measured at the target's distance. */
 void orbit_camera_pan(struct camera *camera, float right, float up);
 
-/* Moves the camera towards the target (steps > 0) or away, by a tenth of the distance per step. The
- * distance stays in [nearest, farthest], metres. An orthographic view is scaled instead. */
+/* Moves the camera towards the target; away if `steps` < 0. Each step is a tenth of the distance,
+ * which stays in [nearest, farthest], metres. If the view is orthographic, scales it instead. */
 void orbit_camera_zoom(struct camera *camera, float steps, float nearest, float farthest);
 
 #endif

@@ -14,8 +14,8 @@ static const char *const always[] = { "Z", "N", "P", "object", NULL };
 static const float darkest_stops = -12.0f; /* histogram range, stops */
 static const float brightest_stops = 8.0f;
 
-/* Moves the current image to `previous`, which is freed at the next call. The next image thus has a
- * different handle, by which the presenter recognises a new image. */
+/* Moves the current image to `previous`; the next call frees it. Consecutive images must have
+ * different handles, because the presenter recognises a new image by its handle. */
 static void forget(struct pixel_inspector *inspector, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &inspector->previous);

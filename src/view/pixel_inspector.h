@@ -1,6 +1,6 @@
-/* pixel_inspector.h: shows layers (such as normals) of a converging image and reads pixels. A layer
- * is rendered on demand, with one sample at each pixel's centre, and then stays in host memory
- * until the image changes. Errors are logged before they are returned. */
+/* pixel_inspector.h: shows layers of a converging image, such as normals, and reads pixels. A layer
+ * is rendered when needed, with one sample at each pixel's centre. The layer stays in host memory
+ * until the image changes. All functions log their errors. */
 #ifndef FIRN_VIEW_PIXEL_INSPECTOR_H
 #define FIRN_VIEW_PIXEL_INSPECTOR_H
 
@@ -46,8 +46,8 @@ bool pixel_inspector_replaces_image(const struct pixel_inspector_choice *choice)
 MUST_USE enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewport *p,
                                           const struct renderer_shot *shot);
 
-/* Computes `rgba`, `image` and the histogram for an image of `sample_count` samples. Call
- * presenter_wait() first. The old `image` is valid until pixel_inspector_show() is called again. */
+/* Computes `rgba`, `image` and the histogram of the chosen layer. Call presenter_wait() first.
+ * `sample_count` is the image's number of samples. The old `image` is valid until the next call. */
 MUST_USE enum status pixel_inspector_show(struct pixel_inspector *inspector,
                                           const struct viewport *p, uint32_t sample_count);
 

@@ -30,8 +30,8 @@ enum {
     WORD_COUNT = FLAG_COUNT + FIXED_FLAG_COUNT + 6,
 };
 
-/* Runs the compiler with stdout and stderr redirected to `out`. Returns the exit code; -1 if the
- * compiler crashed or could not be run. */
+/* Runs the compiler with stdout and stderr redirected to `out`. Returns the compiler's exit code.
+ * Returns -1 if the compiler crashed or could not be run. */
 static int run(char *const *args, FILE *out)
 {
     posix_spawn_file_actions_t files;

@@ -21,7 +21,7 @@ bool shader_compile_is_possible(void);
 
 struct embedded_origin; /* shaders/embedded.h */
 
-/* Compiles a shader. `folder` is searched for include files. On failure, returns false, zeroes
+/* Compiles a shader. Include files are searched in `folder`. On failure, returns false, zeroes
  * *code and writes a one-line reason to `message`. */
 bool shader_compile(struct shader_compile_code *code, const char *folder,
                     const struct embedded_origin *origin,

@@ -60,8 +60,8 @@ static uint64_t mix(uint64_t stamp, const void *data, size_t size)
     return stamp;
 }
 
-/* Hashes the metadata of a file and of all files it includes. Saving any of them changes the hash.
- * Returns 0 if the file does not exist. */
+/* Returns a hash of the metadata of a file and of all files that it includes. If one of them is
+ * saved, the hash changes. Returns 0 if the file does not exist. */
 static uint64_t find_stamp(const char *folder, const char *name, int depth)
 {
     char path[PATH_SIZE];
@@ -88,8 +88,8 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
     return stamp;
 }
 
-/* Polls all files. Returns true if files have changed since the last compilation but not since the
- * previous poll, because an editor may still be writing a file that has just changed. */
+/* Polls all shader files. Returns true if some must be recompiled. If a file has changed since the
+ * previous poll, returns false, because an editor may still be writing it. */
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;

@@ -13,9 +13,9 @@
 
 struct shader_reload;
 
-/* Starts to watch `folder`, which must have the layout of the source tree. Logs errors. Returns
- * STATUS_NO_INPUT if there are no shaders, STATUS_FAILED if glslc cannot be run. With `quiet`,
- * successful compilations are not logged. */
+/* Starts to watch `folder`, which must have the layout of the source tree. Logs errors. If there
+ * are no shaders, returns STATUS_NO_INPUT. If glslc cannot be run, returns STATUS_FAILED. If
+ * `quiet`, does not log successful compilations. */
 MUST_USE enum status shader_reload_create(struct shader_reload **reload, const char *folder,
                                           bool quiet);
 void shader_reload_destroy(struct shader_reload *w); /* may be NULL */

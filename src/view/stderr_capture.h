@@ -17,8 +17,8 @@ struct stderr_capture {
     char line[STDERR_CAPTURE_SIZE]; /* last error, without "firn: " */
 };
 
-/* Starts to capture text written to stderr, which is still printed. On failure, nothing is
- * captured. The struct must not move until stderr_capture_end(). */
+/* Starts to capture text written to stderr. The text is still printed. On failure, captures
+ * nothing. *capture must not be moved before stderr_capture_end(). */
 void stderr_capture_begin(struct stderr_capture *capture);
 void stderr_capture_end(struct stderr_capture *capture); /* restores stderr; {0} is fine */
 

@@ -133,8 +133,8 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-/* Finds out which of the settings that differ from `before` the user has set: those that do not
- * have the scene's value. The others keep following the scene. */
+/* Marks changed settings of `state` as set by the user. If a changed setting has the scene's value
+ * and was not an option of the user at start, it follows the scene again. */
 static void update_sources(const struct view *v, struct view_state *state,
                            const struct settings *before)
 {

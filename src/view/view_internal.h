@@ -166,8 +166,8 @@ void view_run_ui(struct view *view, VkExtent2D size);
 
 /* ---- view_light_drag.c: light ---- */
 
-/* Rotates the lighting about the vertical axis. If `is_sun`, moves only the sun. `right` and `down`
- * are fractions of the window height. If the light cannot be rotated, shows why. */
+/* Rotates the lighting about the vertical axis. If `is_sun`, moves only the sun, also up and down.
+ * `right`, `down`: mouse movement in window heights. If the light cannot move, shows why. */
 void view_rotate_light(struct view *view, double right, double down, bool is_sun);
 
 void view_add_exposure(struct view *view, double stops); /* adds stops to the exposure */
@@ -178,8 +178,8 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
-/* Copies scene, settings and refraction model of a session to `state`, which borrows the strings.
- * After the viewport shows `state`, view_resume_session() restores camera, time and side B. */
+/* Copies a session's scene, settings and refraction model to `state`, which borrows the strings.
+ * The caller shows `state`; then view_resume_session() restores camera, time and side B. */
 void view_apply_session(const struct session_file *session, struct setup_image *state);
 MUST_USE enum status view_resume_session(struct view *view, const struct session_file *session);
 

@@ -155,8 +155,8 @@ static enum status draw_full_draft(struct view *v)
     return status;
 }
 
-/* Does one step of work before the next sample, such as creating draft renderers or drawing a
- * full-size draft. *drew is false if nothing was necessary. */
+/* Does one preparation before the next sample, for example creates the draft renderers or draws a
+ * full-size draft. Sets *drew to false if there is nothing to prepare. */
 static enum status prepare(struct view *v, bool *drew)
 {
     struct view_progressive *r = &v->progressive;

@@ -1,6 +1,6 @@
 /* view_progressive.h: progressive refinement: fast frames during interaction, samples at rest.
- * Samples accumulate until camera, time, settings or renderers change. Changes are found by
- * comparing values. */
+ * Samples accumulate until camera, time, settings or renderers change. Current and previous values
+ * are compared to find changes. */
 #ifndef FIRN_VIEW_VIEW_PROGRESSIVE_H
 #define FIRN_VIEW_VIEW_PROGRESSIVE_H
 

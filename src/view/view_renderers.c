@@ -126,8 +126,8 @@ struct renderer_params viewport_right_params(struct viewport *p)
     return params;
 }
 
-/* Loads a scene for side B, in the pose of side A, if the settings of side B require another scene.
- * Otherwise sets p->side_b_scene to NULL. The caller frees the previous scene. */
+/* Loads a separate scene for side B if its settings require one. The pose is copied from side A. If
+ * none is required, sets p->side_b_scene to NULL. The caller frees the previous scene. */
 static enum status make_right_scene(struct viewport *p)
 {
     struct setup_scene given = p->state.scene;
@@ -153,8 +153,8 @@ static enum status make_right_scene(struct viewport *p)
     return status;
 }
 
-/* Updates a renderer to new parameters. Creates a new renderer if there is none, or if memory is
- * too small for the old and the new plan at once. */
+/* Updates *renderer to new parameters. If there is none, creates a renderer. If memory is too small
+ * for the old and the new plan together, frees the old renderer first and creates a new one. */
 static enum status fit_renderer(const struct viewport *p, struct renderer_params params,
                                 struct renderer **renderer)
 {

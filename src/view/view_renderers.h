@@ -68,8 +68,8 @@ MUST_USE enum status viewport_upload(struct viewport *p);
 /* Creates the renderers, or resizes them. On failure, there are no renderers. */
 MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
 
-/* Applies settings and refraction model, and keeps the camera. *remade is true if the renderer was
- * replaced. Images from renderer_display_image() are then invalid. */
+/* Applies settings and refraction model; keeps the camera. If the renderer was replaced, sets
+ * *remade to true; images from renderer_display_image() are then invalid. */
 MUST_USE enum status viewport_change(struct viewport **viewport, const struct setup_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
@@ -86,8 +86,8 @@ MUST_USE enum status viewport_apply_state(struct viewport **viewport,
 /* Returns a copy of `settings` with the exposure replaced by that of `of`. */
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);
 
-/* Shows another refraction model as side B; NULL ends the split. Copies `settings`. If `settings`
- * is NULL, side B uses the settings of side A. On failure, nothing changes. */
+/* Shows a refraction model as side B. NULL ends the split. Copies `settings`. If `settings` is
+ * NULL, side B uses the settings of side A. On failure, nothing changes. */
 MUST_USE enum status viewport_split(struct viewport *p, const struct technique *refraction,
                                     const struct settings *settings);
 
@@ -99,8 +99,8 @@ MUST_USE enum status viewport_rotate_panorama(struct viewport *p, float degrees)
 /* Returns true if the camera has moved in such a way that viewport_rebuild() is required. */
 bool viewport_is_outgrown(struct viewport *p);
 
-/* Updates the renderers after a change of shaders or projection, or if viewport_is_outgrown(). On
- * failure, there are no renderers until viewport_resize() creates them. */
+/* Updates the renderers. Call this after a change of shaders or projection, and if
+ * viewport_is_outgrown(). On failure, frees them; viewport_resize() creates new renderers. */
 MUST_USE enum status viewport_rebuild(struct viewport *p);
 
 /* Returns true if the model is not animated or has the pose of `time`, seconds. */
@@ -144,9 +144,9 @@ uint32_t viewport_divider_column(const struct viewport *p);
 void viewport_camera_range(const struct viewport *p, float *nearest, float *farthest);
 
 struct signals;
-/* Renders the image with all samples and layers, as `firn render` does, and writes it with metadata
- * to each path. The extension selects the format. Of a split view, PNG files show both sides with
- * the divider; EXR files are written per side, as NAME-left.exr and NAME-right.exr. */
+/* Renders the image like `firn render`, with all samples and layers, and writes it to each path.
+ * The extension of a path selects the format. If the view is split, a PNG file shows both sides
+ * with the divider. Each side gets its own EXR file, NAME-left.exr and NAME-right.exr. */
 MUST_USE enum status viewport_save(struct viewport *p, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 

@@ -159,8 +159,8 @@ static enum status resize(void *user)
     return viewport_resize(v->viewport, v->requested_size);
 }
 
-/* Resizes the renderer to the image area. While the window's edge is dragged, scales the last image
- * instead, because replacing the renderer takes longer than a frame. */
+/* Resizes the renderer to the image area. During a drag of the window's edge, the last image is
+ * scaled instead, because a new renderer takes longer than a frame. */
 static enum status fit_image(struct view *v, bool window_changed)
 {
     const struct viewport *p = v->viewport;
@@ -368,8 +368,8 @@ static enum status run_frame(struct view *v)
     return v->frame_stats.frame_count == 1 ? view_progressive_begin(v) : STATUS_OK;
 }
 
-/* Performs the slow part of the first frame on the worker thread. Creates the renderers and draws
- * once to compile the shaders. */
+/* Prepares the first frame on the worker thread, because this is slow. Creates the renderers and
+ * draws once to compile the shaders. */
 static enum status warm_up(void *user)
 {
     struct view *v = user;

@@ -1,6 +1,6 @@
 /*
- * surroundings.c: passes that draw the surroundings and, behind these, the sky or environment map.
- * The passes run after the ice is drawn, so pixels hidden by ice cost only a depth test.
+ * surroundings.c: passes that draw the surroundings, and behind them the sky or environment map.
+ * The passes run after the ice is drawn, because pixels hidden by ice then cost only a depth test.
  */
 #include "src/tech/surroundings/surroundings.h"
 #include "shaders/brdf.h"

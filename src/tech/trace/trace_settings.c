@@ -164,9 +164,9 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
 }
 
-/* Minimum throughput for trace.min_branch=auto. The value for clear objects is below 0.018, the
- * reflectance of ice at normal incidence, because paths must follow their first reflection. In
- * other scenes it would cost 1.5 times the time or show errors of the cube map. */
+/* Minimum throughput of paths for trace.min_branch=auto. For clear objects it is below 0.018, the
+ * reflectance of ice at normal incidence, because paths must follow their first reflection. Other
+ * scenes need more, because a low value is up to 1.5 times slower or shows cube map errors. */
 static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)

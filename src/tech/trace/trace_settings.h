@@ -32,15 +32,15 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
 bool trace_has_diffuse_light(const struct scene *scene, const struct settings *settings);
 
 /* Returns true if rays that leave the objects are traced to the triangles of the surroundings.
- * trace.surroundings=auto chooses this for traced lighting, several objects, objects that are
- * scattering, textured or partly opaque, and surroundings near the objects. */
+ * trace.surroundings=auto traces them for traced lighting, for several objects and for near
+ * surroundings. It also traces them for objects that scatter, are textured or are partly opaque. */
 bool trace_hits_surroundings(const struct scene *scene, const struct settings *settings);
 
 /* Returns true if objects or surroundings may rotate. */
 bool trace_has_motion(const struct settings *settings);
 
-/* Returns the minimum throughput of internal reflections, set by trace.min_branch. `auto` selects a
- * lower value if all objects are clear and rays hit the surroundings. */
+/* Returns the minimum throughput of internal reflections, from the setting trace.min_branch. `auto`
+ * means a lower value if all objects are clear and rays hit the surroundings. */
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings);
 
 #endif

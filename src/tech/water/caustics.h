@@ -8,8 +8,8 @@
  * level water. */
 extern const struct rg_image caustics_light;
 
-/* AOV layer of sunlight on the visible ground; 0 without ground. Pools: relative to sunlight below
- * level water. Other scenes: relative to sunlight without the ice. */
+/* AOV layer of sunlight on the visible ground; 0 where there is no ground. In pools, 1 is the
+ * sunlight below level water. In other scenes, 1 is the sunlight without the ice. */
 extern const struct rg_image caustics_layer;
 
 extern const struct technique caustics;              /* passes depend on the method */

@@ -1,7 +1,7 @@
 /*
  * pool_parameters.c: settings of a pool of water: waves, ground, floating ice. water.c draws the
- * pool; caustics.c lights it. Default absorption is that of pure water at 650, 550 and 450 nm (Pope
- * and Fry 1997).
+ * pool; caustics.c lights it. The default absorption is measured for pure water at 650, 550 and 450
+ * nm (Pope and Fry 1997).
  */
 #include "src/tech/water/pool_parameters.h"
 #include "src/tech/frame_resources.h"

@@ -1,5 +1,5 @@
-/* comparison_image.h: fixed image in an A/B comparison. It comes from an image file, the path
- * tracer or an error map. Errors are logged before they are returned. */
+/* comparison_image.h: still image shown in an A/B comparison. It is an image file, a path-traced
+ * image or an error map. All functions log their errors. */
 #ifndef FIRN_VIEW_COMPARE_COMPARISON_IMAGE_H
 #define FIRN_VIEW_COMPARE_COMPARISON_IMAGE_H
 

@@ -1,6 +1,6 @@
-/* flip_error_map.h: per-pixel FLIP error of two images, computed on a worker thread. FLIP compares
- * displayed colours, so the images are tone-mapped first. For PNG files, `firn diff` computes the
- * same error. */
+/* flip_error_map.h: per-pixel FLIP error of two images, computed on a worker thread. The images are
+ * tone-mapped first, because FLIP compares displayed colours. `firn diff` computes equal errors for
+ * PNG files. */
 #ifndef FIRN_VIEW_COMPARE_FLIP_ERROR_MAP_H
 #define FIRN_VIEW_COMPARE_FLIP_ERROR_MAP_H
 
@@ -34,9 +34,9 @@ struct flip_error_map {
 
 void flip_error_map_finish(struct flip_error_map *map); /* waits for the thread; {0} works */
 
-/* Starts to compute the error of the first image relative to the second. Copies the images, which
- * must have the same size. Must not be called
- * while a computation is running. Returns false if out of memory. */
+/* Starts to compute the error of sides[0] relative to sides[1]. Copies both images, which must have
+ * equal sizes. Must not be called while a computation is running. Returns false if out of memory.
+ */
 bool flip_error_map_begin(struct flip_error_map *map,
                           const struct flip_error_map_image sides[static 2]);
 

@@ -24,8 +24,8 @@ struct reference_job {
     double taken_noise;
 };
 
-/* Starts to trace a view of a scene. The scene must not change before reference_job_stop(). Must
- * not be called while a job is running. If no thread can be started, logs and returns false. */
+/* Starts to path-trace a view of a scene, which must not change before reference_job_stop(). Must
+ * not be called during a job. If no thread can start, logs an error and returns false. */
 bool reference_job_begin(struct reference_job *t, const struct reference_request *request,
                          const struct renderer_shot *shot);
 

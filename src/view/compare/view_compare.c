@@ -26,8 +26,8 @@ static bool is_at_rest(const struct view *v)
 
 /* ---- choice of side B ---- */
 
-/* Returns the default refraction model of side B. The option --split can specify it. Otherwise it
- * is the last (most exact) model, or the first one if side A already uses the last. */
+/* Returns the default refraction model of side B: the one given by --split, otherwise the last
+ * (most exact) model. If side A already uses the last model, returns the first. */
 static const struct technique *side_b_refraction(const struct view *v)
 {
     const struct technique *last = NULL, *next;

@@ -89,8 +89,8 @@ static void set_theme(float scale, const theme &theme)
     style.WindowMinSize = ImVec2(1.0f, 1.0f); /* Dear ImGui rejects less */
 }
 
-/* Gives the initial focus to Dear ImGui's fallback window in an empty frame, then clears the focus.
- * Otherwise Dear ImGui would focus the first panel. */
+/* Prevents Dear ImGui from focusing the first panel. An empty frame gives the initial focus to Dear
+ * ImGui's fallback window; then the focus is cleared. */
 static void lose_first_focus()
 {
     ImGui::GetIO().DisplaySize = ImVec2(1.0f, 1.0f);

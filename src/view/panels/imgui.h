@@ -67,8 +67,8 @@ struct imgui_input {
 
 struct imgui;
 
-/* Creates the only Dear ImGui context. An empty font path selects the built-in bitmap font. Returns
- * NULL if out of memory. Next, call imgui_rescale(). */
+/* Creates the only Dear ImGui context; call imgui_rescale() next. If the font path is empty, the
+ * built-in bitmap font is used. Returns NULL if out of memory. */
 struct imgui *imgui_create(const struct system_font *font);
 
 /* Thumbnails for imgui_thumbnail_button() buttons. */
@@ -87,15 +87,15 @@ bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
 void imgui_destroy(struct imgui *ui);                              /* may be NULL */
 
-/* Returns the font atlas as RGBA. Letters are white with coverage in alpha; thumbnails are opaque.
- * The atlas is valid until imgui_rescale() or imgui_destroy(). */
+/* Returns the font atlas as RGBA pixels. Letters are white, with coverage in alpha. Thumbnails are
+ * opaque. The pixels are valid until imgui_rescale() or imgui_destroy(). */
 const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
 
 void imgui_begin(struct imgui *ui, const struct imgui_input *input);
 void imgui_end(struct imgui *ui);
 
-/* Writes the last frame's draw list to buffers of OVERLAY_*_COUNT elements. If these are too small,
- * omits the rest of the list and returns false. */
+/* Writes the last frame's draw list to buffers of OVERLAY_*_COUNT elements. If the list does not
+ * fit, omits its end and returns false. */
 bool imgui_copy_draw_list(const struct imgui *ui, struct overlay_vertex *vertices,
                           uint32_t *indices, struct overlay_draw_list *list);
 
@@ -166,8 +166,8 @@ bool imgui_small_button(const char *label);
 bool imgui_choice_button(const char *label, bool chosen); /* one of exclusive buttons */
 bool imgui_selectable(const char *label, bool chosen);    /* row as wide as the panel */
 
-/* Draws one of several exclusive buttons, with a thumbnail above its label unless its index is out
- * of range; `width` in pixels. */
+/* Draws one of several exclusive buttons, `width` pixels wide. A thumbnail is above the label. If
+ * the index `thumbnail` is out of range, draws only the label. */
 bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen);
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */

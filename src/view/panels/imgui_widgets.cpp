@@ -70,8 +70,8 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Records the last widget for imgui_items(), with its label up to "##". If at most 2 characters
- * precede "##", records the label after "##" instead. */
+/* Records the last widget for imgui_items(). Its name is the part of `label` before "##". If that
+ * part has at most 2 characters, its name is the part after "##". */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -146,8 +146,8 @@ void imgui_next_width(float width)
     ImGui::SetNextItemWidth(width);
 }
 
-/* Gives the next text field the focus. In Dear ImGui 1.90, SetKeyboardFocusHere() fails if another
- * panel has the focus. Therefore focus() sets the focus after the field is drawn. */
+/* Gives the next text field the focus. In Dear ImGui 1.90, SetKeyboardFocusHere() fails if a
+ * different panel has the focus. Therefore focus() sets the focus after the field is drawn. */
 void imgui_next_focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900

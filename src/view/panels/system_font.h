@@ -13,8 +13,8 @@ struct system_font {
     int index; /* index of the font face */
 };
 
-/* Finds the scalable font that fontconfig prefers for `family` ("sans", "monospace"). If there is
- * none, or in a build without fontconfig, zeroes *font and returns false. */
+/* Finds the scalable font that fontconfig prefers for `family` ("sans", "monospace"). If no font is
+ * found, or without fontconfig in the build, zeroes *font and returns false. */
 bool system_font_find(struct system_font *font, const char *family);
 
 #endif

@@ -1,6 +1,6 @@
-/* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. The contrast
- * with the background is at least 4.5 for text, and at least 3 for marks and borders. These are the
- * limits of WCAG 2.1 (1.4.3, 1.4.11). */
+/* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. Contrast with
+ * the background is at least 4.5 for text. For marks and borders, the contrast is at least 3. WCAG
+ * 2.1 requires these limits (1.4.3, 1.4.11). */
 #ifndef FIRN_VIEW_PANELS_THEME_H
 #define FIRN_VIEW_PANELS_THEME_H
 

@@ -224,8 +224,8 @@ bool ui_toggle(struct ui *ui, enum view_action action)
 
 /* ---- input ---- */
 
-/* Handles a click on the image. If the inspector is open, a click without a drag pins the pixel
- * under the cursor, or unpins a pinned pixel. */
+/* Handles a click on the image. If the inspector is open, a click pins the pixel under the cursor
+ * or unpins the pinned pixel. A drag does neither. */
 static void handle_click(struct ui *ui, bool down)
 {
     const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);

@@ -1,5 +1,5 @@
 /* ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
- * shortcuts. Input events go to ui_handle_event() first, which consumes those meant for panels.
+ * shortcuts. Input events must go to ui_handle_event() first, which consumes events for panels.
  * Hidden panels cost no time and consume no events. */
 #ifndef FIRN_VIEW_PANELS_UI_H
 #define FIRN_VIEW_PANELS_UI_H
@@ -19,7 +19,7 @@
 struct ui;
 
 /* Creates the user interface. `scale` multiplies all sizes. `thumbnails` must outlive the ui. Logs
- * errors. Unless `quiet`, also logs if only the built-in font is available. */
+ * errors. If only the built-in font is available, logs this unless `quiet`. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
                                const struct theme *theme, const struct ui_thumbnails *thumbnails,
                                bool quiet);
@@ -34,8 +34,8 @@ bool ui_is_shown(const struct ui *ui);
 bool ui_is_busy(const struct ui *ui);
 
 bool ui_drags_image(const struct ui *ui); /* the user drags the image */
-/* Returns true if this frame can reuse the drawn panels, because the user drags the image and the
- * panels were updated recently. A drag changes only the frame times that the panels show. */
+/* Returns true if this frame can show the previous panels unchanged. This needs a drag of the image
+ * and recently drawn panels. A drag changes nothing in the panels except frame times. */
 bool ui_can_skip_frame(const struct ui *ui, double now);
 
 /* Changes the scale and rebuilds the font atlas. No frame in flight may use the old font atlas. */
@@ -43,8 +43,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Sets the path of a text file for scripts. It has one line for each visible widget: left, top,
- * width and height in pixels, and the label. For each action, a line "0 0 0 0" has its count. */
+/* Sets the path of a text file that scripts read. Each visible widget has a line: left, top, width
+ * and height in pixels, then the label. Each action has a line "0 0 0 0" and its count. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -116,7 +116,7 @@ void ui_set_error(struct ui *ui, const char *message);
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
 /* Copies vertices and indices to buffers of OVERLAY_*_COUNT elements. Returns the draw list, which
- * the ui owns. The draw list is empty while the panels are hidden. */
+ * `ui` owns. The list is empty while the panels are hidden. */
 const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_vertex *vertices,
                                                   uint32_t *indices);
 

@@ -8,8 +8,8 @@
 
 #define UI_THUMBNAIL_NONE UINT32_MAX
 
-/* Thumbnails of the material presets and refraction models that the sheets contain. If there are no
- * thumbnails, `list.count` is 0 and buttons show only labels. */
+/* Thumbnails of material presets and refraction models. If no thumbnails are installed,
+ * `list.count` is 0 and the buttons show only labels. */
 struct ui_thumbnails {
     struct imgui_thumbnails list;
     uint8_t *rgba; /* texels of `list` */

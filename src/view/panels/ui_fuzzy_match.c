@@ -82,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Returns the match distance if `text` contains the letters of `word` in order, beginning at a word
- * start of `text`. Returns UI_FUZZY_MATCH_NONE if not, or if too many letters are skipped. */
+/* Finds the letters of `word` in order in `text`, from a word start. Ignores word[wrong]. Returns
+ * the number of skipped letters. If not found or too many, returns UI_FUZZY_MATCH_NONE. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_FUZZY_MATCH_NONE;

@@ -4,8 +4,8 @@
 
 #include "src/view/panels/ui.h"
 
-/* Renders the window's contents with the panels. *rgba has the window's size; the caller frees it.
- * On failure, logs and sets *rgba to NULL. */
+/* Renders the window's contents with the panels to *rgba, which has the size of the window. The
+ * caller frees *rgba. On failure, logs an error and sets *rgba to NULL. */
 MUST_USE enum status ui_screenshot(const struct presenter *presenter,
                                    const struct viewport *viewport,
                                    const struct window_frame *frame, struct ui *ui, uint8_t **rgba);

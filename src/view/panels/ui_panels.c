@@ -296,8 +296,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
     ui->focus_search = false;
 }
 
-/* Draws the shortcut list in the middle of the window, in two columns if these fit. In windows of
- * small height, rows are closer together, and the list scrolls if necessary. */
+/* Draws the shortcut list in the middle of the window. In narrow windows it has one column instead
+ * of two. In low windows, its rows are closer together. If it still does not fit, it scrolls. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
     const char *name;

@@ -191,8 +191,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the time at the top of the chart in milliseconds: the longest frame time, but at most 3
- * times the median. Shader compilation may make a single frame extremely long. */
+/* Returns the time at the top of the chart, milliseconds. This is the longest frame time, limited
+ * to 3 times the median, because shader compilation can make a single frame extremely long. */
 static double height_of(const struct ui_pass_times *times, uint32_t count, double most)
 {
     double sums[UI_PASS_TIMES_FRAME_COUNT];

@@ -35,8 +35,8 @@ struct ui_pass_times {
 /* Returns a hash of a pass name. A pass has the same hash, and thus colour, in all plans. */
 uint32_t ui_pass_times_key(const char *name);
 
-/* Adds the pass times of a frame. Times that are missing or already added are ignored. If the plan
- * has changed, the means restart; the history remains. */
+/* Adds the pass times of a frame. Ignores missing times and times that are already added. If the
+ * plan has changed, restarts the means but keeps the history. */
 void ui_pass_times_add(struct ui_pass_times *times, const struct rg_plan *plan,
                        const struct rg_times *frame);
 

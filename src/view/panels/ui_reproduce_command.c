@@ -115,8 +115,8 @@ static bool has_default_inclusions(const struct settings *settings)
     return false;
 }
 
-/* Prints options for a refractive index that differs from the scene's own. For model files, a given
- * --material is always printed, because it also selects the refractive parts of the model. */
+/* Prints options for the refractive index if it differs from the scene's own index. For model
+ * files, always prints a given --material, because it also selects the model's refractive parts. */
 static void print_ior(FILE *out, const struct ui_render_command *c)
 {
     const struct setting *row =

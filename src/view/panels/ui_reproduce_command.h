@@ -1,6 +1,6 @@
-/* ui_reproduce_command.h: prints a `firn render` command, quoted for a shell, that reproduces the
- * viewer's image. A split view is reproduced as side A only. With env_cube.dynamic=off, the
- * environment cube may differ, because the viewer may have drawn it at another scene time. */
+/* ui_reproduce_command.h: prints a shell command, `firn render`, that reproduces the viewer's
+ * image. Of a split view, only side A is reproduced. With env_cube.dynamic=off, the environment
+ * cube may differ, because the viewer may have drawn it at an earlier or later scene time. */
 #ifndef FIRN_VIEW_PANELS_UI_REPRODUCE_COMMAND_H
 #define FIRN_VIEW_PANELS_UI_REPRODUCE_COMMAND_H
 
@@ -13,8 +13,8 @@ struct ui_render_command {
     float time; /* scene time, seconds */
 };
 
-/* Returns the command as one line, malloc'd, without newline. If out of memory, logs and returns
- * NULL. A rolled camera is printed level, with a warning, because no option describes roll. */
+/* Returns the command as one line without newline; the caller frees it. If out of memory, logs an
+ * error and returns NULL. If the camera is rolled, warns, because no option sets the roll. */
 char *ui_render_command_print(const struct ui_render_command *command);
 
 #endif

@@ -163,8 +163,8 @@ static bool parse_transform(struct session_file *s, const char *name, const char
     return true;
 }
 
-/* Parses an entry that is not a setting. Returns false if `name` is unknown. If `value` is invalid,
- * sets *expected to a description of valid values, otherwise to NULL. */
+/* Parses an entry of a session file that is not a setting. Returns false if `name` is unknown. If
+ * `value` is invalid, *expected describes valid values; otherwise *expected is NULL. */
 static bool parse_own(struct session_file *s, const char *name, char *value, const char **expected)
 {
     *expected = NULL;

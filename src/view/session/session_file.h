@@ -31,8 +31,8 @@ struct session_file {
     float time; /* scene time, seconds */
 };
 
-/* Parses `lines` and takes ownership of them. `path` is the file name in messages. On failure, logs
- * an error, returns STATUS_DATA and zeroes *session. */
+/* Parses a session file and takes ownership of `lines`. `path` is the file name in messages. On
+ * failure, logs an error, zeroes *session and returns STATUS_DATA. */
 MUST_USE enum status session_file_parse(struct session_file *session, struct preset *lines,
                                         const char *path);
 

@@ -15,8 +15,8 @@ struct undo_scene {
     char *name, *environment; /* strings of `state`, owned */
 };
 
-/* Saves the viewport's scene under a number. Replaces an older scene with that number. If out of
- * memory, logs and returns STATUS_TRY_AGAIN. */
+/* Saves the viewport's scene under `number`. Replaces any older scene with this number. If out of
+ * memory, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status undo_scenes_add(struct undo_scene **list, uint32_t number,
                                      const struct viewport *now);
 

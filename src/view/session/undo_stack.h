@@ -1,6 +1,6 @@
 /* undo_stack.h: undo stack of the viewer's settings, refraction model and comparison. Each entry is
- * a whole state. States do not include panels. The camera is restored only if undo returns to
- * another scene (undo_scenes.h). */
+ * a complete state, but without the panels. Undo restores the camera only if it returns to a
+ * different scene (undo_scenes.h). */
 #ifndef FIRN_VIEW_SESSION_UNDO_STACK_H
 #define FIRN_VIEW_SESSION_UNDO_STACK_H
 
@@ -45,8 +45,8 @@ struct undo_stack {
 
 bool undo_stack_same_state(const struct view_state *a, const struct view_state *b);
 
-/* Pushes a state and drops all states that could be redone. A state with the same nonzero `gesture`
- * replaces the newest state, so that undo reverts a whole slider drag in one step. */
+/* Pushes a state and drops all states that could be redone. If the newest state has an equal,
+ * nonzero `gesture`, replaces it, because one undo must revert a whole slider drag. */
 void undo_stack_push(struct undo_stack *h, const struct view_state *state, uint32_t gesture);
 
 /* Makes the previous state current and returns this state. Returns NULL if there is none. */

@@ -132,8 +132,8 @@ void view_load_session(struct view *v, const char *path)
     view_frame_stats_exclude(&v->frame_stats, start);
 }
 
-/* Returns the absolute path of a file, which does not depend on the current folder. Returns a
- * built-in name unchanged, as a copy. Returns NULL if out of memory. */
+/* Returns the absolute path of a file, because the current folder may change. Returns a copy of
+ * `name` if it is a built-in name. Returns NULL if out of memory. */
 static char *absolute_name(const char *name)
 {
     const bool is_file = !scene_find_builtin(name) && !asset_find(name, ASSET_SCENE) &&

@@ -1,12 +1,12 @@
-/* xdg_folders.h: folders of the viewer's own files (XDG), and the next file in a folder. Strings
- * are malloc'd; the caller frees them. */
+/* xdg_folders.h: paths of the viewer's own folders (XDG) and of files in a folder. Functions that
+ * return a string allocate it; the caller frees it. */
 #ifndef FIRN_VIEW_SESSION_XDG_FOLDERS_H
 #define FIRN_VIEW_SESSION_XDG_FOLDERS_H
 
 #include <stdbool.h>
 
-/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets". With `make`, creates it. Returns
- * NULL, without logging, if HOME is not set, creation fails or memory runs out. */
+/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets". If `make`, creates the folder. On
+ * failure, also if HOME is not set, returns NULL without logging. */
 char *user_files_presets(bool make);
 
 char *user_files_sessions(bool make); /* folder of session files, "$XDG_DATA_HOME/firn/sessions" */
@@ -20,8 +20,8 @@ char *user_files_new(const char *folder, const char *stem, const char *ending);
 /* Sorts the files with `endings` by name. Returns the path of file i, or NULL after the last. */
 char *user_files_at(const char *folder, const char *const *endings, unsigned i);
 
-/* Returns the next (`step` 1) or previous (-1) model file in the folder of `path`, in cyclic order
- * of names. Built-in scenes form a cycle of their own. Returns NULL if there is no other model. */
+/* Returns the model file after (`step` 1) or before (-1) `path` in its folder, in cyclic order of
+ * names. Built-in scenes form a separate cycle. Returns NULL if there is no further model. */
 char *user_files_next_model(const char *path, int step);
 
 #endif

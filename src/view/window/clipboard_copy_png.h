@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* Copies a PNG file to the clipboard. The program wl-copy (Wayland) or xclip (X11) keeps running to
- * serve paste requests. Returns false, without logging, if the program is missing or fails. */
+/* Copies a PNG file to the clipboard through wl-copy (Wayland) or xclip (X11). The program keeps
+ * running to serve paste requests. If it fails or is missing, returns false without logging. */
 bool clipboard_copy_png(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
 /* glfw_x11_workarounds.c: sets background and gravity of GLFW's X11 windows, and handles X errors.
- * Without a background, newly exposed areas flash in the window manager's colour. X11 symbols are
+ * Without a background, newly exposed areas flash in the window manager's colour. X11 functions are
  * looked up at run time, because GLFW may be built without X11. */
 #include "src/view/window/glfw_x11_workarounds.h"
 #ifdef WINDOW_X11

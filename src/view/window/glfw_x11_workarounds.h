@@ -10,9 +10,9 @@ struct GLFWwindow;
  * window is resized. */
 void window_x11_background(struct GLFWwindow *window, uint32_t color);
 
-/* Installs an X error handler that lets the program continue. By default, Xlib exits, for instance
- * if the source window of a drag and drop is gone. Call this before each event poll, because GLFW
- * 3.3 occasionally restores the old handler. */
+/* Makes X errors no longer end the program. Xlib's default handler exits, for instance if the
+ * source window of a drag and drop is gone. Call this before each event poll, because GLFW 3.3
+ * sometimes restores the old handler. */
 void window_x11_ignore_errors(void);
 
 #endif

@@ -146,8 +146,8 @@ static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
         fill(cmd, frame, parts[i], p->surround);
 }
 
-/* Draws the margins, and the left image if it is scaled. One pass draws both, because on llvmpipe
- * every pass over a window-sized image costs time, even if nothing is drawn. */
+/* Draws the margins. If the left image is scaled, draws it too. Both share one pass, because on
+ * llvmpipe each pass over a window-sized image costs time, even if it draws nothing. */
 static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     surround(cmd, frame);

@@ -43,8 +43,8 @@ struct present_tables {
     struct rg_technique technique;
 };
 
-/* Fits an image of size `image` into the non-empty rectangle `view`. The image keeps its aspect
- * ratio. `divider` is a fraction of the image width, negative if there is no split view. */
+/* Fits an image of size `image` into the non-empty rectangle `view`. Keeps the aspect ratio.
+ * `divider` is a fraction of the image width; negative without a split view. */
 struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);

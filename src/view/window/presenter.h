@@ -46,15 +46,15 @@ MUST_USE enum status presenter_init(struct presenter *s, struct gpu *gpu, VkSurf
                                     VkPresentModeKHR mode);
 void presenter_finish(struct presenter *s); /* {0} and half-built are fine */
 
-/* Recreates the swapchain if it is stale or `size` has changed. *remade is then true, and
- * presenter_connect() must follow. If swapchain.stale is still true, nothing can be presented. */
+/* Recreates the swapchain if it is stale or `size` has changed. If *remade becomes true, call
+ * presenter_connect() next. If swapchain.stale stays true, nothing can be presented. */
 MUST_USE enum status presenter_fit(struct presenter *s, VkExtent2D size, bool *remade);
 
 /* Sets the user interface's font atlas (may be NULL). presenter_connect() must follow. */
 void presenter_set_font(struct presenter *s, const struct gpu_image *font);
 
-/* Sets the images to present, which must be ready for sampling. Without a split view, `right` must
- * equal `left`. Must not be called between presenter_begin() and presenter_end(). */
+/* Sets the images to present, which must be ready for sampling. If the view is not split, `right`
+ * must equal `left`. Must not be called between presenter_begin() and presenter_end(). */
 MUST_USE enum status presenter_connect(struct presenter *s, const struct presenter_images *images);
 
 /* Waits for the frames in flight and releases the images. */

@@ -1,6 +1,6 @@
-/* ui_overlay.c: passes that draw the user interface over the swapchain image as textured triangles.
- * Alpha blending is intended for sRGB-encoded values. If the swapchain format encodes sRGB on
- * write, blending is linear instead, and half-transparent panels look slightly lighter. */
+/* ui_overlay.c: passes that draw the user interface over the swapchain image, as textured
+ * triangles. Colours are meant to be blended sRGB-encoded. If the swapchain format encodes sRGB on
+ * write, blending is linear and half-transparent panels look slightly lighter. */
 #include "src/view/window/ui_overlay.h"
 #include <string.h>
 #include "shaders/embedded.h"

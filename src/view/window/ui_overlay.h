@@ -1,7 +1,7 @@
-/* ui_overlay.h: technique that draws the user interface over the image, after `present`. The caller
- * sets the draw list rg_frame.overlay and fills the vertex and index buffers before each frame.
- * Docked panels are cached as an image, which is copied into each frame. The cached image is
- * redrawn only when window_frame.panels_are_outdated is set. */
+/* ui_overlay.h: technique that draws the user interface over the image, after `present`. Before
+ * each frame, the caller sets the draw list rg_frame.overlay and fills the vertex and index
+ * buffers. Docked panels are cached as an image, which is copied into each frame. The cached image
+ * is redrawn only if window_frame.panels_are_outdated is set. */
 #ifndef FIRN_VIEW_WINDOW_UI_OVERLAY_H
 #define FIRN_VIEW_WINDOW_UI_OVERLAY_H
 #include "src/tech/technique.h"
@@ -22,8 +22,8 @@ struct overlay_tables {
     struct rg_technique technique;
 };
 
-/* Initialises the tables. `copies` is true if window images support transfer writes. Docked panels
- * are then cached; otherwise all panels are drawn in each frame. */
+/* Initialises the tables. `copies` is true if window images support transfer writes. If `copies`,
+ * docked panels are cached. Otherwise each frame draws all panels. */
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies);
 
 extern const struct rg_image overlay_font;      /* font atlas and thumbnails */

@@ -236,8 +236,8 @@ static void on_minimise(GLFWwindow *handle, int minimised)
     on_refresh(handle);
 }
 
-/* Queries the size from the window system. Too slow for every frame, because the reply comes only
- * after all earlier requests are processed. */
+/* Queries the window size from the window system. This is too slow for every frame, because the
+ * reply comes only after all earlier requests are processed. */
 static void query_size(struct window *w)
 {
     int width;
@@ -305,8 +305,8 @@ static VkExtent2D without_frame(struct window *w, VkExtent2D room)
                : room;
 }
 
-/* Connects to the window system. Without a Wayland session, requests X11. Otherwise GLFW 3.4 would
- * also try Wayland, and the Wayland library would print an error. */
+/* Connects to the window system. Requests X11 if there is no Wayland session, because GLFW 3.4
+ * would otherwise also try Wayland, and the Wayland library would print an error. */
 static bool connect_system(void)
 {
 #ifdef GLFW_PLATFORM

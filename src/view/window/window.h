@@ -1,7 +1,7 @@
 /*
  * window.h: platform window on GLFW: creation, input events, full screen, Vulkan surface. Only
- * window.c and glfw_x11_workarounds.c call GLFW. Errors are logged with GLFW's description and
- * returned as STATUS_NO_DEVICE.
+ * window.c and glfw_x11_workarounds.c call GLFW. Functions that fail log GLFW's description and
+ * return STATUS_NO_DEVICE.
  */
 #ifndef FIRN_VIEW_WINDOW_WINDOW_H
 #define FIRN_VIEW_WINDOW_WINDOW_H
@@ -78,7 +78,7 @@ struct window {
 };
 
 /* Callback that returns the window size in pixels. `scale` is the scale of the user interface.
- * `room` is the available work area, 0x0 if unknown. */
+ * `room` is the work area of the desktop, in pixels; 0x0 if unknown. */
 typedef VkExtent2D window_fit_fn(void *user, float scale, VkExtent2D room);
 
 struct window_params {
@@ -88,8 +88,8 @@ struct window_params {
     uint32_t background; /* colour of undrawn areas, 0xRRGGBB */
 };
 
-/* Opens the window and shows it empty at once. `fit` chooses the framebuffer size, but the desktop
- * may change the size. *window must not be moved afterwards. */
+/* Opens the window and shows it empty at once. `fit` chooses the framebuffer size; the desktop may
+ * override this size. *window must not be moved afterwards. */
 MUST_USE enum status window_init(struct window *window, const struct window_params *params);
 
 void window_set_background(struct window *window, uint32_t color);

@@ -6,9 +6,9 @@
 
 typedef enum status worker_fn(void *user);
 
-/* Runs `work` on a worker thread and handles window events until `work` returns. Returns the status
- * of `work`. If the user closes the window, hides the window at once. `work` must not access the
- * window, and no other thread may access the data of `work`. */
+/* Runs `work` on a worker thread, handles window events meanwhile, and returns the status of
+ * `work`. If the user closes the window, hides the window at once. `work` must not access the
+ * window. No other thread may access the data of `work`. */
 MUST_USE enum status worker_run(struct window *window, worker_fn *work, void *user);
 
 #endif
