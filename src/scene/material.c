@@ -1,5 +1,5 @@
-/* material.c: glTF's default material, and the table of refractive index presets (Fernando and
- * Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel, Nivfors 2006). */
+/* material.c: glTF's default material, and a table of refractive indices (Fernando and Kilgard
+ * 2003, The Cg Tutorial, table 7-1; for ice: Seipel and Nivfors 2006). */
 #include "src/scene/material.h"
 #include <cglm/struct.h>
 #include <float.h>

@@ -42,8 +42,8 @@ struct material_texture {
 };
 
 /* Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular
- * and _emissive_strength. The medium behind a transmissive surface transmits attenuation_color ^
- * (length / attenuation_distance) per channel. */
+ * and _emissive_strength. If the surface is transmissive, the medium behind it transmits
+ * attenuation_color ^ (length / attenuation_distance) per channel. */
 struct material {
     char name[MATERIAL_NAME_SIZE];
     uint32_t flags;

@@ -14,9 +14,9 @@ struct material_override {
  * Returns NULL when out of memory. */
 char *material_override_names(const struct material_override *all, uint32_t count);
 
-/* Assigns materials to a model's objects by name. Later overrides win. Names without a match are
- * ignored. Sets the model's refractive index to that of its first object. Logs and returns
- * STATUS_DATA for too many materials, or STATUS_TRY_AGAIN when out of memory. */
+/* Assigns materials to a model's objects by name. Later overrides win. Unknown names are ignored.
+ * Sets the model's refractive index to that of the first object. On failure, logs an error and
+ * returns STATUS_DATA (too many materials) or STATUS_TRY_AGAIN (out of memory). */
 MUST_USE enum status material_override_apply(struct model *model,
                                              const struct material_override *all, uint32_t count);
 

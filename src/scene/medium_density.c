@@ -11,8 +11,8 @@ enum {
     COUNT = SIZE * SIZE * SIZE,
 };
 
-/* Returns the density, 0 to 1, of needle-shaped bubbles. Needles point to the centre, in the
- * direction of freezing. `position` is relative to the object's box, -1 to 1 per axis. */
+/* Returns the density, 0 to 1, of needle-shaped bubbles. The needles point to the centre, because
+ * ice freezes in that direction. `position` is relative to the object's box, -1 to 1 per axis. */
 static float needle_density(vec3s position, float depth)
 {
     const vec3s dir = glms_vec3_scale(glms_vec3_normalize(position), 7.0f);

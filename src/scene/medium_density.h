@@ -1,6 +1,6 @@
-/* medium_density.h: density fields of tiny bubbles in ice (shaders/inclusions/medium_density.h). An
- * object has one if its material or the settings say so. Density grows with depth, since freezing
- * pushes air towards the core. */
+/* medium_density.h: density fields of tiny bubbles in ice (shaders/inclusions/medium_density.h).
+ * The material or the settings give an object such a field. Density grows with depth, because
+ * freezing ice pushes air towards the core. */
 #ifndef FIRN_SCENE_SCATTERING_MEDIA_H
 #define FIRN_SCENE_SCATTERING_MEDIA_H
 
@@ -20,13 +20,13 @@ struct scattering_media {
     struct scattering_medium all[MEDIUM_MAX];
     uint32_t count;
     uint32_t left_out; /* objects beyond MEDIUM_MAX, rendered as clear */
-    /* densities, 0 to 255, MEDIUM_SIZE^3 texels per medium, x fastest. Byte 0 is for the texel, and
-     * byte 1 for the next texel along z. Owned; NULL before scattering_media_fill(). */
+    /* densities, 0 to 255, of MEDIUM_SIZE^3 texels per medium, x fastest. Byte 0 is the density of
+     * the texel, byte 1 that of the next texel in z. Owned; NULL before scattering_media_fill(). */
     uint8_t (*texels)[2];
 };
 
-/* Finds the objects whose material scatters light. Makes no texels. If `is_asked`, also includes
- * the first object, with the settings' optical depth if the object's material has none. */
+/* Finds the objects whose materials scatter light. Generates no texels. If `is_asked`, includes the
+ * first object, too. If its material sets no optical depth, the settings do. */
 struct scattering_media scattering_media_find(const struct model *model, bool is_asked);
 
 /* Generates the texels. Returns false when out of memory. */

@@ -1,6 +1,6 @@
-/* mip_levels.h: generates mip levels of square images on the CPU. All machines get equal rounding,
- * and no shader is compiled before the first frame. Levels are stored from `side` texels down to
- * one, each with all array layers. */
+/* mip_levels.h: generates mip levels of square images on the CPU. All machines thus round alike,
+ * and the first frame needs no shader for it. Levels are stored from `side` texels down to one.
+ * Each level contains all array layers. */
 #ifndef FIRN_SCENE_MIP_LEVELS_H
 #define FIRN_SCENE_MIP_LEVELS_H
 
@@ -16,8 +16,8 @@ struct mip_levels {
 /* Returns the number of values in all levels. */
 size_t mip_levels_count(const struct mip_levels *mip_levels);
 
-/* Fills all levels after the first by box filtering, first horizontally, then vertically. Half
- * floats are rounded towards zero, bytes away from zero. */
+/* Fill all levels after the first by box filtering, first horizontally, then vertically. Half
+ * floats are rounded towards zero. Bytes are rounded away from zero. */
 void mip_levels_fill_halves(uint16_t *texels, const struct mip_levels *mip_levels);
 void mip_levels_fill_bytes(uint8_t *texels, const struct mip_levels *mip_levels);
 

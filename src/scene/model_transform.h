@@ -13,8 +13,8 @@ struct model_transform {
     float scale; /* scale factor; 0 means 1 */
 };
 
-/* Transforms a model's meshes, cameras, lights (without their intensities) and bounding box. Logs
- * with `path` and returns STATUS_DATA if a coordinate then exceeds 1 000 000 metres. */
+/* Transforms a model's meshes, cameras, lights (without their intensities) and bounding box. If a
+ * new coordinate exceeds 1 000 000 metres, logs an error with `path` and returns STATUS_DATA. */
 MUST_USE enum status model_transform_apply(struct model *model,
                                            const struct model_transform *model_transform,
                                            const char *path);

@@ -1,6 +1,6 @@
-/* refractive_object.c: medium priorities (ranks) of overlapping objects, and inside tests. Where
- * objects overlap, the object with the highest rank fills the common space (Schmidt and Budge 2002,
- * Simple nested dielectrics in ray traced images). */
+/* refractive_object.c: ranks (medium priorities) of overlapping objects, and inside tests. Where
+ * objects overlap, the medium of the object with the highest rank fills the overlap (Schmidt and
+ * Budge 2002, Simple nested dielectrics in ray traced images). */
 #include "src/scene/refractive_object.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -150,8 +150,8 @@ bool object_is_closed(const struct object *object, const struct mesh *mesh)
     return left <= 1e-4 * all;
 }
 
-/* Returns the signed solid angle of a triangle seen from the origin, steradians (van Oosterom and
- * Strackee 1983). It is positive if the triangle's back faces the origin. */
+/* Returns the signed solid angle of a triangle seen from the origin, in steradians (van Oosterom
+ * and Strackee 1983). If the triangle's back faces the origin, the angle is positive. */
 static double solid_angle(vec3s a, vec3s b, vec3s c)
 {
     const double x = (double)glms_vec3_norm(a), y = (double)glms_vec3_norm(b),

@@ -7,8 +7,8 @@
 #include "src/scene/geometry/mesh.h"
 #include "src/scene/material.h"
 
-/* Closed mesh that bounds a medium: a model node with a transmissive material. Its triangles are a
- * range of the mesh of all objects. */
+/* Refractive object: a model node with a transmissive material, whose closed surface bounds a
+ * medium. The object's triangles are a range of the mesh of all objects. */
 struct object {
     char name[MATERIAL_NAME_SIZE]; /* name of the node; "" if it is unnamed */
     uint32_t first_index, index_count;
@@ -28,9 +28,9 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 /* Returns the bounding box of an object's triangles. */
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
-/* Sets the boxes and ranks of all objects. Objects are ranked by priority in the file (lowest if
- * absent), then by the number of objects that enclose them, then by index. Logs and returns
- * STATUS_TRY_AGAIN when out of memory. */
+/* Sets the boxes and medium priorities (ranks) of all objects. Ranks depend on priority in the file
+ * (lowest if absent), then on the number of enclosing objects, then on the index. If out of memory,
+ * logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);
 

@@ -360,8 +360,8 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->background.cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings that the parameters or the built-in scene name. Otherwise, loads the
- * landscape if the background is the sky and the model has no surroundings. */
+/* Loads the surroundings that the parameters or the built-in scene name. If they name none, loads
+ * the landscape, provided that the background is the sky and the model has no surroundings. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -374,8 +374,8 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
                                                           : STATUS_OK;
 }
 
-/* Sorts the surroundings by distance from the object's centre, which is near all cameras and is
- * also the centre of the environment cube. */
+/* Sorts the surroundings by distance from the object's centre, because this point is near all
+ * cameras and is the centre of the environment cube. */
 static enum status sort_surroundings(struct scene *scene)
 {
     struct mesh_order *sorted = scene->is_animated ? &scene->sorted : NULL;

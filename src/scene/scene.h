@@ -104,8 +104,8 @@ struct scene_params {
     const char *environment;    /* background image or environment cube, by name or path; or NULL */
     float environment_turn;     /* rotation of a background image, turns */
     float environment_exposure; /* exposure of the image file, stops */
-    /* previous pose of the same scene, or NULL; the new scene takes over its environment, lighting,
-     * `files` and `rest`, instead of loading them */
+    /* previous pose of the scene, or NULL. The new scene takes over its environment, lighting,
+     * `files` and `rest`, and does not load them again. */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
     struct model_pose pose; /* animation pose; scene_load() sets its `objects` */
@@ -159,13 +159,13 @@ bool scene_is_environment(const char *name);
 /* Returns the name of scene `index` (built-in scenes before assets), or NULL beyond the last. */
 const char *scene_name(uint32_t index);
 
-/* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
- * does not fit in the pool) or STATUS_TRY_AGAIN. *scene is zeroed on failure. */
+/* Loads or generates a scene. On failure, zeroes *scene, logs an error and returns STATUS_NO_INPUT,
+ * STATUS_DATA, STATUS_USAGE (the ice does not fit in the pool) or STATUS_TRY_AGAIN. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *given);
 
-/* Generates the texels that params.defers_texels made scene_load() skip. Meanwhile, other threads
- * may read the rest of the scene. When out of memory, returns the name of the missing data, such as
- * "air", else NULL. Logs nothing, since the caller may prefer to log another thread's error. */
+/* Generates the texels that scene_load() skipped because of params.defers_texels. Meanwhile, other
+ * threads may read the rest of the scene. Returns NULL on success. If out of memory, logs nothing
+ * and returns the name of the missing data, such as "air". */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */
@@ -174,8 +174,8 @@ MUST_USE enum status scene_fill_object(struct scene *scene, const struct scene_p
 /* Replaces the cracks of a scene. Logs and returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
-/* Builds the BVH of a loaded scene, unless it exists. If `is_cached`, topologies of large static
- * BVHs are cached in files. Not thread-safe. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
+/* Builds the BVH of a loaded scene, unless it exists. If `is_cached`, caches large static BVHs in
+ * files. Not thread-safe. Logs errors and returns STATUS_DATA or STATUS_TRY_AGAIN. */
 MUST_USE enum status scene_build_bvh(const struct scene *scene, bool is_cached);
 
 void scene_finish(struct scene *scene);
@@ -184,7 +184,7 @@ void scene_finish(struct scene *scene);
 bool scene_has_lit_object(const struct scene *scene);
 
 /* Returns true if an object tints transmitted light, is not fully transmissive, or has textures
- * that affect transmission. Such a scene has tables.materials. */
+ * that affect transmission. Such a scene has a material table (tables.materials). */
 bool scene_has_textured_objects(const struct scene *scene);
 
 /* Returns the distance of the near plane, metres. There is no far plane. */

@@ -50,8 +50,8 @@ static inline const void *settings_of(const struct settings *settings,
     return settings->values[group->index];
 }
 
-/* Returns the setting that follows `row` in the order of groups, or the first one if `row` is NULL.
- * Returns NULL after the last one. */
+/* Returns the setting after `row`, ordered by group, or NULL after the last setting. If `row` is
+ * NULL, returns the first setting. */
 const struct setting *settings_next(const struct setting *row);
 
 /* Returns the setting of a group that describes the struct member at `offset` bytes. */
@@ -68,15 +68,15 @@ struct settings_location {
 
 /*
  * Applies an assignment "name=value" from a file, or from the command line if `location` is NULL.
- * The value is put with `source` (settings_put()). Logs an error if the name is unknown or the
- * value is invalid, and returns STATUS_DATA (file) or STATUS_USAGE (command line).
+ * Passes the value and `source` to settings_put(). If the name is unknown or the value is invalid,
+ * logs an error and returns STATUS_DATA (file) or STATUS_USAGE (command line).
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
                                      enum setting_source source,
                                      const struct settings_location *location);
 
-/* Sets a value and its source unless the present value has a stronger source. Returns true if the
- * value is set. Does not check the range. */
+/* Sets a value and its source, and returns true. If the present value has a stronger source,
+ * changes nothing and returns false. Does not check the range. */
 bool settings_put(struct settings *settings, const struct setting *row, double value,
                   enum setting_source source);
 

@@ -175,9 +175,9 @@ static float noise(size_t i, uint32_t seed)
     return (float)((h ^ h >> 16) >> 8) / 16777216.0f;
 }
 
-/* Dithers a value with triangular noise of plus or minus one step. This hides banding and makes the
- * error's mean and variance independent of the value (Lipshitz, Wannamaker and Vanderkooy 1992).
- * Black and white are not dithered. */
+/* Dithers a value, except black and white, with triangular noise of plus or minus one step. Dither
+ * hides banding. The mean and variance of its error do not depend on the value (Lipshitz,
+ * Wannamaker and Vanderkooy 1992). */
 static float dither_value(float x, size_t i, uint32_t channel)
 {
     if (!(x > 0.0f && x < 1.0f))

@@ -15,13 +15,13 @@ const struct frame_layer *layer_image_find(const char *name);
 /* Returns the layer's bit in renderer_params.layers, or 0 for NULL. */
 uint32_t layer_image_bit(const struct frame_layer *layer);
 
-/* Return RGBA pixels of a layer with 8 or 16 bits per channel. The caller frees them. When out of
- * memory, log and return NULL. The image must have the layer's planes. */
+/* Return RGBA pixels of a layer with 8 or 16 bits per channel. The caller frees them. `image` must
+ * have the layer's planes. If out of memory, log an error and return NULL. */
 uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* Tone-maps the layer `beauty` to 8-bit pixels, dithered if tonemap.dither is on, or to 16-bit
- * pixels. Either pointer may be NULL. Logs and returns false when out of memory. */
+/* Tone-maps the layer `beauty` to `rgba` and `rgba_16`, either of which may be NULL. If
+ * tonemap.dither is on, dithers `rgba`. If out of memory, logs an error and returns false. */
 bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
                         uint16_t **rgba_16);
 

@@ -4,8 +4,8 @@
 
 #include "src/setup/setup.h"
 
-/* Reads the preset that the options name, if any, and applies it. Values of --set are kept. On
- * failure logs and returns STATUS_DATA or a status of reader_process.h. */
+/* Applies the preset that the options name, if any. Keeps values given by --set. On failure, logs
+ * an error and returns STATUS_DATA or a status of reader_process.h. */
 MUST_USE enum status setup_apply_preset(struct setup_scene *scene);
 
 #endif

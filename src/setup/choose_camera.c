@@ -58,8 +58,8 @@ static void reach(const struct mesh *mesh, vec3s center, float *radius)
         *radius = fmaxf(*radius, glms_vec3_distance(mesh->vertices[i].position, center));
 }
 
-/* Returns a camera of the model file. An orthographic camera gets a depth range that suffices for
- * rotating objects and for twice the distance between camera and scene. */
+/* Returns a camera of the model file. The depth range of an orthographic camera is large enough for
+ * rotating objects and for a camera at twice the distance from the scene. */
 static struct camera camera_of(const struct model_camera *m, const struct scene *scene)
 {
     struct camera camera = m->camera;

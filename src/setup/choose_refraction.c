@@ -46,8 +46,8 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Counts the nested objects that refraction model `bounce` wrongly draws as not enclosed. They are
- * nested too deeply, or share an enclosing object with others. */
+/* Counts the nested objects that the refraction model `bounce` wrongly draws as not enclosed. Such
+ * objects are nested too deeply, or share their enclosing object with other objects. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -187,8 +187,8 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
 }
 
-/* Returns true if a refraction model draws bumps. The path tracer, which has no shaders, draws
- * them. Models that trace rays on the device do not. */
+/* Returns true if a refraction model draws bump maps. The path tracer, which has no shaders, draws
+ * bump maps. Models that trace rays on the GPU draw none. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
     return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||

@@ -19,22 +19,22 @@ struct output {
     char *png_settings; /* for PNG files; differs with --show */
 };
 
-/* Writes options, camera and all settings as text to output->settings and png_settings, and frees
- * their earlier texts. A frame of a sequence gets the same text as a single image with the same
- * motion.time. On failure logs and returns STATUS_TRY_AGAIN. */
+/* Writes options, camera and settings as text to output->settings and png_settings. Frees the
+ * earlier texts. A frame of a sequence gets the text of a single image at the frame's motion.time.
+ * On failure, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status output_describe(struct output *output);
 
 /* Frees what output_describe() allocated. */
 void output_finish(struct output *output);
 
-/* Returns true if a file is up to date: its size, layers, firn/settings and firn/version are those
- * that output_encode() would write to `path`. Does not notice damage, changed input files or
- * another device. */
+/* Returns true if an image file is up to date. Its size, layers, firn/settings and firn/version
+ * must equal those that output_encode() would write to `path`. Damage to the file, changed input
+ * files and a different GPU are not noticed. */
 bool output_is_current(const struct output *output, const char *path,
                        const struct image_header *head);
 
-/* Returns the sample count in the header of a path-traced image if it equals `samples`, else 0.
- * Also accepts a smaller count if `noise` is above 0 and the header's noise is at most `noise`. */
+/* Returns the sample count in a path-traced image's header if the count equals `samples`, else 0.
+ * With `noise` above 0, a smaller count suffices if the header's noise is at most `noise`. */
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
 /* Checks --tiles and --tile against the other options. On failure logs and returns STATUS_USAGE. */

@@ -25,8 +25,8 @@
 /* Number of stops by which lights must overexpose the image for a note to be logged. */
 #define BRIGHT_STOPS 4.0
 
-/* Sets the refractive index from the first available source: --set, --material, --preset, the
- * model, the default. Returns true if the model's index is used. */
+/* Sets the refractive index from the first of these that is given: --set, --material, --preset, the
+ * model, the default. Returns true if the index is the model's. */
 static bool choose_ior(struct setup_scene *options, const struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -39,8 +39,8 @@ static bool choose_ior(struct setup_scene *options, const struct scene *scene)
            settings_put(&options->settings, ior, (double)model->ior, SETTING_SCENE);
 }
 
-/* Switches on the sun's shadows and caustics if the sun lights a model file's opaque surroundings.
- * Settings given by the user are kept. */
+/* Switches on shadows and caustics of the sun if the sun lights opaque surroundings of a model
+ * file. Keeps settings given by the user. */
 static void choose_sun(struct setup_scene *options, const struct scene *scene)
 {
     const struct setting *row =

@@ -4,8 +4,8 @@
 
 #include "src/scene/scene.h"
 
-/* Returns text with a line "ID NAME" for each refractive object, the unnamed surroundings and each
- * opaque object. The caller frees the text. Returns NULL when out of memory. */
+/* Returns text that the caller frees, or NULL if out of memory. Each line is "ID NAME". The lines
+ * are the refractive objects, then the unnamed surroundings, then the opaque objects. */
 char *object_names(const struct scene *scene);
 
 #endif

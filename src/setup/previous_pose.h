@@ -13,9 +13,9 @@ struct previous_pose {
 /* Returns true if an image has the layer `motion`. */
 bool previous_pose_is_needed(const struct setup_image *image);
 
-/* Poses an animated model at the time of the frame before `time`. Copies the vertex positions to
- * *previous and the camera to *camera. Does nothing for other models, or without a previous frame.
- * Logs errors. Returns a status of setup_pose_scene() or setup_camera(). */
+/* Poses an animated model as in the frame before `time`, in seconds. Copies vertex positions to
+ * *previous and the camera to *camera. Copies nothing without an animation, a previous frame or the
+ * layer `motion`. Logs errors. Returns a status of setup_pose_scene() or setup_camera(). */
 MUST_USE enum status previous_pose_find(struct previous_pose *previous, struct camera *camera,
                                         struct scene *scene, const struct setup_image *image,
                                         float time);

@@ -1,5 +1,5 @@
-/* setup.h: setup of an image: options to scene, settings, camera, refraction model and renderer
- * parameters. Used by the commands and by the window. */
+/* setup.h: converts options to the scene, settings, camera, refraction model and renderer
+ * parameters of an image. The commands and the window use it. */
 #ifndef FIRN_SETUP_SETUP_H
 #define FIRN_SETUP_SETUP_H
 
@@ -112,8 +112,8 @@ struct bump_maps_params;
 struct scene_params setup_scene_params(const struct setup_scene *options,
                                        struct bump_maps_params *maps);
 
-/* Loads the scene that the options name. An animated model is posed at motion.time. Also chooses
- * the settings that depend on the scene, such as refract.ior. */
+/* Loads the scene that the options name. Poses an animated model at the setting motion.time. Also
+ * chooses settings that depend on the scene, such as refract.ior. */
 MUST_USE enum status setup_load_scene(struct scene *scene, struct setup_scene *options);
 
 struct asset;
@@ -128,15 +128,15 @@ struct settings setup_scene_settings(const struct setup_scene *options, const st
 
 /* Begins to load a scene. After success, only a lack of memory can make setup_fill_scene() fail. */
 MUST_USE enum status setup_begin_scene(struct scene *scene, struct setup_scene *options);
-/* Does the slow part of loading. Other threads may read the scene meanwhile. Returns the name of
- * the data that did not fit in memory, or NULL on success. */
+/* Does the slow part of loading. Meanwhile, other threads may read the scene. Returns NULL on
+ * success. If out of memory, returns the name of the data that did not fit. */
 MUST_USE const char *setup_fill_scene(struct scene *scene, const struct setup_scene *options);
 /* Logs that memory ran out for `lacking`, named by setup_fill_scene(). Returns STATUS_TRY_AGAIN. */
 enum status setup_log_fill_failure(const char *lacking);
 
-/* Poses an animated model at `time`, in seconds, by reloading and filling the scene. Does nothing
- * if the scene is not animated or already has this pose. The scene must not be in use. On failure
- * the scene is unchanged. */
+/* Poses an animated model at `time`, in seconds, by reloading and filling the scene. If the scene
+ * is not animated or already has this pose, does nothing. On failure, the scene is unchanged. No
+ * other code may use the scene meanwhile. */
 MUST_USE enum status setup_pose_scene(struct scene *scene, const struct setup_scene *options,
                                       float time, bool *is_changed);
 

@@ -16,9 +16,9 @@ struct frame_medium {
     bool is_textured; /* textured: material_is_textured() */
 };
 
-/* Returns the medium of object `index`, or the medium around the objects for the last index.
- * Objects use their material, overridden by refract.ior if it was changed after loading, and by
- * absorb.* and refract.dispersion if not 0. Objects without a material use only settings. */
+/* Returns the medium of object `index`. The last index is the medium around the objects. Objects
+ * use their material, or only the settings if they have none. Changed settings override a material:
+ * refract.ior if changed after loading, absorb.* and refract.dispersion if not 0. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 

@@ -46,8 +46,8 @@ struct frame_object {
     uint32_t layer;                    /* index of the group of objects that the same passes draw */
     /* next: following object of the group; NULL for the last one */
     const struct frame_object *next;
-    /* Area that the object's passes draw. For the first object of a group, it is the bounding
-     * rectangle of the group's `reach` areas. Empty for the group's other objects. */
+    /* Area that the object's passes draw. If a group of objects shares passes, the first object has
+     * the bounding rectangle of all `reach` areas. The group's other areas are empty. */
     VkRect2D drawn;
 };
 
@@ -104,7 +104,7 @@ extern const struct rg_image frame_depth;   /* reversed depth: 0 is infinitely f
 extern const struct rg_image frame_display; /* display image: 8 bits, sRGB-encoded */
 
 /* Environment cube (rgb: linear radiance; a: 1 / distance in metres) and its depth buffer.
- * frame_env_cube_baked is the cube that is written to files; its faces have the view's size. */
+ * frame_env_cube_baked is a cube for output files, with faces as large as the view. */
 extern const struct rg_image frame_env_cube, frame_env_cube_depth, frame_env_cube_baked;
 
 /* Mean of an image's samples, uploaded as tightly packed texels in the format of frame_color. */

@@ -1,7 +1,7 @@
 /*
- * pass_arena.h: arena allocator for pass tables that a technique builds at run time. When out of
- * memory, functions return NULL and set `failed`. Callers may then return no passes, because the
- * builder's owner handles the error. The builder owns all results.
+ * pass_arena.h: arena allocator for pass tables that a technique builds at run time. The builder
+ * (struct pass_arena) owns all results. If out of memory, functions set `failed` and return NULL.
+ * Callers may then return no passes, because the builder's owner handles the error.
  */
 #ifndef FIRN_TECH_PASS_ARENA_H
 #define FIRN_TECH_PASS_ARENA_H

@@ -1,5 +1,5 @@
-/* mtl.c: reads MTL material libraries (Wavefront, Advanced Visualizer, appendix B5, with the PBR
- * extension Pr, Pm, Ke and norm) as glTF-style materials. */
+/* mtl.c: reader of MTL material libraries (Wavefront, Advanced Visualizer, appendix B5). The reader
+ * supports the PBR extension (Pr, Pm, Ke and norm) and returns glTF-style materials. */
 #include <cglm/struct.h>
 #include <ctype.h>
 #include <math.h>
@@ -185,7 +185,7 @@ static void set_transmission(struct mtl *mtl, struct material *m)
 }
 
 /* Sets the opaque surface properties. As in Blender, the reflectance at normal incidence is 0.08
- * Ks. The default Ks of 0.5 thus gives 0.04, as for glass. illum 0 and 1 have no highlights. */
+ * Ks. The default Ks of 0.5 gives 0.04, as for glass. illum 0 and 1 have no highlights. */
 static void set_surface(const struct mtl *mtl, struct material *m)
 {
     m->base_color = mtl->diffuse;

@@ -58,8 +58,8 @@ static bool are_normals(const uint8_t *texels, size_t count)
     return difference > BLUE_OF_NORMALS * (uint64_t)count;
 }
 
-/* Converts a tileable height map to a normal map by central differences. Leaves an image that is
- * already a normal map unchanged. Returns false when out of memory. */
+/* Converts a tileable height map to a normal map by central differences. If the image is already a
+ * normal map, leaves it unchanged. If out of memory, returns false. */
 static bool convert_heights(uint8_t *texels, int width, int height)
 {
     const size_t count = (size_t)width * (size_t)height;

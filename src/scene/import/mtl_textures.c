@@ -76,8 +76,8 @@ static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *imag
     return 0;
 }
 
-/* Computes the transform from the vertices' texture coordinates to those of a map. The vertices
- * have the coordinates of the base colour map `base`, with v = 0 at the top. */
+/* Computes the transform of texture coordinates from the base colour map `base` to `map`. The
+ * vertices store the coordinates of `base`, with v = 0 at the top. */
 static void compute_transform(const struct mtl_map *base, const struct mtl_map *map,
                               struct material_texture *texture)
 {
@@ -149,8 +149,8 @@ static enum status add_map(const struct obj_ply *obj_ply, struct image_list *ima
     return texture->layer > 0 ? STATUS_OK : STATUS_DATA;
 }
 
-/* Returns true if a map becomes a separate texture of the requested kind: linear if `are_numbers`,
- * else sRGB. map_d becomes a separate texture only if there is no map_Kd. */
+/* Returns true if a map becomes a separate texture, which is linear if `are_numbers` and sRGB
+ * otherwise. map_d becomes a separate texture only if there is no map_Kd. */
 static bool is_separate_texture(const struct mtl_material *material, enum mtl_map_use use,
                                 bool are_numbers)
 {

@@ -1,6 +1,6 @@
-/* obj.c: reader of the polygonal statements of OBJ files (Wavefront, Advanced Visualizer, appendix
- * B1). Curves, points and lines are not read. Faces refer to positions, texture coordinates and
- * normals separately. Each distinct combination within a part becomes a vertex. */
+/* obj.c: reader of the polygons of OBJ files (Wavefront, Advanced Visualizer, appendix B1). Curves,
+ * points and lines are skipped. Faces index positions, texture coordinates and normals separately.
+ * Each distinct combination of these indices within a part becomes a vertex. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -111,8 +111,8 @@ static enum status read_vector(struct obj *obj, struct text_scan *line, struct o
 
 /* ---- faces ---- */
 
-/* Reads a list index. Positive indices count from 1, negative ones back from the current end of the
- * list. Positive indices beyond the end are checked after the whole file is read. */
+/* Reads a list index. Positive indices count from 1. Negative indices count back from the current
+ * end of the list. Too large indices are detected only after the whole file is read. */
 static bool read_index(const struct obj *obj, struct text_scan *word, size_t count, uint32_t *index)
 {
     int64_t number;

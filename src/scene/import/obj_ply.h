@@ -1,5 +1,5 @@
-/* obj_ply.h: contents of an OBJ, MTL or PLY file before conversion to a model, and the interface
- * shared by their readers. Functions that return a status log one line unless it is STATUS_OK. */
+/* obj_ply.h: contents of an OBJ, MTL or PLY file before conversion to a model, and functions that
+ * the readers share. If a function returns a status other than STATUS_OK, it logs one line. */
 #ifndef FIRN_SCENE_IMPORT_OBJ_PLY_H
 #define FIRN_SCENE_IMPORT_OBJ_PLY_H
 
@@ -79,8 +79,8 @@ void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words
 MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
                                    enum model_role default_role);
 
-/* Loads the images of materials whose parts have texture coordinates. Sets the materials' textures.
- * Transforms the texture coordinates to those of the base colour map. */
+/* Loads the images of all materials whose parts have texture coordinates. Sets the materials'
+ * textures. Converts the texture coordinates to those of the base colour map. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
 /* Returns map_Kd, else map_d, else an identity map. Its options -s and -o apply to all vertices. */
@@ -88,8 +88,8 @@ const struct mtl_map *mtl_base_map(const struct mtl_material *material);
 
 void obj_ply_finish(struct obj_ply *obj_ply);
 
-/* Reads a whole file into memory that the caller frees. On failure logs and returns NULL. If the
- * file cannot be opened, sets *is_found to false instead of logging. */
+/* Reads a whole file into memory that the caller frees. On failure, logs an error and returns NULL.
+ * If the file cannot be opened, sets *is_found to false, logs nothing and returns NULL. */
 char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size,
                         bool *is_found);
 

@@ -486,8 +486,8 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
     return STATUS_OK;
 }
 
-/* Reads all elements. Each element has at least one byte, so a count above the number of remaining
- * bytes is rejected. Elements without properties have no bytes and are skipped. */
+/* Reads all elements. Rejects a count for which the file is too short, at one byte per element.
+ * Skips elements without properties, because the file has no bytes for them. */
 static enum status read_elements(struct ply *ply, struct text_scan *body)
 {
     enum status status = STATUS_OK;

@@ -1,5 +1,5 @@
-/* polygon_triangulate.c: triangulation by ear clipping (Meisters 1975, Polygons have ears). It
- * takes O(n^2) time or more, so the work per polygon is limited. */
+/* polygon_triangulate.c: triangulation by ear clipping (Meisters 1975, Polygons have ears). The
+ * work per polygon is limited, because ear clipping takes O(n^2) time or more. */
 #include "src/scene/import/polygon_triangulate.h"
 #include <cglm/struct.h>
 #include <math.h>

@@ -10,9 +10,9 @@
 #include "src/file/preset_transfer.h"
 #include "src/scene/import/model_pipe.h"
 
-/* Encodes a pose as an argument for the child process. The argument has '-' (rest pose), '*' (first
- * animation) or '=' (named animation), the time as a hexadecimal float, a space, the animation
- * name, a line break, and lines of object names. The caller frees the text. */
+/* Encodes a pose as an argument for the child process. The caller frees the text. Line 1 has a
+ * mark, the time as a hexadecimal float, a space and the animation name. The mark is '-' (rest
+ * pose), '*' (first animation) or '=' (named animation). The other lines are object names. */
 static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";

@@ -7,8 +7,8 @@
 #include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
-/* Loads a model like model_load_posed(); a NULL pose is the rest pose. Uses a reader process unless
- * `params` is NULL. Errors are those of reader_process.h. */
+/* Loads a model like model_load_posed(), in a separate reader process unless `params` is NULL. If
+ * `pose` is NULL, loads the rest pose. Returns the errors of reader_process.h. */
 MUST_USE enum status sandboxed_load_model(struct model *model, const char *path,
                                           enum model_role default_role,
                                           const struct model_pose *pose,

@@ -1,7 +1,7 @@
 /*
- * text_scan.h: tokeniser for text model files: lines, words and numbers. A text is given by two
- * pointers, without a terminating '\0'. No function reads at or beyond `end`. Number parsing does
- * not depend on the locale.
+ * text_scan.h: tokeniser for text model files: lines, words and numbers. A text is the range from a
+ * start pointer to `end`, without a terminating '\0'. No function reads at or beyond `end`. Numbers
+ * are parsed independently of the locale.
  */
 #ifndef FIRN_SCENE_IMPORT_TEXT_SCAN_H
 #define FIRN_SCENE_IMPORT_TEXT_SCAN_H

@@ -33,16 +33,16 @@ struct melted {
     struct box box;       /* bounding box of `unmelted` */
 };
 
-/* Melts the ice of a model for `time` seconds. Logs a warning at time 0 if there is no ice. Logs
- * and returns STATUS_TRY_AGAIN when out of memory. *melted is zeroed unless ice has melted. */
+/* Melts the ice of a model for `time` seconds. If no ice melts, zeroes *melted. If there is no ice,
+ * warns at time 0. If out of memory, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status melt_model(struct model *model, const struct melting *melting, float time,
                                 struct melted *melted);
 
 /* Shrinks or removes bubbles near a melted surface. Returns false when out of memory. */
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
 
-/* Opens cracks near the surface of ice that has lost the fraction `lost_fraction` of its volume.
- * Returns false when out of memory. */
+/* Opens cracks near the surface of partly melted ice. `lost_fraction` is the volume fraction that
+ * has melted. If out of memory, returns false. */
 bool melt_cracks(struct mesh *cracks, const struct mesh *object, float lost_fraction);
 
 void melted_finish(struct melted *melted); /* {0} is fine */

@@ -190,9 +190,9 @@ static double multiply(const struct work *work, double t, point *x, point *to)
     return product;
 }
 
-/* Applies the Jacobi preconditioner to the residual. Returns the dot product of result and
- * residual. If `updates_direction`, sets the search direction to the result plus `beta` times the
- * last direction. */
+/* Applies the Jacobi preconditioner to the residual. Returns the dot product of the preconditioned
+ * residual and the residual. If `updates_direction`, sets the search direction to the
+ * preconditioned residual plus `beta` times the previous direction. */
 static double precondition(struct work *work, double t, double beta, bool updates_direction)
 {
     double product = 0;

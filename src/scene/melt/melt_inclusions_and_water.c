@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include "src/scene/geometry/vertex_weld.h"
 
-/* An air pocket shrinks once its centre is less deep than this, in half widths of the ice, and than
- * half its radius. */
+/* Depth at which an air pocket's centre begins to shrink the pocket, in half widths of the ice. The
+ * depth is at most half the pocket's radius. */
 #define SHRINKS_AT 0.06f
 
 #define SCALE_MIN 1e-3f /* minimum scale of an air pocket, which keeps normals valid */
@@ -216,8 +216,8 @@ static struct outline outline_of(const struct object *object, const struct mesh 
     return outline;
 }
 
-/* Returns the new horizontal radius of a water vertex. Water at the ice moves with the ice's
- * outline. Farther out, the displacement blends quadratically into that of the water's edge. */
+/* Returns the new horizontal radius of a water vertex. Below the ice, water moves with the ice's
+ * outline. Outside, the motion blends quadratically into the motion of the water's edge. */
 static float spread_radius(float out, float before, float after, float edge, float scale)
 {
     if (!(before > 0.0f && edge > 0.0f))
@@ -379,9 +379,9 @@ static void rotate_normals(const struct model *model, struct mesh *layers, struc
     }
 }
 
-/* Moves the texture coordinates of water layers with their vertices, and lowers vertices that are
- * over hollows of the ground. `level` is the ground height below the ice, from which a layer's
- * thickness is measured on higher ground. */
+/* Moves texture coordinates of water layers with their vertices. Lowers moved vertices where the
+ * ground falls. `level` is the ground height below the ice. On higher ground, a layer's thickness
+ * is measured from `level`. */
 static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)

@@ -16,8 +16,8 @@ struct melt_air_and_water_ice {
     struct distance_field depth, depth_before;
 };
 
-/* Moves air pockets along with the ice. Shrinks pockets near the melted surface, and collapses
- * pockets that melting has exposed. Returns false when out of memory. */
+/* Moves air pockets along with the ice. Shrinks pockets near the melted surface. Collapses pockets
+ * that melting has exposed. If out of memory, returns false. */
 bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);
 
@@ -26,8 +26,8 @@ bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
                                           const struct melt_air_and_water_ice *ice);
 
 /* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. Layers sink
- * where the ground falls, but stay level where the ground rises through them. Textures stay in
- * place. Returns false when out of memory. */
+ * where the ground falls, and stay level where the ground rises through them. Textures stay in
+ * place. If out of memory, returns false. */
 bool melt_air_and_water_spread_layers(struct model *model,
                                       const struct melt_air_and_water_ice *ice);
 

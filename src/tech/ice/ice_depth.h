@@ -3,8 +3,8 @@
 #define FIRN_TECH_ICE_ICE_DEPTH_H
 #include "src/tech/technique.h"
 
-/* Depth of the nearest front face and of the farthest back face, from 0 (near) to 1 (far). Without
- * ice, front depth is 1 and back depth is 0. linearize_depth.glsl converts depth to metres. */
+/* Depth of the nearest front face (1 without ice) and of the farthest back face (0 without ice).
+ * Depth is 0 at the near plane and 1 at the far plane (metres: see linearize_depth.glsl). */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
 /* AOV layer in metres: front depth, back depth, thickness along the view ray; 0 without ice. */

@@ -219,8 +219,8 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_object(cmd, frame);
 }
 
-/* Returns true if front faces need their own depth buffer. They do if frame_depth holds depths of
- * other objects or of a finished image, which the G-buffer passes must not change. */
+/* Returns true if front faces need their own depth buffer. frame_depth then holds the depths
+ * of other objects or of a finished image, which the G-buffer passes must not change. */
 static bool keeps_depth(const struct technique_config *config)
 {
     const bool are_many = config->object_count > 1;
@@ -265,8 +265,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
     return (struct rg_technique){ "ice_normal", copies, count };
 }
 
-/* Returns a pass that draws the back faces of all objects for the AOV layer back.N. Refraction
- * models draw the objects one by one, so their image would show only the last object's faces. */
+/* Returns a pass that draws the back faces of all objects for the AOV layer back.N. The refraction
+ * passes cannot provide it, because their image keeps only the last object's faces. */
 static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_arena *builder)
 {

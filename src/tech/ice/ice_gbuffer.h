@@ -8,8 +8,8 @@ extern const struct rg_image ice_normal_back;
 
 extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the camera */
 
-/* Shading normals of the front faces. xyz: bump-mapped normal; w: Fresnel reflectance by eq. 4 of
- * Seipel and Nivfors (2006). Undefined in pixels without a front face. */
+/* Shading normals of the front faces. xyz: bump-mapped normal; w: Fresnel reflectance (Seipel and
+ * Nivfors 2006, eq. 4). Pixels without a front face are undefined. */
 extern const struct rg_image ice_normal_shading;
 
 /* Surface materials. rgb: tinted transmittance, or 1 in pixels without a face; a: roughness. Drawn
@@ -22,14 +22,14 @@ extern const struct rg_image ice_normal_front_base;
 /* Reversed depth of the faces: near-plane distance / view-space depth, or 0 without a face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
-/* G-buffers of an area 1.5 times as wide and high as the image, for rays inside an object that
- * extends beyond the image. Drawn only if technique_config.is_wide. */
+/* Factor by which wide G-buffers exceed the image in width and height. Rays inside an object that
+ * extends beyond the image read wide G-buffers. Drawn only if technique_config.is_wide. */
 #define ICE_NORMAL_WIDE 1.5f
 extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
 extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;
 
-/* Returns true if a raster refraction model draws objects with textured or tinted surfaces and bump
- * mapping is off. The G-buffers then contain surface materials. */
+/* Returns true if the G-buffers contain surface materials. They do if a raster refraction model
+ * draws objects with textured or tinted surfaces and bump mapping is off. */
 bool ice_gbuffer_has_materials(const struct technique_config *config);
 
 #endif

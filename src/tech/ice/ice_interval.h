@@ -8,9 +8,9 @@ struct ice_interval_params {
     uint32_t count; /* maximum intervals per pixel */
 };
 
-/* Depth images for up to i + 1 intervals per pixel, where i is the array index. Each interval has
- * two layers, its entry and its exit depth. Nearer and farther layers are in separate images,
- * because one image would exceed device limits in large views. */
+/* Entry and exit depths of each pixel's ray inside the ice. Images with index i hold up to i + 1
+ * intervals. Nearer and farther depths are in separate images, because one image would exceed
+ * device limits in large views. */
 extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
 extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];
 

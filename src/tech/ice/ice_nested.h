@@ -1,16 +1,16 @@
 /*
  * ice_nested.h: depth layers of nested objects and cavities.
  *
- * Level 0 is the interval between a pixel's nearest and farthest face. Each further level is the
- * interval between the nearest and the farthest of the faces strictly inside the previous level.
+ * Level 0 is the interval from a pixel's nearest face to its farthest face. Each further level is
+ * the interval from the nearest to the farthest face strictly inside the previous level.
  */
 #ifndef FIRN_TECH_ICE_ICE_NESTED_H
 #define FIRN_TECH_ICE_ICE_NESTED_H
 #include "shaders/ice/ice_nested.h"
 #include "src/tech/technique.h"
 
-/* Depth and normals of faces. Layer 2 i holds the near face of level i, layer 2 i + 1 the far face.
- * Normals are world-space unit vectors that point out of the level. w is 1 + the index of the
+/* Depth and normals of faces. Layer 2 i holds the near face of nesting level i. Layer 2 i + 1 holds
+ * the far face. xyz: world-space unit normal that points out of the level; w: 1 + the index of the
  * medium just inside the face, or 0 in pixels without a face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 

@@ -131,8 +131,8 @@ static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw(cmd, 6 * frame->scene->inclusions.bubbles.count);
 }
 
-/* Fragment shaders for bubbles along refracted rays. First index: path of light to a bubble
- * (straight, traced in ice, traced in a medium). Second index: 1 if some are not spheres. */
+/* Fragment shaders for bubbles that refracted rays hit. First index: path of light to a bubble
+ * (straight, traced in ice, traced in a medium). Second index: 1 if any bubble is not a sphere. */
 static const struct rg_shader *const refracted_frags[3][2] = {
     { &bubbles_refracted_frag, &bubbles_shapes_refracted_frag },
     { &bubbles_traced_frag, &bubbles_shapes_traced_frag },
@@ -215,8 +215,8 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* Returns true if refracted rays can hit bubbles. They cannot in scenes with several objects,
- * because the depth and normal maps contain only the nearest faces. */
+/* Returns true if refracted rays can hit bubbles. With several objects, they cannot, because the
+ * depth and normal maps contain only the nearest faces. */
 bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
@@ -265,8 +265,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
 
 struct far_bubble {
     struct bubbles_drawn drawn;
-    /* Sort key. Perspective camera: squared distance to the centre minus squared radius of the
-     * bounding sphere. Orthographic camera: distance along the camera axis. */
+    /* Sort key. Perspective camera: squared distance to the bounding sphere's centre minus its
+     * squared radius. Orthographic camera: distance of the centre along the camera axis. */
     float power;
 };
 
@@ -277,8 +277,8 @@ static int compare_far(const void *a, const void *b)
     return (x->power < y->power) - (x->power > y->power);
 }
 
-/* Writes the bubbles back to front, that is, by decreasing `power`. Of two disjoint spheres, the
- * one with the larger power lies beyond the plane that separates them (radical plane). */
+/* Writes the bubbles back to front by decreasing `power`. If two spheres are disjoint, the sphere
+ * with the larger power lies behind the plane that separates them (radical plane). */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     const struct bubbles *all = &view->scene->inclusions.bubbles;

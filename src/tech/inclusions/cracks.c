@@ -117,8 +117,8 @@ static const struct rg_use *use_intervals(struct pass_arena *builder, uint32_t i
     return pass_arena_join_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
 }
 
-/* Returns the clipping method. Convex objects need no depth peeling, because a pixel's ray is
- * inside them only from the nearest to the farthest face. */
+/* Returns the method that clips cracks at the object's surface. Convex objects need no depth
+ * peeling, because a ray is inside them from the nearest to the farthest face. */
 static struct clipping find_clipping(const struct technique_config *config,
                                      struct pass_arena *builder)
 {

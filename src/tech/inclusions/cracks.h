@@ -30,8 +30,8 @@ struct cracks_params {
 /* Premultiplied colour of cracks: highlights, and reflections at air gaps. */
 extern const struct rg_image cracks_color;
 
-/* Depth and normal of the most reflective air gap in each pixel, or 0 without a gap. Refraction
- * models reflect rays there. Written only if cracks_are_traced(). */
+/* Depth and normal of each pixel's most reflective air gap in a crack, or 0 without one. Refraction
+ * models reflect rays at these gaps. Written only if cracks_are_traced(). */
 extern const struct rg_image cracks_hits;
 
 extern const struct setting_group cracks_settings;

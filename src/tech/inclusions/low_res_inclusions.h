@@ -11,9 +11,9 @@ struct low_res_images {
     struct low_res_image *first;
 };
 
-/* Changes a pass group so that inclusions are drawn at the resolution set by inclusions.scale.
- * Returns additional passes that draw the object's depth maps at that resolution. Does nothing for
- * pools or a scale of 1. Sets builder->failed when out of memory. */
+/* Makes a pass group draw inclusions at the resolution set by inclusions.scale. Returns further
+ * passes, which draw the object's depth maps at this resolution. For pools or a scale of 1, does
+ * nothing. If out of memory, sets builder->failed. */
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
                                              const struct technique_config *config,
                                              enum technique_phase phase,

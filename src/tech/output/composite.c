@@ -1,9 +1,9 @@
 /*
- * composite.c: composites air, bubbles and cracks (premultiplied, in this order) over the ice and
- * adds the highlights of the light sources.
+ * composite.c: composites inclusions over the ice (premultiplied, in the order air, bubbles,
+ * cracks) and adds the highlights of the light sources.
  *
- * The shader's bindings are fixed. Bindings of disabled techniques are set to the image of the
- * highlights and are not read.
+ * The shader's bindings are fixed. If a technique is disabled, its binding refers to the highlight
+ * image and is not read.
  */
 #include "shaders/output/composite.h"
 #include <string.h>

@@ -1,7 +1,7 @@
 /*
  * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface. Holes cut
- * by alpha testing and blended surfaces with alpha below one half count as invisible. Motion
- * vectors are those of the surface, not of objects seen in reflection or refraction.
+ * by alpha testing are invisible, and so are blended surfaces with alpha below one half. Motion
+ * vectors follow the surface, not reflected or refracted objects.
  */
 #include "src/tech/output/first_surface.h"
 #include "shaders/embedded.h"

@@ -1,8 +1,8 @@
 /*
- * sample_mean_upload.c: uploads the mean of the samples to the colour image.
+ * sample_mean_upload.c: uploads the mean of all samples to the colour image frame_color.
  *
- * Samples are accumulated in float on the CPU. Tone mapping is not linear, so the mean is taken
- * first and copied to frame_color, where tonemap reads it.
+ * The CPU accumulates samples as floats. The mean is taken before tone mapping, because tone
+ * mapping is not linear.
  */
 #include "src/tech/frame_resources.h"
 #include "src/tech/technique.h"

@@ -1,5 +1,5 @@
 /*
- * tonemap.c: tone mapping pass: exposure, tone curve and sRGB encoding, for PNG files and windows.
+ * tonemap.c: applies exposure, tone curve and sRGB encoding, for PNG files and windows.
  *
  * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which preserves base colours. Curve
  * "agx": for images that show the sun (Sobotka 2022). Curves "aces" and "hable": widely used

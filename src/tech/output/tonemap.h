@@ -12,8 +12,8 @@ struct tonemap_values {
 
 extern const struct setting_group tonemap_settings;
 
-/* Returns the parameters of tone mapping for the shader and for tonemap_apply(). Every caller uses
- * them, so that no setting can work in one kind of output and be ignored in another. */
+/* Returns the tone mapping parameters for the shader and for tonemap_apply(). All outputs use this
+ * function, because each setting must have an equal effect on all outputs. */
 struct tonemap_params tonemap_params_of(const struct settings *settings);
 
 #endif

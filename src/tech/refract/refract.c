@@ -55,7 +55,7 @@ static const struct rg_use scene_uses[] = {
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
-/* Passes that shade the object. color_pass and layer_pass draw front faces with a depth test.
+/* Passes that shade the object. color_pass and layer_pass draw its front faces with a depth test.
  * pixel_color_pass and pixel_layer_pass draw a full-screen triangle and read ice_normal.front. */
 static const struct rg_pass color_pass = {
     .color = color_targets,

@@ -1,7 +1,7 @@
 /*
  * refract.h: layers, settings and passes shared by the raster refraction models (refract_*.c).
  *
- * A model may use images of other techniques; passes whose images are not used are culled.
+ * A model may read images of other techniques. Passes whose images are not read are culled.
  */
 #ifndef FIRN_TECH_REFRACT_REFRACT_H
 #define FIRN_TECH_REFRACT_REFRACT_H
@@ -13,7 +13,7 @@ extern const struct rg_image refract_exit;       /* unit exit direction of the p
 extern const struct rg_image refract_refraction; /* linear refracted radiance */
 extern const struct rg_image refract_reflection; /* linear reflected radiance */
 extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
-/* Path of refracted light. x: length inside the object, metres, or 0 if the model does not compute
+/* Path of refracted light. x: length inside the object in metres, 0 if the model does not compute
  * it; y: number of total internal reflections; z: 1 if the first inner surface reflects totally */
 extern const struct rg_image refract_path;
 
@@ -58,8 +58,8 @@ struct refract_medium_shaders {
 
 /* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
-    /* Fragment shaders of the image and of the AOV layers, without and with bump mapping.
-     * `bump_frag` is NULL if the model has no bump mapping. */
+    /* Fragment shaders of the image (`frag`) and of the AOV layers (`layers_frag`), and variants
+     * with bump mapping. If the model has no bump mapping, `bump_frag` is NULL. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* Variants for textured or tinted objects (ice_normal's material images). */
     const struct rg_shader *material_frag, *material_layers_frag;
@@ -68,7 +68,7 @@ struct refract_shaders {
     /* NULL: scattering media are rendered clear */
     const struct refract_medium_shaders *medium_shaders;
     /* Variants for rays that surroundings reflect to the object (ssr.c), without and with material
-     * images. NULL makes such rays read the object's colour from the image. */
+     * images. If NULL, such rays read the object's colour from the image. */
     const struct rg_shader *ssr_frag, *ssr_material_frag;
     /* Vertex shader. NULL selects refract.vert or refract_bump.vert, or refract_fullscreen.vert for
      * models that shade a full-screen triangle. */
@@ -93,8 +93,8 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
 
-/* Make a refraction model's passes. The image is drawn before the background, so hidden background
- * fails the depth test. Layers are drawn afterwards, as the background may hide the object. */
+/* Make a refraction model's passes. The image is drawn before the background, because hidden
+ * background then fails the depth test. Layers follow, as the background may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
 #define REFRACT_PASS_GROUPS \
     { \

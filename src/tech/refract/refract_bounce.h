@@ -7,8 +7,8 @@
 extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 
-/* Returns true if all faces of concave and nested objects are rendered (refract_bounce.nested).
- * Returns false if an object is textured or tinted or if cracks refract. */
+/* Returns true if the model renders all faces of concave and nested objects (setting
+ * refract_bounce.nested). It cannot if an object is textured or tinted, or if cracks refract. */
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene);
 
 #endif

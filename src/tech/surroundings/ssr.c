@@ -55,8 +55,8 @@ static const struct rg_image object_depth = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-/* Half-resolution images of reflected rays that hit an object: hit point relative to the camera,
- * ray direction, hit mask (a depth buffer), and premultiplied refracted colour. */
+/* Half-resolution images of reflected rays that hit an object. They contain the hit point relative
+ * to the camera, ray direction, hit mask (a depth buffer) and premultiplied refracted colour. */
 static const struct rg_image hit_point = {
     .name = "ssr.hit_point",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -305,8 +305,8 @@ static struct rg_technique make_object_passes(const struct technique_config *con
     return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
 }
 
-/* Returns the shader that refracts reflected rays in the object. Returns NULL if rays read the
- * image instead, as for several or nested objects, which overwrite each other's depth maps. */
+/* Returns the shader that refracts reflected rays in the object, or NULL if the rays read the image
+ * instead. Several or nested objects need NULL, as they overwrite each other's depth maps. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);
