@@ -116,8 +116,8 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
     return left <= right;
 }
 
-/* Covers the noisy cells within the rectangle `cells` with smaller rectangles to draw. Halves
- * `cells` recursively where this lowers the cost. Returns the cost of all rectangles, in cells. */
+/* Covers the noisy pixel blocks (cells) in `cells` with rectangles to draw. Returns their total
+ * cost, in cells. If halving `cells` lowers the cost, halves it recursively. */
 static uint32_t cover(struct adaptive *a, struct tile cells)
 {
     const uint32_t before = a->rectangle_count;

@@ -43,12 +43,12 @@ void adaptive_finish(struct adaptive *adaptive);
 void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint16_t *texels,
                   uint32_t sample);
 
-/* Starts the next round, once all rectangles have `end` samples per pixel. Quadruples `end`, and
+/* Starts the next round after all rectangles have `end` samples per pixel. Quadruples `end` and
  * covers the noisy cells with new rectangles. Returns false if no cell is noisy. */
 bool adaptive_next_round(struct adaptive *adaptive);
 
-/* Multiplies the sample sums of an averaged layer by ADAPTIVE_SAMPLES / (samples of the cell). All
- * sums then have the same divisor. The factors are powers of two, so nothing is rounded. */
+/* Scales an averaged layer's sample sums to ADAPTIVE_SAMPLES samples per pixel, because they need
+ * one common divisor. The factors are powers of two, so nothing is rounded. */
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 

@@ -83,8 +83,8 @@ static bool compute_vertices(const struct affine_map *map, double margin, float 
     return true;
 }
 
-/* Writes the vertices of a group. The three vertices of a triangle without area, which no ray can
- * hit, are replaced by one vertex of another triangle. */
+/* Writes the vertices of a group. If a triangle has no area, no ray can hit it. All its vertices
+ * are then set to one vertex of another triangle. */
 static void write_group(struct gpu_blas_groups *groups, const struct bvh *bvh,
                         const struct gpu_blas_group *group, double margin)
 {
@@ -227,8 +227,8 @@ static struct similarity_transform_corners vertices_of(const struct gpu_blas_gro
                                                   3 * group->count };
 }
 
-/* Returns true if a group has only moved rigidly or been scaled uniformly since `built`. Deviations
- * up to half of groups->margin are allowed. The other half is for rounding errors. */
+/* Returns true if a group has only moved rigidly or scaled uniformly since `built`. Vertices may
+ * deviate by groups->margin / 2, because the rest of the margin is for rounding errors. */
 static bool has_moved(const struct gpu_blas_groups *groups, const struct gpu_blas_groups *built,
                       uint32_t index, struct similarity_transform *motion)
 {

@@ -15,13 +15,13 @@
 #include "src/gpu/gpu_acceleration.h"
 #include "src/scene/bvh/bvh.h"
 
-/* Groups the triangles of a BVH, by object if `by_objects`, else by BVH root. When out of memory
- * logs and leaves *groups empty. */
+/* Groups the triangles of a BVH by object if `by_objects` is true, otherwise by BVH root. If out of
+ * memory, logs an error and leaves *groups empty. */
 MUST_USE enum status blas_groups_init(struct gpu_blas_groups *groups, const struct bvh *bvh,
                                       bool by_objects);
 
-/* Keeps the vertices of `built` for each group that has only moved since then, and sets the group's
- * instance transform. Returns false if the number of groups or the size of a group differs. */
+/* Sets the instance transform of each group that has only moved since `built`, and keeps its
+ * vertices from `built`. Returns false if the number or the sizes of groups differ. */
 bool blas_groups_keep(struct gpu_blas_groups *groups, const struct gpu_blas_groups *built);
 
 #endif

@@ -18,8 +18,8 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Checks that the plan's memory fits in the device's heaps. Host-visible buffers count once per
- * frame in flight. On CPU devices, which commit memory on first use, images count as one tile. */
+/* Checks that the plan fits in device memory. Host-visible buffers count once per frame in flight.
+ * If a CPU device draws tiles, images count as one tile, because unused memory is not committed. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = lavapipe_tuning_is_cpu(gpu);

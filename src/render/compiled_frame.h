@@ -26,8 +26,8 @@ MUST_USE enum status compiled_frame_realise(struct compiled_frame *compiled_fram
                                             const struct renderer_params *params,
                                             const struct rg_exec_import *imports);
 
-/* Replaces the plan of compiled_frame by that of *next, which has no executor yet. Keeps resources
- * that both plans need (rg_exec_update()). After a failure, compiled_frame must be destroyed. */
+/* Moves the plan of *next, which has no executor yet, to compiled_frame. Resources that the old
+ * plan also needs are kept (rg_exec_update()). After a failure, destroy compiled_frame. */
 MUST_USE enum status compiled_frame_replace(struct compiled_frame *compiled_frame,
                                             struct compiled_frame *next,
                                             const struct renderer_params *params,

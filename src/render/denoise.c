@@ -125,8 +125,8 @@ static bool read_planes(struct denoiser *s, const struct image *ground)
     return true;
 }
 
-/* Computes the mean and variance of a pixel's neighbourhood, for edge-stopping weights. Weights
- * from single pixels would reject the few pixels whose rays are occluded or hit a lamp. */
+/* Computes the mean and variance of a pixel's neighbourhood, for edge-stopping weights. Single
+ * pixels would not do: the weights would reject the few whose rays are occluded or hit a lamp. */
 static struct light local_statistics(const struct denoiser *s, int x, int y)
 {
     const struct surface *own = &s->surfaces[y * s->width + x];

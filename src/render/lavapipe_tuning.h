@@ -12,14 +12,14 @@
 /* Returns true if the device is the CPU. */
 bool lavapipe_tuning_is_cpu(const struct gpu *gpu);
 
-/* Sets GALLIVM_PERF in the environment, unless set, so that llvmpipe compiles shaders without
- * optimisation. This is faster overall for images that take little time to draw. Must be called
- * before gpu_create() and while no other thread reads the environment. */
+/* Makes llvmpipe compile shaders without optimisation: sets GALLIVM_PERF in the environment, unless
+ * it is set. This is faster for images that take little time to draw. Must be called before
+ * gpu_create(), while no other thread reads the environment. */
 void lavapipe_tuning_prefer_start(void);
 
 /* Chooses the page size of an executor's memory on a CPU device. A whole view gets huge pages,
- * because the first frame page-faults on all memory. A region of the view gets small pages, because
- * only parts of rows are touched, and untouched pages are never committed. */
+ * because the first frame page-faults on all memory. A region of a view gets small pages, because
+ * untouched pages between parts of rows are then never committed. */
 void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
                                    struct rg_exec *exec);
 

@@ -36,7 +36,7 @@ struct tiling renderer_tiling(const struct renderer_params *params)
 }
 
 /* Returns true if the image may be denoised: it is read back, drawn whole, and has few samples.
- * An image with many samples must equal progressive rendering, which does not denoise. */
+ * Images with many samples must equal progressive rendering, which does not denoise. */
 static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);

@@ -12,8 +12,8 @@ struct frame_object_distance {
     uint32_t object;
 };
 
-/* Margin around an object's screen area, as a fraction of its bounding radius, because G-buffer
- * lookups may land just outside the object (shaders/refract/refract_march_ray.glsl). */
+/* Margin around an object's screen area, as a fraction of its bounding radius. It is needed because
+ * G-buffer lookups may land just outside the object (shaders/refract/refract_march_ray.glsl). */
 #define LOOKUP_MARGIN 0.05f
 
 enum status frame_objects_init(struct frame_objects *objects, const struct frame_list *list,
@@ -97,8 +97,8 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest layer for an object. The layer is above those of all farther objects that
- * overlap the object on screen, and has no object for which lookups_overlap() is true. */
+/* Returns the lowest possible layer for an object. The layer must be above all farther objects that
+ * overlap the object on screen. lookups_overlap() must be false for all objects in the layer. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];
@@ -116,9 +116,9 @@ static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
     return layer;
 }
 
-/* Assigns the objects, which are sorted back to front, to layers. The passes of the first object in
- * a layer draw all objects of that layer, which saves barriers. The farthest object is alone in
- * layer 0, because its passes also clear the G-buffer. */
+/* Assigns the objects, sorted back to front, to layers. The passes of a layer's first object draw
+ * the whole layer, because this saves barriers. The farthest object is alone in layer 0, because
+ * its passes also clear the G-buffer. */
 static void assign_layers(struct frame_object *objects, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {

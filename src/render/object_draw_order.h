@@ -18,8 +18,8 @@ MUST_USE enum status frame_objects_init(struct frame_objects *objects,
                                         const struct frame_list *list, const struct scene *scene);
 void frame_objects_finish(struct frame_objects *objects);
 
-/* Sorts objects back to front and assigns them to the plan's passes. Writes their uniform data to
- * a frame slot. `reach` is the maximum lookup distance from an object's centre, bounding radii. */
+/* Sorts objects back to front, assigns them to the plan's passes, and writes their uniform data to
+ * a frame slot. `reach` is how far rays look up from an object's centre, in bounding radii. */
 void frame_objects_place(struct frame_objects *objects, const struct compiled_frame *compiled_frame,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach);

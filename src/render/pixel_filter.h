@@ -15,13 +15,13 @@ enum pixel_filter {
 /* Names of the filters, which are the values of --pixel-filter. */
 extern const char *const pixel_filter_names[PIXEL_FILTER_COUNT];
 
-/* Returns the offset of a sample from the pixel centre, in pixels to the right and down. Sample 0
- * is at the centre. The density of samples follows the filter, so that all have the same weight
- * (filter importance sampling; Ernst, Stamminger and Greiner 2006). */
+/* Returns a sample's offset from the pixel centre, in pixels to the right and down. Sample 0 is at
+ * the centre. All samples have equal weight, because their density follows the filter (filter
+ * importance sampling; Ernst, Stamminger and Greiner 2006). */
 vec2s pixel_filter_offset(enum pixel_filter filter, uint32_t sample);
 
-/* Returns a sample offset for the box filter, in pixels from -0.5 to 0.5 (exclusive). Samples
- * follow Roberts' R2 low-discrepancy sequence. Sample 0 is at the pixel centre. */
+/* Returns a sample offset for the box filter, from -0.5 to 0.5 pixels (exclusive). Sample 0 is at
+ * the pixel centre. The samples follow Roberts' R2 low-discrepancy sequence. */
 vec2s pixel_filter_jitter(uint32_t sample);
 
 #endif

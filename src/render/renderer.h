@@ -62,19 +62,19 @@ struct renderer_shot {
     struct camera earlier; /* previous frame's; fov_deg 0: `camera` */
 };
 
-/* Draws all samples of a shot into *result. *result must own no memory, and is empty after a
- * failure. With tiles, the result has the size of one tile. `progress` may be NULL. */
+/* Draws all samples of a shot into *result, which must own no memory. After a failure, *result is
+ * empty. If an image is drawn in tiles, *result has the size of a tile. `progress` may be NULL. */
 MUST_USE enum status renderer_render(struct renderer *renderer, const struct renderer_shot *shot,
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
-/* Submits sample 0 of the shot without waiting for its completion. Blocks while two frames are in
- * flight. The renderer must have been created with params.keep. */
+/* Submits sample 0 of the shot without waiting for its completion. If two frames are in flight,
+ * waits for one of them. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
 /* Draws the environment cube at `time`, in seconds. *image gets half-float planes R, G, B and A,
- * with six faces one below the other (environment.h). Uses only these params: gpu, scene, uploaded,
- * settings, sharing, and width as the width of a face. On failure *image stays empty. */
+ * with six faces one below another (environment.h). If this fails, *image stays empty. Uses only
+ * these params: gpu, scene, uploaded, settings, sharing, and width (of a face). */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 

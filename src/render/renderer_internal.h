@@ -57,8 +57,8 @@ MUST_USE enum status renderer_compile(struct renderer *renderer,
                                       struct compiled_frame *compiled_frame,
                                       struct frame_request request);
 
-/* Returns an array, which the caller frees, of the Vulkan objects that a plan imports. When out of
- * memory returns NULL and logs nothing. */
+/* Returns an array of the Vulkan objects that a plan imports. The caller frees the array. If out of
+ * memory, returns NULL and logs nothing. */
 struct rg_exec_import *renderer_imports(const struct renderer *renderer,
                                         const struct frame_plan *plan);
 

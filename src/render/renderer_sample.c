@@ -8,8 +8,8 @@
 #include "src/render/sample_accumulation.h"
 #include "src/settings/scene_settings.h"
 
-/* Returns the offset of an interleaved tile's pixel from the centre of its block, in image pixels.
- * A block has columns x rows pixels, one for each tile. */
+/* Returns the offset of a tile's pixel from its block's centre, in image pixels. Tiles are
+ * interleaved: each block of columns x rows pixels has one pixel of each tile. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
     if (!renderer_is_interleaved(params))
@@ -35,8 +35,8 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the image area where shaders may look up the object's faces. It includes a margin, as
- * lookups may land just outside the object. Output layers and pools need the whole image. */
+/* Returns the image area where shaders may look up the object's faces. A margin allows for lookups
+ * just outside the object. If there are output layers or pools, returns the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {

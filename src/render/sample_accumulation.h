@@ -13,7 +13,7 @@ bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
 
 /* Adds one sample of a layer to a rectangle of the image's planes. `texels` is the layer's image as
  * read back, without row padding. Layers that are not averaged (IDs, depth) use only sample 0,
- * which is at the pixel centre. */
+ * because it is at the pixel centre. */
 void accumulate_sample(struct image *image, const struct tile *tile,
                        const struct frame_layer *layer, const void *texels, uint32_t sample);
 

@@ -43,8 +43,8 @@ static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_d
     rg_exec_destroy(exec);
 }
 
-/* Gives this thread, and the driver threads that it starts, the lowest priority. The renderer and
- * Mesa's low-priority thread that writes the shader cache then run first. */
+/* Gives the lowest priority to this thread and to the driver threads that it starts. The renderer
+ * and Mesa's low-priority thread for the shader cache then run first. */
 static void lower_priority(void)
 {
     (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });

@@ -16,9 +16,9 @@
 
 struct warm_up;
 
-/* Starts warm-up threads for a compiled compiled_frame. The result borrows compiled_frame, gpu and
- * scene. Returns NULL (no error) if the device is not a CPU or has one core, if validation is on,
- * if shaders are replaced, if FIRN_WARM_UP=off is set, or when out of memory. */
+/* Starts warm-up threads for a compiled frame. The result borrows compiled_frame, gpu and scene.
+ * Returns NULL, without an error, if the device is no CPU or has one core, validation is on,
+ * shaders are replaced, FIRN_WARM_UP is `off`, or memory runs out. */
 struct warm_up *shader_warm_up_begin(const struct compiled_frame *compiled_frame,
                                      const struct renderer_params *params);
 

@@ -8,8 +8,8 @@
 #include "src/scene/mip_levels.h"
 #include "src/tech/techniques.h"
 
-/* Maximum simplification errors, as fractions of the mesh size. The error of surroundings is
- * smaller, because gaps would appear where surfaces touch, such as water on stone. */
+/* Maximum simplification errors, as fractions of the mesh size. The surroundings have the smaller
+ * error, because gaps would appear where surfaces touch, such as water on stone. */
 static const float object_error = 0.003f;
 static const float surroundings_error = 0.0003f;
 
@@ -163,8 +163,8 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* Simplifies a mesh. `error` is a fraction of the mesh's size. A mesh that would keep at least 3/4
- * of its triangles is not simplified. */
+/* Simplifies a mesh. `error` is a fraction of the mesh size. If at least 3/4 of the triangles would
+ * remain, the mesh is not simplified. */
 static enum status add_coarse(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
                               float error)
 {

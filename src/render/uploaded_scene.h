@@ -29,8 +29,8 @@ struct uploaded_scene {
     bool has_poses;                /* animated: further poses may follow */
 };
 
-/* Checks, before any allocation, that the device supports the sizes of the scene's images. If it
- * does not, logs and returns STATUS_DATA. */
+/* Checks that the device supports the image sizes of the scene, before anything is allocated. If it
+ * does not, logs an error and returns STATUS_DATA. */
 MUST_USE enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scene);
 
 /* Uploads a scene without its BVH. Logs errors; on failure *on_gpu is empty. */
@@ -41,8 +41,8 @@ MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct g
 MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                              const struct scene *scene);
 
-/* Builds the acceleration structures of a scene's BVH, unless they exist. For objects that have
- * only moved, reuses structures that uploaded_scene_finish() kept from the previous pose. */
+/* Builds the acceleration structures of a scene's BVH, unless they exist. If an object has only
+ * moved, its structures from the previous pose, kept by uploaded_scene_finish(), are used again. */
 MUST_USE enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu,
                                                        struct gpu *gpu, const struct scene *scene);
 

@@ -48,8 +48,8 @@ static float fresnel(float cosine, float ratio)
     return 0.5f * (s * s + p * p);
 }
 
-/* Randomly reflects or refracts a ray, weighted by Fresnel reflectance. The surface normal `n`
- * faces the ray. Returns true if it is refracted. */
+/* Reflects a ray with the Fresnel reflectance as probability, otherwise refracts it. `n` is the
+ * surface normal that faces the ray. Returns true if the ray is refracted. */
 static bool reflect_or_refract(struct ray *ray, vec3s n, float ratio)
 {
     const float cosine = fminf(-glms_vec3_dot(ray->dir, n), 1.0f);

@@ -27,7 +27,7 @@ struct ao_light {
 };
 
 /* Estimates the light that a body sends to the ground near its base, by tracing random rays. The
- * random sequence is fixed, so that results are deterministic. `up` is a unit vector. */
+ * result is deterministic, because the random sequence is fixed. `up` is a unit vector. */
 struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium *medium, vec3s up);
 
 #endif

@@ -103,8 +103,8 @@ static bool contains(const struct extent *body, const struct extent *other)
     return true;
 }
 
-/* Adds an object to an occluder. The object fills `fraction` of the occluder's volume, which is
- * subtracted from the share of the object that directly encloses it. */
+/* Adds an object to an occluder. The object fills `fraction` of the occluder's volume. If another
+ * object in the occluder directly encloses it, that object's share shrinks by `fraction`. */
 static void add_member(struct ao_shape *shape, const struct object *objects, uint32_t object,
                        float fraction)
 {

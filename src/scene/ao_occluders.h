@@ -25,7 +25,7 @@ struct ao_member {
         volume_fraction;
 };
 
-/* Convex body, an intersection of half-spaces in object space. A point p is inside if dot(p,
+/* Convex body: the intersection of half-spaces in object space. A point p is inside if dot(p,
  * planes[i].xyz) <= planes[i].w for all i. */
 struct ao_shape {
     vec4s planes[AO_PLANES]; /* unit normals */
@@ -41,8 +41,8 @@ struct ao {
     uint32_t count;
 };
 
-/* Fits occluders to all objects. Without objects, fits one occluder to the whole mesh. Logs and
- * returns STATUS_TRY_AGAIN when out of memory. */
+/* Fits occluders to all objects, or one occluder to the whole mesh if there are no objects. If out
+ * of memory, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status ao_find(struct ao *ao, const struct mesh *mesh, const struct object *objects,
                              uint32_t count);
 

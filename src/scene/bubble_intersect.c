@@ -30,9 +30,9 @@ static void to_sphere(const struct bubble *bubble, double v[static 3])
     add_axis(bubble, (radius / (radius + (double)bubble->stretch) - 1.0) * along, v);
 }
 
-/* Reduces a bubble to a sphere by changing `v`, a point relative to the centre. For a capsule,
- * subtracts the nearest point of the axis segment, and returns that point's coordinate along the
- * axis. For an ellipsoid, scales `v` along the axis, and returns 0. */
+/* Moves `v`, a point relative to the bubble's centre, into the space where the bubble is a sphere.
+ * For an ellipsoid, scales `v` along the axis and returns 0. For a capsule, subtracts the nearest
+ * point of the axis segment, and returns that point's coordinate along the axis. */
 static double reduce(const struct bubble *bubble, double v[static 3])
 {
     const double half = (double)bubble->stretch;

@@ -1,5 +1,5 @@
-/* bubble_intersect.h: air bubble: a sphere, an ellipsoid of revolution, or a capsule. A capsule is
- * all points within a radius of its axis segment. Bubbles are convex. */
+/* bubble_intersect.h: air bubbles are spheres, ellipsoids of revolution, or capsules. A capsule is
+ * all points within a radius of its axis segment. All bubbles are convex. */
 #ifndef FIRN_SCENE_BUBBLE_INTERSECT_H
 #define FIRN_SCENE_BUBBLE_INTERSECT_H
 
@@ -23,8 +23,8 @@ struct box bubble_box(const struct bubble *bubble);
 
 bool bubble_contains(const struct bubble *bubble, vec3s point);
 
-/* Intersects a ray, extended to a line, with a bubble. The two distances are in lengths of `dir`,
- * and negative behind the origin. Returns false for a miss. */
+/* Intersects a line with a bubble, and returns false for a miss. The line extends a ray in both
+ * directions. The two distances are in lengths of `dir`, and negative behind `origin`. */
 bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
 
 struct bubble_face {

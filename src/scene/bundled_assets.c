@@ -103,8 +103,8 @@ static void find_program_folder(char *folder, size_t size)
     folder[slash ? slash + 1 - folder : 0] = '\0';
 }
 
-/* Returns the path that consists of `a`, `b`, "/" and `file`, or NULL if there is no such file. The
- * caller frees the path. Sets *lacks_memory when out of memory. */
+/* Returns the path made of `a`, `b`, "/" and `file`, which the caller frees. If the file does not
+ * exist, returns NULL. If out of memory, returns NULL and sets *lacks_memory. */
 static char *join_if_exists(const char *a, const char *b, const char *file, bool *lacks_memory)
 {
     const size_t size = strlen(a) + strlen(b) + strlen(file) + 2;

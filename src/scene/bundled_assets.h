@@ -1,8 +1,7 @@
 /*
- * bundled_assets.h: models, environments and images bundled with the program, by name.
- *
- * Files are searched in $FIRN_ASSETS, then in ../share/firn relative to the program's folder
- * (installation), then in the folder `assets` beside the program (build tree).
+ * bundled_assets.h: finds the models, environments and images bundled with the program, by name.
+ * Files are searched first in $FIRN_ASSETS, then in ../share/firn relative to the program's folder
+ * (installation), and last in the folder `assets` beside the program (build tree).
  */
 #ifndef FIRN_SCENE_BUNDLED_ASSETS_H
 #define FIRN_SCENE_BUNDLED_ASSETS_H
@@ -40,8 +39,8 @@ const struct asset *asset_find(const char *name, enum asset_kind kind);
 /* Returns true if an environment's name, "valley" or "sky", selects the built-in landscape. */
 bool asset_is_valley(const char *name);
 
-/* Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
- * STATUS_NO_INPUT if the file does not exist, or STATUS_TRY_AGAIN when out of memory. */
+/* Finds an asset's file. The caller frees *path, which is NULL on failure. Logs errors. Returns
+ * STATUS_NO_INPUT if the file does not exist, STATUS_TRY_AGAIN if out of memory. */
 MUST_USE enum status asset_locate(const struct asset *asset, char **path);
 
 #endif

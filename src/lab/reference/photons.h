@@ -42,8 +42,8 @@ struct photons_params {
     void *user;
 };
 
-/* Builds the photon map, which is bit-identical for any number of threads. When out of memory logs
- * and returns STATUS_TRY_AGAIN. If `progress` cancels, returns STATUS_FAILED without logging. */
+/* Builds the photon map. The result is equal for all numbers of threads. If out of memory, logs and
+ * returns STATUS_TRY_AGAIN. If `progress` cancels, returns STATUS_FAILED without a log. */
 MUST_USE enum status photons_init(struct photons *photons, const struct tracer *tracing,
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */

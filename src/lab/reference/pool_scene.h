@@ -27,8 +27,8 @@ struct pool_scene {
     struct water_push push;
 };
 
-/* Builds the meshes of the pool in `scene`, with its waves at globals->time. Returns false when out
- * of memory; *pool_scene is then zeroed. */
+/* Builds the pool's meshes from `scene`, with the waves at globals->time. If out of memory, returns
+ * false and zeroes *pool_scene. */
 bool pool_scene_init(struct pool_scene *pool_scene, const struct scene *scene,
                      const struct settings *settings, const struct globals *globals);
 void pool_scene_finish(struct pool_scene *pool_scene); /* accepts {0} */

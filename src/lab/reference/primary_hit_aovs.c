@@ -13,8 +13,8 @@ static bool is_visible(const struct primary_hit_layers *first, const struct embr
     return hit->kind != EMBREE_SCENE_AIR;
 }
 
-/* Finds the first visible surface along a camera ray. Skips planes of air and surfaces with an
- * alpha below one half. Returns false if no surface is left. */
+/* Finds the first visible surface along a camera ray. Skips textured planes of milky air, and
+ * surfaces with alpha below 0.5. Returns false if no surface is found. */
 static bool find_visible(const struct primary_hit_layers *first, const struct embree_scene_ray *ray,
                          struct embree_scene_hit *hit)
 {

@@ -12,8 +12,8 @@ struct primary_hit_layers {
     const struct first_surface_previous *earlier; /* previous frame; NULL if nothing moves */
 };
 
-/* Fills the layers of the primary hit. Skips blended surfaces with an alpha below one half, as the
- * rasteriser does. `closest` is the ray's closest hit, `forward` the camera's view direction. */
+/* Fills the layers of the primary hit. Skips surfaces with alpha below 0.5, as the rasteriser does.
+ * `closest` is the ray's closest hit. `forward` is the camera's view direction. */
 void primary_hit_layers_fill(const struct primary_hit_layers *first,
                              const struct embree_scene_ray *ray, vec3s forward,
                              const struct embree_scene_hit *closest,

@@ -29,8 +29,8 @@ static vec3s absorbed(const struct tracer *tracing, const struct ray_branch *b, 
     return throughput;
 }
 
-/* Returns the media on both sides of an object's surface. A thin wall has no interior, so both
- * sides have the surrounding medium. */
+/* Returns the media on both sides of an object's surface. If the object is a thin wall, both are
+ * the surrounding medium, because a thin wall has no interior. */
 static struct nested_media_crossing crossing_at(const struct tracer *tracing,
                                                 const struct nested_media_set *inside, vec3s dir,
                                                 const struct embree_scene_hit *hit)
@@ -122,8 +122,8 @@ bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_
     return medium_around(tracing, b) != NULL;
 }
 
-/* Returns the sunlight that a medium scatters once at a point, towards -dir. The shadow ray to the
- * sun is not refracted at the ice's surface. */
+/* Returns the single-scattered sunlight from a point in a medium, in direction -dir. The shadow ray
+ * to the sun is not refracted at the surface. */
 static vec3s single_scattering(const struct tracer *tracing,
                                const struct volume_scattering *volume_scattering, vec3s point,
                                vec3s dir)

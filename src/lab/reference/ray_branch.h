@@ -27,9 +27,9 @@ struct fork {
 };
 
 /*
- * Advances a ray to the next surface that branches it, or to the surroundings. Multiplies the
- * throughput by the transmittance. Skips boundaries between equal media. Scattering media may
- * deflect the ray. Returns false if nothing is hit or the ray's limit of surfaces is reached.
+ * Advances a ray to the next surface that splits it, or to the surroundings. Multiplies the
+ * throughput by the transmittance. Passes boundaries between equal media. A scattering medium may
+ * deflect the ray. Returns false if nothing is hit, or if ray_branch_is_exhausted() ends the ray.
  */
 bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
                         struct surface_hit *surface_hit);
@@ -38,8 +38,8 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
 void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                      const struct embree_scene_hit *hit, float passing);
 
-/* Returns true if a ray has reached its limit of scattering events or surfaces. The limit of
- * surfaces is reference.bounces, or a higher number with Russian roulette. */
+/* Returns true if a ray has reached its limit of surfaces or of scattering events. The limit of
+ * surfaces is reference.bounces. With Russian roulette, it is higher. */
 bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_branch *b);
 
 /* Returns true if a ray's medium is that of `object`. Bubbles in the object have another medium. */
@@ -54,9 +54,9 @@ const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
 struct fork ray_branch_split(const struct tracer *tracing, const struct ray_branch *b,
                              const struct surface_hit *surface_hit);
 
-/* Applies Russian roulette. A ray whose throughput is below reference.cutoff survives with
- * probability throughput / cutoff and is reweighted. A ray that has split too often becomes a
- * single path. Returns false if the ray is terminated. */
+/* Applies Russian roulette, and returns false if the ray is terminated. If the throughput is below
+ * reference.cutoff, the ray survives with probability throughput / cutoff and is reweighted. If the
+ * ray has split too often, it becomes a single path. */
 bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b);
 
 /* Chooses the reflected or refracted ray at random by Fresnel reflectance, and reweights it. */

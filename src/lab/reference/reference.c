@@ -194,8 +194,8 @@ static void trace_tile(void *user, uint32_t tile)
     job->tallies[tile] = tally;
 }
 
-/* Reports the progress of all rounds as a number of tiles, from 0 to tile_count. Cancels the tiles
- * in progress if the callback returns false. */
+/* Reports progress to the callback, as a number of tiles from 0 to tile_count for the whole run. If
+ * the callback returns false, cancels the tiles in progress. */
 static bool report_tiles(void *user, uint32_t done)
 {
     struct job *job = user;

@@ -46,18 +46,18 @@ MUST_USE enum status reference_create(struct reference **reference,
                                       const struct reference_request *request);
 
 /*
- * Renders an image. *result must own no memory, and is zeroed on failure. The calling thread
- * regularly calls `progress` with the number of finished tiles and the total. `progress` may be
- * NULL. If `progress` returns false, rendering stops with STATUS_FAILED and without a log message.
+ * Renders an image. *result must own no memory; on failure, *result is zeroed. The calling thread
+ * regularly calls `progress`, which may be NULL, with the numbers of finished and of all tiles. If
+ * `progress` returns false, rendering stops with STATUS_FAILED and without a log message.
  */
 MUST_USE enum status reference_render(struct reference *reference, const struct renderer_shot *shot,
                                       struct render_result *result, renderer_progress_fn *progress,
                                       void *user);
 
 /*
- * Number of samples per pixel below which the noise limit is not checked. Limits are checked
- * between rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel. The noise of an
- * image is the mean standard error of its pixels.
+ * The noise limit is not checked below this number of samples per pixel. Limits are checked between
+ * rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel. The noise of an image is
+ * the mean standard error of its pixels.
  */
 enum {
     REFERENCE_NOISE_SAMPLES = 8

@@ -20,9 +20,9 @@ struct reference_ray_values {
     float alpha; /* 1; 0 for a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* Values of the refracted path: `exit` is its final direction, `path` its length inside the
-     * object in metres, and `bounces` its number of total internal reflections. `tir` is 1 if there
-     * are any such reflections, else 0. */
+    /* Refracted path: `exit` is its final direction. `path` is its length inside the object, in
+     * metres. `bounces` is the number of total internal reflections. If there are any, `tir` is 1,
+     * otherwise 0. */
     vec3s exit;
     float path, bounces, tir;
     float inclusion_bits;         /* inclusions hit by the refracted path */
@@ -41,8 +41,8 @@ enum {
     REFERENCE_RAY_VALUE_NONE,
 };
 
-/* Returns the index of the value that an image plane stores. Returns REFERENCE_RAY_VALUE_ERROR for
- * the standard error, and REFERENCE_RAY_VALUE_NONE for an unknown plane. */
+/* Returns the index of the value that an image plane stores: REFERENCE_RAY_VALUE_ERROR for the
+ * standard error, REFERENCE_RAY_VALUE_NONE if the plane is unknown. */
 size_t reference_layers_find(const char *plane);
 
 /* Returns the name of the plane that stores value `index`, or NULL. */
@@ -55,8 +55,8 @@ enum {
     REFERENCE_NAMES_SIZE = 512 /* bytes for the names of reference_unsupported() */
 };
 
-/* Writes to `names` a comma-separated list of enabled features that the path tracer lacks. Returns
- * true if the list is not empty. */
+/* Returns true if settings enable features that the path tracer lacks. Writes their names to
+ * `names`, separated by commas. */
 bool reference_unsupported(const struct settings *settings, char *names, size_t size);
 
 #endif

@@ -70,8 +70,8 @@ void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane
 void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, uint32_t y,
                             float *row);
 
-/* Restores row y of the sums from one plane of a file of sums. The sums must be 0 before the first
- * plane. Each row must be restored once per plane. Returns false if a value is invalid. */
+/* Restores row y of the sums from one plane of a saved file. The sums must be 0 before the first
+ * plane. Call this once per row and plane. Returns false if a value is invalid. */
 MUST_USE bool reference_sums_set_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
                                      const float *row);
 

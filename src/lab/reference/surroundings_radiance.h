@@ -1,8 +1,8 @@
 /*
  * surroundings_radiance.h: radiance of surroundings and sky along a ray. Formulas, constants and
- * prefiltered environment lighting are those of the shaders (shaders/surroundings/,
- * shaders/brdf.h), so that comparisons show only errors of refraction. Textures are filtered
- * bilinearly without mip levels: only several samples per pixel antialias them.
+ * environment lighting equal those of shaders/surroundings/ and shaders/brdf.h, because comparisons
+ * must show only errors of refraction. Textures are filtered bilinearly without mip levels.
+ * Antialiasing them takes several samples per pixel.
  */
 #ifndef FIRN_LAB_REFERENCE_SURROUNDINGS_RADIANCE_H
 #define FIRN_LAB_REFERENCE_SURROUNDINGS_RADIANCE_H
@@ -69,8 +69,8 @@ bool radiance_reflectance_at(const struct radiance *radiance, const struct radia
 /* Returns the radiance of the sky without the sun's disc, which is sampled separately. */
 vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir);
 
-/* Evaluates an object's textured material at a point. `untextured` is the material without its
- * textures. Stores the outward normal, perturbed by the normal map, in *normal. */
+/* Returns an object's textured material at a point. `untextured` is the material without textures.
+ * *normal is set to the outward normal, perturbed by the normal map. */
 struct object_material radiance_material_at(const struct radiance *radiance,
                                             const struct material *material,
                                             const struct radiance_point *point,

@@ -1,7 +1,7 @@
 /*
- * volume_scattering.h: scattering medium of varying density inside an object, without absorption.
- * Delta tracking (Woodcock 1965) samples free-flight distances without bias and without a step
- * size. Directions follow the Henyey-Greenstein phase function (1941).
+ * volume_scattering.h: scattering medium inside an object, with varying density and no absorption.
+ * Free-flight distances are sampled by delta tracking (Woodcock 1965), which is unbiased.
+ * Directions follow the Henyey-Greenstein phase function (1941).
  */
 #ifndef FIRN_LAB_REFERENCE_VOLUME_SCATTERING_H
 #define FIRN_LAB_REFERENCE_VOLUME_SCATTERING_H
@@ -31,8 +31,8 @@ struct volume_scattering_segment {
     float length;    /* metres */
 };
 
-/* Samples the distance to the next scattering event by delta tracking. Returns false if the segment
- * has none. `sample` and `seed` select random numbers (see microfacet_point()). */
+/* Samples the distance to the next scattering event. Returns false if there is none in the segment.
+ * `sample` and `seed` select the random numbers (see microfacet_point()). */
 bool volume_scattering_sample_distance(const struct volume_scattering *volume_scattering,
                                        const struct volume_scattering_segment *segment,
                                        uint32_t sample, uint32_t seed, float *distance);

@@ -30,8 +30,8 @@ static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_
         stack[(*count)++] = branch;
 }
 
-/* Computes the effect of objects and water on sunlight and sky light at a hit on surroundings.
- * Returns false if there is no effect. */
+/* Sets *sun to the sunlight and sky light that reach a hit on the surroundings through objects or
+ * water. Returns false if neither affects the light. */
 static bool find_sunlight(const struct tracer *tracing, const struct embree_scene_hit *hit,
                           const struct ray_branch *b, struct radiance_sun *sun)
 {
@@ -70,7 +70,7 @@ static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
            tracer_medium(tracing, tracing->media->outside)->ior[1];
 }
 
-/* Shades a hit on the surroundings, or the sky if `hit` is NULL. *gather receives rays that gather
+/* Shades a hit on the surroundings, or the sky if `hit` is NULL. Sets *gather to the rays for
  * indirect light. Returns true if the ray continues behind a blended surface. */
 static bool shade_surroundings(const struct tracer *tracing, const struct embree_scene_hit *hit,
                                struct ray_branch *b, struct sum *sum, struct light_gather *gather)
@@ -153,8 +153,8 @@ static void trace_tree(const struct tracer *tracing, struct ray_branch first, ui
     }
 }
 
-/* Fills the layers of the refracted path. It starts at the primary hit, refracts wherever possible,
- * and ends where it leaves all objects. */
+/* Fills the layers of the refracted path. At each surface the path refracts, or reflects if it
+ * must. It ends where it leaves all objects. */
 static void fill_refracted_layers(const struct tracer *tracing, struct ray_branch b,
                                   struct reference_ray_values *values)
 {
@@ -183,8 +183,8 @@ static void fill_refracted_layers(const struct tracer *tracing, struct ray_branc
     values->tir = bounces ? 1.0f : 0.0f;
 }
 
-/* Returns the object number of the last surface on the refracted path, or `last` if the path has no
- * surface after the primary hit. */
+/* Returns the object number of the last surface on the refracted path. If there is no surface after
+ * the primary hit, returns `last`. */
 static float find_last_object(const struct tracer *tracing,
                               const struct primary_hit_layers *primary, const struct fork *fork,
                               float last)

@@ -50,13 +50,13 @@ struct frame_plan {
     size_t import_count;
 };
 
-/* Compiles a frame request; needs no device. Logs errors. Returns STATUS_FAILED if the tables are
- * invalid, STATUS_TRY_AGAIN when out of memory. Call frame_plan_finish() in any case. */
+/* Compiles the plan of a frame, without a device. Logs errors. Returns STATUS_FAILED if tables are
+ * invalid, STATUS_TRY_AGAIN if out of memory. Even after an error, call frame_plan_finish(). */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
-/* Recompiles the plan for the size request->view. The size must not exceed max_view of `request`
- * and of the request given to frame_plan_init(). On success the caller owns *previous, the replaced
- * plan. On failure nothing changes. */
+/* Recompiles the plan for the image size request->view. The size is limited by request->max_view
+ * and by the max_view given to frame_plan_init(). On success, the caller owns the replaced plan,
+ * *previous. On failure, nothing changes. */
 MUST_USE enum status frame_plan_change_view(struct frame_plan *plan,
                                             const struct frame_request *request,
                                             struct rg_plan **previous);

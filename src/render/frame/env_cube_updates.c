@@ -80,8 +80,8 @@ static struct frame_cube_state face_inputs(const struct globals *globals)
     };
 }
 
-/* Returns true if a sphere may be visible in a cube face. The face's frustum contains the points
- * whose |right| and |up| coordinates are at most `forward`. */
+/* Returns true if a cube face may show a sphere. A point is in the face's frustum if its
+ * coordinates |right| and |up| are at most `forward`. */
 static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
                            const struct frame_cube_moving_sphere *sphere)
 {

@@ -104,9 +104,9 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     return clip_from_world;
 }
 
-/* Computes the pixels, with a margin, that a sphere covers along an image axis. `ahead` and
- * `aside`: coordinates of the sphere's centre along camera axis and image axis, metres. `half`:
- * half the image's width or height, pixels. `edge`: tangent of half the field of view. */
+/* Sets `ends` to the pixels that a sphere covers along an image axis, with a margin. The sphere's
+ * centre is `ahead` metres along the camera axis and `aside` along the image axis. `half` is half
+ * the image size in pixels. `edge` is the tangent of half the field of view. */
 static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
 {
     const float bound = 4.0f * half;
@@ -352,8 +352,8 @@ struct globals frame_view_globals(const struct frame_view *view,
     return g;
 }
 
-/* Returns flags for the kinds of textures in use. CPU drivers fetch textures even in branches not
- * taken, so unused kinds must be compiled out. */
+/* Returns flags for the kinds of textures in use. Shaders must leave out unused kinds, because CPU
+ * drivers fetch textures even in branches that are not taken. */
 static uint32_t textured(const struct model *model)
 {
     const bool any = model->textures.count + model->numbers.count > 0;

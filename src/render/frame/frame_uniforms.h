@@ -13,22 +13,22 @@ mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier);
 
 /* Returns the pixels, with a margin, that may show a sphere around the object. The sphere's radius
- * is `radii` bounding radii of the object, where 0 means 1. Returns all pixels if the sphere is not
- * entirely in front of the camera. */
+ * is `radii` times the object's bounding radius; 0 means 1. If part of the sphere is not in front
+ * of the camera, returns all pixels. */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
 /* Returns true if the object's bounding sphere extends beyond the image or is near the camera. */
 bool frame_view_exceeds_image(const struct frame_view *view);
 
-/* Returns the pixels of an image that may show `box`. The box rotates with its object and is
- * enlarged by `room` bounding radii and one pixel. Returns all pixels if a corner is nearer than
- * the near plane. `globals` are those of the object, or frame_view_globals() for all objects. */
+/* Returns the pixels that may show `box`, enlarged by `room` bounding radii and one pixel. The box
+ * rotates with its object. If a corner is nearer than the near plane, returns all pixels. `globals`
+ * belong to the box's object; for the box of all objects, use frame_view_globals(). */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
-/* Returns the pixels of an image that show the objects' mirror image in a floor below. Includes a
- * margin for uneven floors. */
+/* Returns the pixels that may show the reflection of the objects in a floor below them. A margin
+ * allows for uneven floors. */
 VkRect2D frame_view_reflection_area(const struct frame_view *view, const struct globals *globals,
                                     VkExtent2D size);
 
@@ -55,9 +55,9 @@ struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings,
                                             const struct technique *refraction);
 
-/* Returns `clip_from_world` with depth fitted to a sphere: 0 at the front, 1 at the back. The near
- * plane stays in front of a camera inside the sphere. *fitted is set to the distances of the near
- * and the far plane along the camera axis, metres. */
+/* Returns `clip_from_world` with its depth fitted to a sphere: 0 at the front, 1 at the back. If
+ * the camera is inside the sphere, the near plane is in front of the camera. *fitted receives the
+ * distances of the near and far planes along the camera axis, in metres. */
 mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
                      vec2s *fitted);
 

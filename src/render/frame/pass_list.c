@@ -100,8 +100,8 @@ static const struct rg_use *uses_with(struct pass_arena *builder, const struct r
     return copy;
 }
 
-/* Replaces the passes of the groups from index `first` on by copies for one object, given by its
- * position in back-to-front order. The copies use the object's uniform buffer and unique names. */
+/* Replaces the passes of the groups from `first` on by copies with one object's uniform buffer.
+ * `depth_index` is the object's position in back-to-front order. */
 static bool assign_to_object(struct frame_list *list, size_t first, uint32_t depth_index,
                              bool for_layers)
 {
@@ -205,8 +205,8 @@ static bool reads(const struct frame_list_object *object, const struct rg_image 
     return false;
 }
 
-/* Returns true if all objects draw to the same image. This holds for colour, depth, drawn layers,
- * and images that are read only by passes that belong to no object. */
+/* Returns true if all objects draw to `image`: colour, depth, a drawn layer, or an image that only
+ * passes outside the objects read. */
 static bool is_shared(const struct frame_list *list, const struct frame_list_object *object,
                       const struct rg_image *image)
 {
@@ -220,8 +220,8 @@ static bool is_shared(const struct frame_list *list, const struct frame_list_obj
     return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Returns true if a target may be drawn only near the object. Such a target has the view's size,
- * and its pixels elsewhere are kept or never read. */
+/* Returns true if drawing to a target may be limited to the area near the object. The target must
+ * have the view's size. Its pixels elsewhere must be kept, or never read. */
 static bool is_local(const struct frame_list *list, const struct rg_target *target)
 {
     const struct rg_image *image = target->image;
@@ -230,8 +230,8 @@ static bool is_local(const struct frame_list *list, const struct rg_target *targ
            (!image || target->load == RG_LOAD_KEEP || !is_used_elsewhere(list, image));
 }
 
-/* Makes a pass keep the content of shared targets and, if possible, draw only near its object. Many
- * small objects then cost no more than a few large ones. */
+/* Makes a pass keep the content of images that all objects draw to. If possible, limits drawing to
+ * the area near the object, because many small objects then cost no more than a few large ones. */
 static void keep_shared_in_pass(struct frame_list *list, const struct frame_list_object *object,
                                 struct rg_pass *pass)
 {

@@ -44,12 +44,12 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 /* Returns the settings after replacing those that the scene determines. */
 struct settings frame_settings(const struct settings *settings, const struct scene *scene);
 
-/* Returns the width of environment cube faces, texels. If env_cube.size is 0, this is the smallest
- * power of two from 128 to 2048 that is at least 0.9 times the image's `height`. */
+/* Returns the width of environment cube faces, in texels: env_cube.size, if set. Otherwise returns
+ * the smallest power of two that is at least 0.9 * height, clamped to 128 to 2048. */
 uint32_t frame_face_size(const struct settings *settings, uint32_t height);
 
-/* Returns the settings with which an image is drawn: what follows from the scene is set, and `auto`
- * is resolved for a refraction model (NULL for none) and an image height in pixels. */
+/* Returns the settings that an image is drawn with. Values that follow from the scene are set, and
+ * `auto` is resolved. `refraction` may be NULL. `height` is the image height in pixels. */
 struct settings frame_resolve_settings(const struct settings *settings, const struct scene *scene,
                                        const struct technique *refraction, uint32_t height);
 

@@ -6,8 +6,8 @@
 
 #define HALF_WIDTH 0.018f /* half-width of 35 mm film, metres */
 
-/* Returns a lens sample on the unit disc; sample 0 is the centre. Samples are the last two
- * dimensions of Roberts' 4D R sequence, mapped to the disc by Shirley and Chiu's concentric map. */
+/* Returns a lens sample on the unit disc; sample 0 is the centre. Uses the last two dimensions of
+ * Roberts' 4D R sequence. Shirley and Chiu's concentric map takes them to the disc. */
 static vec2s disc_point(uint32_t sample)
 {
     const float x = 2.0f * (float)fmod(0.5 + sample * 0.6287067210378087, 1.0) - 1.0f;

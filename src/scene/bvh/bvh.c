@@ -12,8 +12,8 @@
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
 
-/* Factors by which deformation may raise a BVH's SAH cost before the BVH is rebuilt. The limit is
- * lower for the BVH of a whole scene part, which all rays traverse. */
+/* Maximum growth of a BVH's SAH cost by deformation, as a factor, before the BVH is rebuilt. The
+ * BVH of a whole scene part has the lower limit, because all rays traverse it. */
 static const double object_growth_max = 1.5, part_growth_max = 1.1;
 
 static uint32_t bits(float x)
@@ -120,8 +120,8 @@ static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
     return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
 }
 
-/* Returns true if hits on a triangle need vertex colours and texture coordinates. Opaque surfaces
- * need them, and so do objects that are textured or not fully transmissive. */
+/* Returns true if shading a hit on the triangle needs vertex colours and texture coordinates.
+ * Surroundings need them, and objects that are textured or not fully transmissive. */
 static bool has_surface(const struct bvh_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
@@ -180,8 +180,8 @@ static void count_words(struct bvh *bvh, const struct bvh_part *part,
         bvh->corners.count += surfaces * BVH_EXTRA_WORDS;
 }
 
-/* Writes the triangles and nodes of a scene part. In the corner array, vertex colours and texture
- * coordinates are stored after the corners of all parts. */
+/* Writes the triangles and nodes of a scene part. Vertex colours and texture coordinates follow the
+ * corners of all parts in the corner array. */
 static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *part,
                        const struct bvh_two_level *hierarchy)
 {
@@ -215,8 +215,8 @@ static uint32_t media_words(const struct bvh *bvh)
     return bvh->object_count > BVH_MASK_OBJECTS_MAX ? bvh->object_count + 1 : 0;
 }
 
-/* Fills the table that maps an object's medium priority (rank) to a medium index. Objects with the
- * same material share an index. Returns false when out of memory. */
+/* Fills the table that maps an object's medium priority (rank) to a medium index. Objects with one
+ * material share an index. If out of memory, returns false. */
 static bool write_media(struct bvh *bvh, const struct model *model)
 {
     uint32_t count = 0;
@@ -234,8 +234,8 @@ static bool write_media(struct bvh *bvh, const struct model *model)
     return media;
 }
 
-/* Builds the BVHs of all scene parts. For an animated pose, builds only the BVH of the inclusions,
- * and refits the others from the rest pose. */
+/* Builds the BVHs of all scene parts. If the pose is animated, builds only the BVH of the
+ * inclusions (bubbles and cracks), and refits all others from the rest pose. */
 static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {

@@ -77,9 +77,9 @@ struct bvh_params {
     bool is_cached; /* true to cache large BVHs in files; only rest-pose BVHs if animated */
 };
 
-/* Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA
- * if there are too many triangles (BVH_TRIANGLES_MAX), objects (BVH_OBJECTS_MAX) or materials
- * (BVH_MEDIA_MAX). *bvh is zeroed on failure. */
+/* Builds the BVHs of a model. If this fails, logs an error and zeroes *bvh. Returns
+ * STATUS_TRY_AGAIN if out of memory, STATUS_DATA if there are too many triangles
+ * (BVH_TRIANGLES_MAX), objects (BVH_OBJECTS_MAX) or materials (BVH_MEDIA_MAX). */
 MUST_USE enum status bvh_init(struct bvh *bvh, const struct bvh_params *params);
 
 void bvh_finish(struct bvh *bvh);
@@ -113,9 +113,9 @@ bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *r
 /* Returns the medium index of the object with medium priority `rank`; 0 for the air outside. */
 uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank);
 
-/* Interior list of nested dielectrics (Schmidt and Budge 2002): the ranks of the objects that
- * enclose a point. With up to BVH_MASK_OBJECTS_MAX objects, words[0] is a mask, with bit `rank` - 1
- * for each object. With more, `words` hold the highest ranks in descending order, 16 bits each. */
+/* Interior list of nested dielectrics (Schmidt and Budge 2002): priorities (ranks) of the objects
+ * that enclose a point. For up to BVH_MASK_OBJECTS_MAX objects, words[0] is a mask; an object sets
+ * bit rank-1. For more, `words` holds the highest ranks in descending order, 16 bits each. */
 struct bvh_interior_list {
     uint32_t words[BVH_INTERIOR_LIST_MAX / 2];
 };

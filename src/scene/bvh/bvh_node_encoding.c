@@ -1,7 +1,7 @@
 /*
- * bvh_node_encoding.c: encodes BVH nodes for the GPU: quantised child boxes and normal cones. Child
- * boxes are rounded outwards to a fixed-point grid of the scene part, which halves their size in
- * memory. With normal cones, rays from outside an object skip subtrees of back faces, and rays from
+ * bvh_node_encoding.c: encodes BVH nodes for the GPU, with quantised child boxes and normal cones.
+ * Child boxes are rounded outwards to a fixed-point grid of the scene part, which halves their size
+ * in memory. Normal cones let rays from outside an object skip subtrees of back faces. Rays from
  * inside skip subtrees of front faces.
  */
 #include "src/scene/bvh/bvh_node_encoding.h"
@@ -80,8 +80,8 @@ struct packed_cone {
     uint32_t sine;
 };
 
-/* Quantises a normal cone. The half-angle is enlarged by the rounding error of the axis. A subtree
- * is back-facing if the cosine between ray and cone axis exceeds the sine of the half-angle. */
+/* Quantises a normal cone. The half-angle is enlarged by the rounding error of the axis. If
+ * cos(angle of ray and axis) > sin(half-angle), the subtree is back-facing. */
 static struct packed_cone pack(const struct cone *cone)
 {
     struct packed_cone packed = { .sine = BVH_CONE_OPEN };

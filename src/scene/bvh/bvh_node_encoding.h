@@ -7,8 +7,8 @@
 /* Returns the number of 16-byte words for the nodes and quantisation grid of a non-empty part. */
 uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy);
 
-/* Encodes a part's nodes, and returns the root's index. The part's triangles must already be
- * encoded, from index `first` on. If `has_cones`, normal cones take some bits of child boxes. */
+/* Encodes a part's nodes; returns the root's index. The part's triangles must already be encoded,
+ * from index `first` on. If `has_cones` is true, normal cones use bits of the child boxes. */
 uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones);
 

@@ -16,8 +16,8 @@ struct bvh_part {
     bool is_object, is_inclusion;
 };
 
-/* Lists the triangles of all parts, grouped by object if `by_objects`, else in one group per part.
- * Returns false when out of memory. Call bvh_parts_finish() in any case. */
+/* Lists the triangles of all parts. Each object is a group if `by_objects` is true, otherwise each
+ * part. If out of memory, returns false. Even then, call bvh_parts_finish(). */
 MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT],
                              const struct bvh_params *params, bool by_objects);
 void bvh_parts_finish(struct bvh_part parts[static BVH_COUNT]);
@@ -29,7 +29,7 @@ const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t trian
 
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
-/* Returns true if the objects' box overlaps no bounding box of a triangle of the surroundings. If
+/* Returns true if the objects' box overlaps no bounding box of a surroundings triangle. If
  * `rotates`, the box contains all rotations about +Y, and moving surroundings count as overlap. */
 bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_COUNT], bool rotates);
 
