@@ -236,7 +236,7 @@ void model_color_warn(const struct model_import *import)
 {
     if (import->clamped_materials > 0 || import->clamped_vertices > 0)
         log_warning(
-            "%s: colours outside the range 0 to 1 (unlit vertices: 0 to %d) were clamped: %u "
-            "materials, %u vertices",
+            "%s: colours outside the range 0 to 1 (unlit vertices: 0 to %d) were clamped in %u "
+            "materials and %u vertices",
             import->path, MODEL_RADIANCE_MAX, import->clamped_materials, import->clamped_vertices);
 }
