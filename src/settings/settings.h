@@ -27,7 +27,7 @@ enum setting_source {
 };
 
 enum {
-    SETTINGS_FIELD_COUNT = SETTING_GROUP_COUNT * SETTING_GROUP_SIZE / sizeof(float)
+    SETTINGS_FIELD_COUNT = SETTING_GROUP_COUNT * (SETTING_GROUP_SIZE / sizeof(float))
 };
 
 struct settings {

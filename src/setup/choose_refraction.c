@@ -310,7 +310,7 @@ void setup_choose_refraction(struct setup_image *image, const struct scene *scen
                              const struct camera *camera)
 {
     const bool is_inside = is_camera_inside(scene, &image->scene.settings, camera);
-    char reason[200] = "";
+    char reason[220] = "";
     if (!image->is_refraction_named)
         name_reason(scene, is_inside, reason, sizeof(reason));
     if (!image->is_refraction_named)
