@@ -148,20 +148,24 @@ ABI_FUNCTION float lit_attenuation(float distance, float range, float c, vec2s c
     return window * edge * edge / fmaxf(distance * distance, 1e-8f);
 }
 
-/* Returns the radiance that a surface reflects from an unshadowed punctual light. `position` to
- * `cone` are the light's row of the light texture. For `n`, `base`, `v`, see lit_by_light_on(). */
+/* Punctual light: a row of the light texture. */
+struct lit_punctual_light {
+    vec4s position, direction, color, cone;
+};
+
+/* Returns the radiance that a surface reflects from an unshadowed punctual light. For `n`, `base`
+ * and `v`, see lit_by_light_on(). */
 ABI_FUNCTION vec3s lit_by_punctual_light(ABI_STRUCT(lit_surface) s, vec3s point, vec3s n,
-                                         vec3s base, vec3s v, vec4s position, vec4s direction,
-                                         vec4s color, vec4s cone)
+                                         vec3s base, vec3s v, ABI_STRUCT(lit_punctual_light) row)
 {
-    vec3s axis = glms_vec3(direction);
-    vec3s to_light =
-        position.w > 0.0f ? glms_vec3_sub(glms_vec3(position), point) : glms_vec3_negate(axis);
+    vec3s axis = glms_vec3(row.direction);
+    vec3s to_light = row.position.w > 0.0f ? glms_vec3_sub(glms_vec3(row.position), point)
+                                           : glms_vec3_negate(axis);
     float distance = glms_vec3_norm(to_light);
     vec3s l = glms_vec3_divs(to_light, fmaxf(distance, 1e-6f));
-    float arriving =
-        lit_attenuation(distance, direction.w, -glms_vec3_dot(l, axis), ABI_VEC2(cone.x, cone.y));
-    vec3s light = glms_vec3_divs(glms_vec3_scale(glms_vec3(color), arriving), 3.14159265f);
+    float arriving = lit_attenuation(distance, row.direction.w, -glms_vec3_dot(l, axis),
+                                     ABI_VEC2(row.cone.x, row.cone.y));
+    vec3s light = glms_vec3_divs(glms_vec3_scale(glms_vec3(row.color), arriving), 3.14159265f);
     return glms_vec3_mul(light, lit_by_light_on(s, n, base, v, l, LIT_LIGHT_SPREAD));
 }
 

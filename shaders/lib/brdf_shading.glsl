@@ -129,7 +129,8 @@ vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
         vec4 direction = texelFetch(lights, ivec2(LIT_LIGHT_DIRECTION, i), 0);
         vec4 color = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0);
         vec4 cone = texelFetch(lights, ivec2(LIT_LIGHT_CONE, i), 0);
-        sum += lit_by_punctual_light(s, point, n, base, to_eye, position, direction, color, cone);
+        sum += lit_by_punctual_light(s, point, n, base, to_eye,
+                                     lit_punctual_light(position, direction, color, cone));
     }
     return sum;
 }

@@ -312,10 +312,11 @@ static vec3s shade_lights(const struct radiance *radiance, const struct lit_surf
     vec3s sum = glms_vec3_zero();
     for (uint32_t i = 0; scene->tables.punctual_lights && i < scene->model.light_count; i++) {
         const vec4s *row = &scene->tables.punctual_lights[(size_t)i * LIT_LIGHT_WIDTH];
-        sum = glms_vec3_add(sum,
-                            lit_by_punctual_light(*surface, point, n.top, n.base, to_camera,
-                                                  row[LIT_LIGHT_POSITION], row[LIT_LIGHT_DIRECTION],
-                                                  row[LIT_LIGHT_COLOR], row[LIT_LIGHT_CONE]));
+        sum = glms_vec3_add(
+            sum, lit_by_punctual_light(
+                     *surface, point, n.top, n.base, to_camera,
+                     (struct lit_punctual_light){ row[LIT_LIGHT_POSITION], row[LIT_LIGHT_DIRECTION],
+                                                  row[LIT_LIGHT_COLOR], row[LIT_LIGHT_CONE] }));
     }
     return sum;
 }

@@ -7,6 +7,7 @@
  */
 #include "src/tech/output/tonemap.h"
 #include <math.h>
+#include <string.h>
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
@@ -78,6 +79,12 @@ struct tonemap_params tonemap_params_of(const struct settings *settings)
 {
     const struct tonemap_values *values = settings_of(settings, &tonemap_settings);
     return (struct tonemap_params){ .gain = exp2f(values->exposure), .curve = values->curve };
+}
+
+bool tonemap_params_equal(const struct tonemap_params *a, const struct tonemap_params *b)
+{
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): counts members that are added later */
+    return !memcmp(a, b, sizeof(*a));
 }
 
 static void write_constants(const struct technique_config *config, uint32_t *values)

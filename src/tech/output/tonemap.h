@@ -16,4 +16,7 @@ extern const struct setting_group tonemap_settings;
  * function, because each setting must have an equal effect on all outputs. */
 struct tonemap_params tonemap_params_of(const struct settings *settings);
 
+/* Returns true if two sets of parameters give the same image. */
+bool tonemap_params_equal(const struct tonemap_params *a, const struct tonemap_params *b);
+
 #endif

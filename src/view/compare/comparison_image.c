@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/tech/output/tonemap.h"
 
 void comparison_image_leave_device(struct comparison_image *s, struct gpu *gpu)
 {
@@ -70,7 +71,7 @@ enum status comparison_image_upload(struct comparison_image *s, struct gpu *gpu,
 enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu,
                                   const struct tonemap_params *tonemap)
 {
-    if (s->is_current && (s->is_tone_mapped || !memcmp(&s->tonemap, tonemap, sizeof(*tonemap))))
+    if (s->is_current && (s->is_tone_mapped || tonemap_params_equal(&s->tonemap, tonemap)))
         return STATUS_OK;
     s->tonemap = *tonemap;
     uint8_t *rgba = encode(s);

@@ -160,7 +160,7 @@ static bool is_compared(const struct view *v)
     const struct tonemap_params tonemap = tone_of(v);
     return c->flip_map_sample_count == count_of(v) &&
            view_progressive_is_same(&c->flip_map_identity, &v->progressive.identity) &&
-           !memcmp(&c->flip_map.tonemap, &tonemap, sizeof(tonemap));
+           tonemap_params_equal(&c->flip_map.tonemap, &tonemap);
 }
 
 /* Returns true if the error map is outdated and the sample count is a power of 2 or the maximum. */
