@@ -89,7 +89,7 @@ class Sheets(Case):
                      for word in self.words(name)[:-1]] + [f'assets/{name}.png']
             labels = self.text(name, 'labels').split(',')
             self.assertEqual([value for value in names if f'{what}={value}' not in labels], [],
-                             f'{name}.png lacks these; draw it anew: build/{shlex.join(words)}')
+                             f'{name}.png lacks these; redraw it: build/{shlex.join(words)}')
             self.assertRegex(text, rf'(?m)^\| `{name}.png` \| .* \| rendered by '
                                    r'`firn sheet`; MIT \|$')
 

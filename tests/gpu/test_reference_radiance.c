@@ -222,8 +222,8 @@ static void check_display(struct gpu *gpu, const struct scene *scene,
     render_result_finish(&drawn);
 }
 
-/* What windows and 8-bit files show, by the shader, is what C computes for all else, whatever the
- * settings of tone mapping. */
+/* The shader, which draws windows and 8-bit files, and the C function, which all other callers use,
+ * give the same colours for all settings of tone mapping. */
 static void drawn_display(void **state)
 {
     struct scene scene;
