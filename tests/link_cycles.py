@@ -35,15 +35,16 @@ def objects(build):
 
 def calls(build):
     """Returns a dictionary: the files whose symbols each file uses."""
+    paths = {str(file): path for path, file in objects(build)}
     defined, used = {}, collections.defaultdict(set)
-    for path, file in objects(build):
-        for line in subprocess.run(['nm', '-g', '-P', file], capture_output=True, text=True,
-                                   check=True).stdout.splitlines():
-            name, kind = line.split()[:2]
-            if kind == 'U':
-                used[path].add(name)
-            else:
-                defined.setdefault(name, path)
+    for line in subprocess.run(['nm', '-A', '-g', '-P', *paths], capture_output=True, text=True,
+                               check=True).stdout.splitlines():
+        file, name, kind = line.split()[:3]
+        path = paths[file.rstrip(':')]
+        if kind == 'U':
+            used[path].add(name)
+        else:
+            defined.setdefault(name, path)
     return {path: {defined[name] for name in names if name in defined} - {path}
             for path, names in used.items()}
 
