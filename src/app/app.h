@@ -53,7 +53,7 @@ struct app_profile {
     double time_step;               /* seconds of scene time per run */
     const char *json, *csv, *trace; /* report files, or NULL */
     const char *baseline;           /* profile to compare with, or NULL */
-    bool each, capture;
+    bool capture;
 };
 
 /* Options of firn profile and firn sheet. */

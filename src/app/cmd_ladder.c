@@ -12,7 +12,6 @@
 #include "src/file/atomic_file.h"
 #include "src/lab/ladder/comparison_report.h"
 #include "src/lab/ladder/white_furnace.h"
-#include "src/lab/profile/utf8_text.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/scene/gpu_material_table.h"
@@ -226,13 +225,6 @@ static enum status print(const struct job *job)
     return status;
 }
 
-static void print_scene(const char *name)
-{
-    char text[512];
-    snprintf(text, sizeof(text), "scene      %s", name);
-    profile_print_wrapped(text, 11, stdout);
-}
-
 static enum status report(const struct job *job)
 {
     struct furnace furnace;
@@ -241,7 +233,7 @@ static enum status report(const struct job *job)
     if (job->o.ladder.furnace) {
         furnace = furnace_measure(&job->ladder);
         if (job->o.positionals[0])
-            print_scene(job->o.image.scene.name);
+            printf("scene      %s\n", job->o.image.scene.name);
         furnace_print(&furnace, stdout);
         status = furnace_passes(&furnace) ? STATUS_OK : STATUS_FAILED;
     } else {

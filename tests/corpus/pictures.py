@@ -203,13 +203,9 @@ def profiles():
     yield 'twice.json', profile()[:-1] + b',"width":8}', REFUSED
     yield 'bytes.json', profile(scene='b').replace(b'"b"', b'"\xff\xfe"'), REFUSED
     for name, changes in (
-            ('runs', {'run_count': 4294967295}), ('passes', {'pass_count': 4294967295}),
-            ('rows', {'rows': [1, 2, 3, 4]}), ('number', {'upload': 1e300}),
-            ('fraction', {'width': 0.5}), ('minus', {'width': -8}), ('size', {'width': 0}),
-            ('resident', {'residents': [{'name': 'a', 'first_pass': 0, 'last_pass': 9, 'block': 0,
-                                         'offset': 0, 'size': 1}]}),
-            ('name', {'rung': 'a' * 1000}), ('sum', {'frame': {'ms': [7]}}),
-            ('format', {'format': 1 << 60})):
+            ('runs', {'run_count': 4294967295}), ('rows', {'rows': [1, 2, 3, 4]}),
+            ('number', {'upload': 1e300}), ('fraction', {'width': 0.5}), ('minus', {'width': -8}),
+            ('name', {'rung': 'a' * 1000}), ('format', {'format': 1 << 60})):
         yield f'{name}.json', profile(**changes), REFUSED
 
 

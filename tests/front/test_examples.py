@@ -50,8 +50,6 @@ FEWER = (
     (r'(object.triangles=\S*),100000', r'\1'),
     (r'(caustics.directions)=\d+', r'\1=4'),
 )
-# Takes minutes even so; test_profile.py measures its experiments.
-LONG = 'profile paper'
 
 
 def examples(text):
@@ -168,7 +166,7 @@ class Examples(Case):
         if any('tile.' in line for line in lines):
             self.draw_tiles()
         for line in lines:
-            if TO_BE_WRITTEN in line or LONG in line:
+            if TO_BE_WRITTEN in line:
                 continue
             if NO_WINDOW and line.startswith('firn view'):
                 continue

@@ -3,30 +3,31 @@
  * written of it is read and written again byte by byte.
  */
 #include <string.h>
-#include "src/lab/profile/baseline_comparison.h"
-#include "src/lab/profile/json.h"
-#include "src/lab/profile/table.h"
+#include "src/lab/profile/profile_reports.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"
 
-static char *write_text(const struct profile *profile)
+static char *write_report(profile_report_fn *report, struct profile *profile)
 {
-    char *text;
-    size_t size;
-    FUZZ_CHECK(profile_write_json(profile, &text, &size) == STATUS_OK);
+    const struct profile_sweep sweep = { .points = profile, .point_count = 1 };
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    FUZZ_CHECK(out != NULL);
+    FUZZ_CHECK(report(&sweep, out) == STATUS_OK);
+    FUZZ_CHECK(fclose(out) == 0);
     FUZZ_CHECK(size == strlen(text));
     return text;
 }
 
-static void print(const struct profile *profile)
+static void compare(const struct profile *profile)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
     bool is_slower = true;
     FUZZ_CHECK(out != NULL);
-    FUZZ_CHECK(profile_table(profile, false, out) == STATUS_OK);
-    FUZZ_CHECK(profile_compare(profile, profile, true, out, &is_slower) == STATUS_OK);
+    FUZZ_CHECK(profile_compare(profile, profile, out, &is_slower) == STATUS_OK);
     FUZZ_CHECK(!is_slower); /* than itself */
     FUZZ_CHECK(fclose(out) == 0);
     free(text);
@@ -42,12 +43,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FUZZ_CHECK(status == STATUS_OK || (!profile.rows && !profile.settings && !profile.command));
     if (status != STATUS_OK)
         return 0;
-    char *first = write_text(&profile);
-    print(&profile);
+    char *first = write_report(profile_json, &profile);
+    free(write_report(profile_table, &profile));
+    compare(&profile);
     profile_finish(&profile);
     fuzz_file_write(path, "a.json", (const uint8_t *)first, strlen(first));
     FUZZ_CHECK(profile_read_json(path, &profile) == STATUS_OK);
-    char *second = write_text(&profile);
+    char *second = write_report(profile_json, &profile);
     FUZZ_CHECK(!strcmp(first, second));
     profile_finish(&profile);
     free(first);

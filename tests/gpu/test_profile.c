@@ -15,48 +15,36 @@ enum {
     SIDE = 64,
 };
 
-struct progress {
-    uint32_t calls, stop_at; /* 0: never */
-};
-
-static bool count_runs(void *user, uint32_t done, uint32_t all)
+static void count_runs(void *user, uint32_t done, uint32_t all)
 {
-    struct progress *progress = user;
-    progress->calls++;
-    assert_int_equal(done, progress->calls);
+    uint32_t *calls = user;
+    assert_int_equal(done, ++*calls);
     assert_int_equal(all, RUNS + WARMUP);
-    return done != progress->stop_at;
 }
 
-static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress *progress,
-                           struct profile *profile)
+static void measure(struct gpu *gpu, enum rg_clock clock, struct profile *profile)
 {
     const struct settings settings = picture_settings("motion.ice=20");
     struct scene scene = { 0 };
     assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
-    const enum status status = profile_measure(&(struct profile_run){
-        .requests =
-            &(struct profile_request){
-                .renderer = { .gpu = gpu,
-                              .scene = &scene,
-                              .settings = &settings,
-                              .refraction = techniques_refraction(0),
-                              .width = SIDE,
-                              .height = SIDE },
-                .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
-                .clock = clock,
-                .warmup = WARMUP,
-                .run_count = RUNS,
-                .time = 1,
-                .time_step = 0.5,
-            },
-        .profiles = profile,
-        .count = 1,
-        .progress = count_runs,
-        .user = progress,
-    });
+    const struct profile_request request = {
+        .renderer = { .gpu = gpu,
+                      .scene = &scene,
+                      .settings = &settings,
+                      .refraction = techniques_refraction(0),
+                      .width = SIDE,
+                      .height = SIDE },
+        .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
+        .clock = clock,
+        .warmup = WARMUP,
+        .run_count = RUNS,
+        .time = 1,
+        .time_step = 0.5,
+    };
+    uint32_t calls = 0;
+    assert_int_equal(profile_measure(&request, profile, count_runs, &calls), STATUS_OK);
+    assert_int_equal(calls, RUNS + WARMUP);
     scene_finish(&scene);
-    return status;
 }
 
 /* In every run the rows are the frame, and passes lie one behind the other. By timestamps, those
@@ -124,23 +112,12 @@ static void rows_are_the_frame(void **state)
     static const enum rg_clock clocks[] = { RG_CLOCK_EXACT, RG_CLOCK_SUBMITS };
 
     for (size_t i = 0; i < 2; i++) {
-        struct progress progress = { 0 };
         struct profile profile;
-        assert_int_equal(measure(*state, clocks[i], &progress, &profile), STATUS_OK);
-        assert_int_equal(progress.calls, RUNS + WARMUP);
+        measure(*state, clocks[i], &profile);
         check_runs(&profile, clocks[i] == RG_CLOCK_SUBMITS);
         check_frame(&profile);
         profile_finish(&profile);
     }
-}
-
-static void it_can_be_stopped(void **state)
-{
-    struct progress progress = { .stop_at = 3 };
-    struct profile profile;
-    assert_int_equal(measure(*state, RG_CLOCK_EXACT, &progress, &profile), STATUS_FAILED);
-    assert_int_equal(progress.calls, 3);
-    assert_null(profile.rows);
 }
 
 /* Frames left on the device are those that come back. */
@@ -259,7 +236,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(rows_are_the_frame),
-        ON_DEVICE(it_can_be_stopped),
         ON_DEVICE(a_kept_frame_is_the_picture),
         ON_DEVICE(a_shown_frame_stays_on_the_device),
         ON_DEVICE(a_picture_that_does_not_fit_is_refused),

@@ -19,8 +19,7 @@ static const char *const examples[] = {
                      "  firn profile ice-cube --trace trace.json\n"
                      "  firn profile ice-cube --json before.json\n"
                      "  firn profile ice-cube --baseline before.json\n"
-                     "  firn profile ice-cube --sweep cracks.count=1,4,16,64\n"
-                     "  firn profile paper\n"),
+                     "  firn profile ice-cube --sweep cracks.count=1,4,16,64\n"),
     [APP_DIFF] = ("  firn diff reference.exr test.exr\n"
                   "  firn diff before.png after.png -o errors.png\n"
                   "  firn diff a.exr b.exr --mask a.exr --mask-channel thickness.Z --json\n"
@@ -82,8 +81,6 @@ void option_help(enum app_command command, const struct option *options, size_t 
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (strstr(usages[command], "SCENE"))
         printf("\nSCENE is a name (firn list scenes) or a model file (.gltf .glb .obj .ply).\n");
-    if (command == APP_PROFILE)
-        printf("firn profile paper repeats the measurements of the paper.\n");
     if (command == APP_BAKE)
         printf("\nThe file is a vertical strip of six faces, +X -X +Y -Y +Z -Z from the top, of "
                "half floats: R, G,\nB, and A = 1 / distance from the object's centre in metres. "

@@ -3,7 +3,7 @@
 #define FIRN_APP_OPTIONS_SWEEP_VALUES_H
 
 #include "src/app/app.h"
-#include "src/lab/profile/sweep_power_law.h"
+#include "src/lab/profile/sweep.h"
 
 /* Parses --sweep options and checks every point. Logs errors, and may leave *sweep incomplete. */
 MUST_USE enum status sweep_values_parse(struct profile_sweep *sweep,

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/lab/ladder/comparison_report.h"
-#include "src/lab/profile/utf8_text.h"
+#include "src/lab/profile/json_fields.h"
 
 enum {
     NAME_COLUMNS = 12
@@ -23,9 +23,7 @@ static void print_head(const struct ladder_report *report, FILE *out)
     const struct ladder *l = report->ladder;
     const double percent =
         l->object_count ? 100.0 * (double)l->angle_count / (double)l->object_count : 0.0;
-    char scene[512];
-    snprintf(scene, sizeof(scene), "scene      %s", report->scene);
-    profile_print_wrapped(scene, 11, out);
+    fprintf(out, "scene      %s\n", report->scene);
     fprintf(
         out,
         "pixels     %u x %u, %u sample%s; object: %llu, %.1f %% of them without total reflection\n",
@@ -152,21 +150,9 @@ static bool add_count(json_t *object, const char *key, uint64_t count)
     return !json_object_set_new(object, key, json_integer((json_int_t)count));
 }
 
-/* Adds a string to a JSON object. Replaces bytes that are not UTF-8. */
 static bool add_text(json_t *object, const char *key, const char *text)
 {
-    char *clean = NULL;
-    size_t size;
-    FILE *out = open_memstream(&clean, &size);
-    if (!out)
-        return false;
-    fputs(text, out);
-    bool ok = fclose(out) == 0;
-    if (ok)
-        profile_clean_text(clean);
-    ok = ok && !json_object_set_new(object, key, json_string(clean));
-    free(clean);
-    return ok;
+    return !json_object_set_new(object, key, profile_json_string(text));
 }
 
 /* Adds one key per class, such as "mae_refracted" for errors or "refracted_pixels" for counts. */

@@ -238,20 +238,6 @@ static enum status begin(struct measure *m)
     return status == STATUS_OK && m->request->capture ? capture(m) : status;
 }
 
-/* Renders all runs. All renderers render run i before any of them renders run i + 1. */
-static enum status run_all(struct measure *all, const struct profile_run *run)
-{
-    const uint32_t run_count = all->request->warmup + all->request->run_count;
-    enum status status = STATUS_OK;
-    for (uint32_t i = 0; i < run_count * run->count && status == STATUS_OK; i++) {
-        status = run_once(&all[i % run->count], i / run->count);
-        if (status == STATUS_OK && run->progress &&
-            !run->progress(run->user, i + 1, run_count * run->count))
-            status = STATUS_FAILED;
-    }
-    return status;
-}
-
 static enum status open_renderer(struct measure *m)
 {
     struct profile *p = m->profile;
@@ -282,26 +268,23 @@ static enum status open_renderer(struct measure *m)
     return status == STATUS_OK ? describe_memory(p, m->plan) : status;
 }
 
-enum status profile_measure(const struct profile_run *run)
+enum status profile_measure(const struct profile_request *request, struct profile *profile,
+                            profile_progress_fn *progress, void *user)
 {
-    struct measure *all = calloc(run->count, sizeof(*all));
-    enum status status = all ? STATUS_OK : log_out_of_memory(NULL);
-    for (uint32_t i = 0; i < run->count; i++)
-        run->profiles[i] = (struct profile){ 0 };
-    for (uint32_t i = 0; i < run->count && status == STATUS_OK; i++) {
-        all[i] = (struct measure){ .request = &run->requests[i], .profile = &run->profiles[i] };
-        describe(all[i].profile, all[i].request);
-        status = open_renderer(&all[i]);
-        if (status == STATUS_OK)
-            status = begin(&all[i]);
-    }
+    struct measure m = { .request = request, .profile = profile };
+    const uint32_t run_count = request->warmup + request->run_count;
+    *profile = (struct profile){ 0 };
+    describe(profile, request);
+    enum status status = open_renderer(&m);
     if (status == STATUS_OK)
-        status = run_all(all, run);
-    for (uint32_t i = 0; i < run->count && all; i++) {
-        renderer_destroy(all[i].renderer);
-        if (status != STATUS_OK)
-            profile_finish(&run->profiles[i]);
+        status = begin(&m);
+    for (uint32_t i = 0; i < run_count && status == STATUS_OK; i++) {
+        status = run_once(&m, i);
+        if (status == STATUS_OK)
+            progress(user, i + 1, run_count);
     }
-    free(all);
+    renderer_destroy(m.renderer);
+    if (status != STATUS_OK)
+        profile_finish(profile);
     return status;
 }

@@ -25,23 +25,12 @@ struct profile_request {
     double time, time_step;     /* seconds: first run's scene time, step */
 };
 
-/* Callback after each run or warm-up run. Returning false stops all runs with STATUS_FAILED. */
-typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
+/* Callback after each run or warm-up run. */
+typedef void profile_progress_fn(void *user, uint32_t done, uint32_t all);
 
-/* Profiles that are measured together, with interleaved runs. */
-struct profile_run {
-    const struct profile_request *requests; /* equal `warmup` and `run_count` */
-    struct profile *profiles;
-    uint32_t count;                /* number of requests and profiles */
-    profile_progress_fn *progress; /* may be NULL; counts all runs */
-    void *user;
-};
-
-/*
- * Creates a renderer for each request and fills the profiles. The renderers take turns, because
- * other load on the machine then affects all of them equally. Leaves command, scene, material and
- * settings for the caller to fill in. On failure all profiles are zeroed.
- */
-MUST_USE enum status profile_measure(const struct profile_run *run);
+/* Creates a renderer and fills the profile. Leaves command, scene, material and settings for the
+ * caller to fill in. On failure the profile is zeroed. */
+MUST_USE enum status profile_measure(const struct profile_request *request, struct profile *profile,
+                                     profile_progress_fn *progress, void *user);
 
 #endif
