@@ -162,7 +162,7 @@ static void test_conditions(void **state)
     struct profile base, now;
     profile_sample(&base, 1);
     profile_sample(&now, 3);
-    base.run_count = now.run_count = 5;
+    base.run_count = now.run_count = 6;
     now.width = 640;
     snprintf(now.device, sizeof(now.device), "another device");
     snprintf(now.clock, sizeof(now.clock), "submits");
