@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/json_text.h"
 #include "src/base/log.h"
+#include "src/file/json_text.h"
 #include "src/tech/techniques.h"
 
 enum {

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/list_json.h"
 #include "src/base/log.h"
+#include "src/file/json_text.h"
 #include "src/file/sandbox.h"
 #include "src/gpu/gpu.h"
 #include "src/lab/reference/reference.h"
@@ -14,75 +14,186 @@
 #include "src/tech/refract/cpu_reference_settings.h"
 #include "src/version.h"
 
-static void print_assets(enum asset_kind kind)
+/* ---- lists of names ---- */
+
+/* In this file, a NULL json_t means out of memory. jansson functions that are given NULL fail. */
+
+/* Appends the assets of a kind. */
+static json_t *append_assets(json_t *all, enum asset_kind kind)
 {
-    for (const struct asset *a = assets; a->name; a++) {
+    for (const struct asset *a = assets; a->name && all; a++) {
         if (a->kind == kind)
-            printf("  %-14s %s\n", a->name, a->help);
+            all = json_text_append(all, json_pack("{s:s, s:s}", "name", a->name, "help", a->help));
     }
+    return all;
 }
 
-static enum status list_scenes(void)
+static json_t *scenes(void)
 {
-    for (const struct scene_builtin *b = scene_builtins; b->name; b++) {
-        printf("  %-14s %s", b->name, b->help);
-        if (b->triangles)
-            printf(", %u triangles", b->triangles);
-        printf("\n");
+    json_t *all = json_array();
+    for (const struct scene_builtin *b = scene_builtins; b->name && all; b++)
+        all = json_text_append(all, json_pack("{s:s, s:s, s:i}", "name", b->name, "help", b->help,
+                                              "triangles", (int)b->triangles));
+    all = append_assets(all, ASSET_SCENE);
+    return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
+                                           "model file: .gltf, .glb, .obj, .ply"));
+}
+
+static json_t *environments(void)
+{
+    json_t *all = append_assets(json_array(), ASSET_ENVIRONMENT);
+    all = json_text_append(all,
+                           json_pack("{s:s, s:s}", "name", "valley", "help",
+                                     "landscape of the paper, under the built-in sky; also: sky"));
+    return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
+                                           "equirectangular .exr or .hdr, or firn bake's cube"));
+}
+
+static json_t *refraction_of(const struct technique *refraction, bool is_available)
+{
+    return json_pack("{s:s, s:s, s:b}", "name", refraction->refraction.name, "help",
+                     refraction->help, "available", (int)is_available);
+}
+
+static json_t *refraction_models(void)
+{
+    json_t *all = json_array();
+    for (size_t r = 0; techniques_refraction(r) && all; r++)
+        all = json_text_append(all, refraction_of(techniques_refraction(r), true));
+    return json_text_append(all, refraction_of(&cpu_reference_settings, reference_is_built()));
+}
+
+static json_t *materials(void)
+{
+    json_t *all = json_array();
+    for (const struct material_preset *m = material_presets; m->name && all; m++)
+        all = json_text_append(all, json_pack("{s:s, s:f, s:s}", "name", m->name, "ior",
+                                              json_text_float(m->ior), "help", m->help));
+    return all;
+}
+
+/* Returns the names of a layer's EXR channels. */
+static json_t *channels_of(const struct frame_layer *layer)
+{
+    json_t *all = json_array();
+    for (size_t p = 0; p < 4 && layer->planes[p] && all; p++)
+        all = json_text_append(all, json_string(layer->planes[p]));
+    return all;
+}
+
+static json_t *layers(void)
+{
+    json_t *all = json_array();
+    const struct frame_layer *layer;
+    for (size_t i = 0; (layer = techniques_layer(i)) && all; i++)
+        all = json_text_append(all, json_pack("{s:s, s:s, s:b, s:o}", "name", layer->name, "help",
+                                              layer->help, "reference_only", (int)!layer->image,
+                                              "channels", channels_of(layer)));
+    return all;
+}
+
+/* Returns the quality levels, each with the settings that differ from the defaults. */
+static json_t *qualities_all(void)
+{
+    json_t *all = json_array();
+    for (uint32_t q = 0; q < QUALITY_COUNT && all; q++) {
+        json_t *values = json_object();
+        for (const struct quality_row *row = quality_rows; row->setting && values; row++) {
+            if (row->values[q] &&
+                json_object_set_new(values, row->setting, json_string(row->values[q])) != 0)
+                return NULL;
+        }
+        all = json_text_append(all, json_pack("{s:s, s:s, s:i, s:o}", "name", qualities[q].name,
+                                              "help", qualities[q].help, "samples",
+                                              (int)qualities[q].samples, "settings", values));
     }
-    print_assets(ASSET_SCENE);
-    printf("  %-14s %s\n", "FILE", "model file: .gltf, .glb, .obj, .ply");
-    return STATUS_OK;
+    return all;
 }
 
-static enum status list_environments(void)
+/* Prints a list of names as text. */
+static enum status print_names(json_t *all)
 {
-    print_assets(ASSET_ENVIRONMENT);
-    printf("  %-14s %s\n", "valley", "landscape of the paper, under the built-in sky; also: sky");
-    printf("  %-14s %s\n", "FILE", "equirectangular .exr or .hdr, or firn bake's cube");
-    return STATUS_OK;
-}
-
-static enum status list_refraction_models(void)
-{
-    const struct technique *refraction;
-    for (size_t r = 0; (refraction = techniques_refraction(r)); r++)
-        printf("  %-14s %s\n", refraction->refraction.name, refraction->help);
-    printf("  %-14s %s%s\n", cpu_reference_settings.refraction.name, cpu_reference_settings.help,
-           reference_is_built() ? "" : " (not available: this build has no Embree)");
-    return STATUS_OK;
-}
-
-static enum status list_materials(void)
-{
-    for (const struct material_preset *m = material_presets; m->name; m++)
-        printf("  %-14s %-7g %s\n", m->name, (double)m->ior, m->help);
-    return STATUS_OK;
-}
-
-static enum status list_qualities(void)
-{
-    for (uint32_t q = 0; q < QUALITY_COUNT; q++) {
-        printf("  %-14s %s", qualities[q].name, qualities[q].help);
+    size_t i;
+    json_t *entry, *value;
+    const char *key;
+    json_array_foreach(all, i, entry)
+    {
+        const json_t *ior = json_object_get(entry, "ior");
+        const json_int_t triangles = json_integer_value(json_object_get(entry, "triangles"));
+        printf("  %-14s ", json_string_value(json_object_get(entry, "name")));
+        if (ior)
+            printf("%-7g ", json_real_value(ior));
+        printf("%s", json_string_value(json_object_get(entry, "help")));
+        if (triangles)
+            printf(", %lld triangles", (long long)triangles);
+        if (json_is_true(json_object_get(entry, "reference_only")))
+            printf(" (only with --refraction reference)");
+        if (json_is_false(json_object_get(entry, "available")))
+            printf(" (not available: this build has no Embree)");
         const char *separator = ": ";
-        for (const struct quality_row *row = quality_rows; row->setting; row++) {
-            if (row->values[q]) {
-                printf("%s%s=%s", separator, row->setting, row->values[q]);
-                separator = " ";
-            }
+        json_object_foreach(json_object_get(entry, "settings"), key, value)
+        {
+            printf("%s%s=%s", separator, key, json_string_value(value));
+            separator = " ";
         }
         printf("\n");
     }
-    return STATUS_OK;
+    json_decref(all);
+    return all ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-static enum status list_layers(void)
+/* ---- settings ---- */
+
+/* Returns an integer, a number, a boolean or a string, depending on the type of the setting. */
+static json_t *value_of(const struct setting *row, double value)
 {
-    const struct frame_layer *layer;
-    for (size_t i = 0; (layer = techniques_layer(i)); i++)
-        printf("  %-14s %s%s\n", layer->name, layer->help,
-               layer->image ? "" : " (only with --refraction reference)");
-    return STATUS_OK;
+    switch (row->type) {
+    case SETTING_FLOAT:
+        if (setting_is_auto(row, value))
+            return json_string("auto");
+        return json_real(json_text_float((float)value));
+    case SETTING_COUNT:
+        if (setting_is_auto(row, value))
+            return json_string("auto");
+        return json_integer((json_int_t)value);
+    case SETTING_SWITCH:
+        return json_boolean(value > 0.0);
+    case SETTING_CHOICE:
+        return json_string(row->choices[(size_t)value]);
+    }
+    return NULL;
+}
+
+static json_t *choices_of(const struct setting *row)
+{
+    json_t *all = json_array();
+    for (size_t c = 0; row->choices && row->choices[c] && all; c++)
+        all = json_text_append(all, json_string(row->choices[c]));
+    return all;
+}
+
+static json_t *setting_of(const struct setting *row)
+{
+    static const char *const types[] = {
+        [SETTING_FLOAT] = "number",
+        [SETTING_COUNT] = "count",
+        [SETTING_SWITCH] = "switch",
+        [SETTING_CHOICE] = "choice",
+    };
+    const bool has_range = row->type == SETTING_FLOAT || row->type == SETTING_COUNT;
+    return json_pack("{s:s, s:s, s:s, s:s, s:o, s:o*, s:o*, s:s*, s:o*}", "name", row->name,
+                     "label", row->label, "help", row->help, "type", types[row->type], "default",
+                     value_of(row, row->initial), "min", has_range ? value_of(row, row->min) : NULL,
+                     "max", has_range ? value_of(row, row->max) : NULL, "unit", row->unit,
+                     "choices", row->type == SETTING_CHOICE ? choices_of(row) : NULL);
+}
+
+static json_t *settings(void)
+{
+    json_t *all = json_array();
+    for (const struct setting *row = settings_next(NULL); row && all; row = settings_next(row))
+        all = json_text_append(all, setting_of(row));
+    return all;
 }
 
 /* Prints the separator and a range such as "0 to 16 metres". Prints nothing for a switch. */
@@ -122,6 +233,32 @@ static enum status list_settings(void)
         printf(row->renamed_from ? "; formerly %s\n" : "\n", row->renamed_from);
     }
     return STATUS_OK;
+}
+
+/* ---- the machine ---- */
+
+static enum status devices(json_t **all)
+{
+    struct gpu_device *found = NULL;
+    uint32_t count = 0;
+    const enum status status = gpu_list(&found, &count);
+    *all = status == STATUS_OK ? json_array() : NULL;
+    for (uint32_t i = 0; i < count && *all; i++) {
+        const struct gpu_device *device = &found[i];
+        *all = json_text_append(
+            *all, json_pack("{s:i, s:s, s:s, s:s, s:b, s:b, s:s*}", "number", (int)i, "name",
+                            device->name, "kind", device->kind, "vulkan", device->version, "usable",
+                            device->refused[0] == '\0', "ray_queries", device->has_rays, "refused",
+                            device->refused[0] ? device->refused : NULL));
+    }
+    free(found);
+    return status == STATUS_OK && !*all ? log_out_of_memory(NULL) : status;
+}
+
+static json_t *sandbox(void)
+{
+    const struct sandbox_support sandbox = sandbox_query();
+    return json_pack("{s:i, s:b}", "landlock", sandbox.landlock, "seccomp", (int)sandbox.seccomp);
 }
 
 /* Describes how the refraction model `trace` follows rays on a usable device. */
@@ -166,20 +303,23 @@ static enum status list_sandbox(void)
     return STATUS_OK;
 }
 
+/* ---- all lists ---- */
+
 static const struct {
     const char *name;
-    enum status (*print)(void);
+    json_t *(*make)(void);      /* NULL for the devices */
+    enum status (*print)(void); /* NULL: print_names() */
 } lists[] = {
-    { "scenes", list_scenes },
-    { "environments", list_environments },
-    { "refractions", list_refraction_models },
-    { "materials", list_materials },
-    { "layers", list_layers },
-    { "qualities", list_qualities },
-    { "settings", list_settings },
-    { "devices", list_devices },
-    { "sandbox", list_sandbox },
-    { "rungs", list_refraction_models }, /* former name */
+    { "scenes", scenes },
+    { "environments", environments },
+    { "refractions", refraction_models },
+    { "materials", materials },
+    { "layers", layers },
+    { "qualities", qualities_all },
+    { "settings", settings, list_settings },
+    { "devices", NULL, list_devices },
+    { "sandbox", sandbox, list_sandbox },
+    { "rungs", refraction_models }, /* former name */
 };
 
 enum {
@@ -200,6 +340,25 @@ static enum status check_topic(const char *topic)
     return STATUS_USAGE;
 }
 
+static enum status add_json(json_t *root, size_t i)
+{
+    json_t *list = NULL;
+    enum status status = STATUS_OK;
+    if (lists[i].make)
+        list = lists[i].make();
+    else
+        status = devices(&list);
+    if (status == STATUS_OK && json_object_set_new(root, lists[i].name, list) != 0)
+        status = log_out_of_memory(NULL);
+    return status;
+}
+
+static enum status print_text(size_t i)
+{
+    printf("%s:\n", lists[i].name);
+    return lists[i].print ? lists[i].print() : print_names(lists[i].make());
+}
+
 enum status app_list(const struct app_options *o)
 {
     const char *topic = o->positionals[0];
@@ -211,13 +370,14 @@ enum status app_list(const struct app_options *o)
     }
     if (status == STATUS_OK && is_preset)
         return print_preset();
-    if (status == STATUS_OK && o->run.format == APP_FORMAT_JSON)
-        return list_json(topic);
+    json_t *root = o->run.format == APP_FORMAT_JSON ? json_object() : NULL;
     for (size_t i = 0; i < LIST_COUNT && status == STATUS_OK; i++) {
         if (topic ? strcmp(topic, lists[i].name) != 0 : i == FORMER_LIST)
             continue;
-        printf("%s:\n", lists[i].name);
-        status = lists[i].print();
+        status = o->run.format == APP_FORMAT_JSON ? add_json(root, i) : print_text(i);
     }
+    if (status == STATUS_OK && o->run.format == APP_FORMAT_JSON)
+        return json_text_print(root);
+    json_decref(root);
     return status;
 }

@@ -1,10 +1,10 @@
 /* render_report.c: JSON report of what firn render did with each frame. */
 #include "src/app/render_report.h"
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/file/json_text.h"
 #include "src/version.h"
 
 static const char *const state_names[RENDER_REPORT_STATE_COUNT] = {
@@ -54,32 +54,13 @@ bool render_report_is_mixed(const struct report *report)
            counts[RENDER_REPORT_DRAWN] + counts[RENDER_REPORT_CURRENT] > 0;
 }
 
-/* Returns a JSON string. If the text is not UTF-8, non-ASCII bytes become '?'. */
-static json_t *word(const char *text)
-{
-    json_t *json = json_string(text);
-    char *copy = json ? NULL : strdup(text);
-    for (char *c = copy; c && *c; c++) {
-        if ((unsigned char)*c >= 0x80)
-            *c = '?';
-    }
-    if (copy)
-        json = json_string(copy);
-    free(copy);
-    return json;
-}
-
 static json_t *files_of(const struct sequence *sequence, uint32_t output_count, int32_t frame)
 {
     json_t *files = json_array();
     for (uint32_t i = 0; i < output_count && files; i++) {
         char *path = frame_name_make(&sequence->names[i], frame);
-        const bool ok = path && json_array_append_new(files, word(path)) == 0;
+        files = json_text_append(files, path ? json_text_string(path) : NULL);
         free(path);
-        if (!ok) {
-            json_decref(files);
-            files = NULL;
-        }
     }
     return files;
 }
@@ -95,19 +76,16 @@ char *render_report_json(const struct report *report, const struct sequence *seq
                          const struct app_options *o, int code, size_t *size)
 {
     json_t *frames = json_array();
-    bool ok = frames != NULL;
-    for (uint32_t i = 0; i < report->count && ok; i++) {
+    for (uint32_t i = 0; i < report->count && frames; i++) {
         const int32_t number = sequence->range.frames[i];
-        json_t *files = files_of(sequence, o->run.outputs.count, number);
-        ok = files &&
-             json_array_append_new(frames, frame_of(&report->frames[i], number, files)) == 0;
+        frames =
+            json_text_append(frames, frame_of(&report->frames[i], number,
+                                              files_of(sequence, o->run.outputs.count, number)));
     }
-    json_t *json = ok ? json_pack("{s:s, s:o, s:i, s:O}", "version", FIRN_VERSION, "scene",
-                                  word(o->image.scene.name), "code", code, "frames", frames)
-                      : NULL;
+    json_t *json = json_pack("{s:s, s:o, s:i, s:o}", "version", FIRN_VERSION, "scene",
+                             json_text_string(o->image.scene.name), "code", code, "frames", frames);
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);
-    json_decref(frames);
     *size = text ? strlen(text) + 1 : 0;
     if (text)
         text[*size - 1] = '\n'; /* replaces the terminating 0 */

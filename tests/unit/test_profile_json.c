@@ -103,7 +103,7 @@ static void test_control_characters(void **state)
     free(text);
     assert_int_equal(profile_read_json(path, &p), STATUS_OK);
     assert_string_equal(p.scene, "?[2J");
-    assert_string_equal(p.rows[2].name, "???\xc2\xa0\xc3\xb6");
+    assert_string_equal(p.rows[2].name, "??\xc2\xa0\xc3\xb6");
     profile_finish(&p);
 }
 

@@ -1,10 +1,9 @@
 /* table_and_json.c: writes errors and costs as a text table and as JSON. */
-#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"
+#include "src/file/json_text.h"
 #include "src/lab/ladder/comparison_report.h"
-#include "src/lab/profile/json_fields.h"
 
 enum {
     NAME_COLUMNS = 12
@@ -152,7 +151,7 @@ static bool add_count(json_t *object, const char *key, uint64_t count)
 
 static bool add_text(json_t *object, const char *key, const char *text)
 {
-    return !json_object_set_new(object, key, profile_json_string(text));
+    return !json_object_set_new(object, key, json_text_string(text));
 }
 
 /* Adds one key per class, such as "mae_refracted" for errors or "refracted_pixels" for counts. */

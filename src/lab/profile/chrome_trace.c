@@ -1,6 +1,7 @@
 /* chrome_trace.c: writes a Chrome trace, in integer nanoseconds so that sums are exact. */
 #include <inttypes.h>
 #include <math.h>
+#include "src/file/json_text.h"
 #include "src/lab/profile/json_fields.h"
 #include "src/lab/profile/profile_reports.h"
 
@@ -137,8 +138,8 @@ enum status profile_trace(const struct profile_sweep *sweep, FILE *out)
     }
     json_t *root =
         json_pack("{s:s, s:o, s:{s:o, s:o, s:s}}", "displayTimeUnit", "ms", "traceEvents",
-                  trace.events, "otherData", "command", profile_json_string(p->command), "device",
-                  profile_json_string(p->device), "clock", p->clock);
+                  trace.events, "otherData", "command", json_text_string(p->command), "device",
+                  json_text_string(p->device), "clock", p->clock);
     if (trace.has_failed) {
         json_decref(root);
         root = NULL;

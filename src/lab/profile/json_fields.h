@@ -38,9 +38,6 @@ extern const struct profile_field profile_fields[];
 
 extern const char *const profile_kind_names[PROFILE_KIND_COUNT];
 
-/* Returns a JSON string. If the text is not UTF-8, non-ASCII bytes become '?'. */
-json_t *profile_json_string(const char *text);
-
 /* Writes JSON and a newline, and releases `root`. If `root` is NULL, logs that memory is out. */
 MUST_USE enum status profile_json_end(json_t *root, size_t digits, FILE *out);
 

@@ -1,5 +1,4 @@
 /* json_read.c: reads and validates profiles from untrusted JSON. */
-#include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -71,17 +70,6 @@ static const char *find_fault(const struct profile_field *field, const json_t *v
     return NULL;
 }
 
-/* Replaces ASCII control characters, and those of Latin-1 in UTF-8, by '?'. */
-static void clean(char *text)
-{
-    for (unsigned char *c = (unsigned char *)text; *c; c++) {
-        if (iscntrl(*c))
-            *c = '?';
-        else if (c[0] == 0xc2 && c[1] < 0xa0)
-            c[0] = c[1] = '?';
-    }
-}
-
 static enum status read_kind(const struct reader *reader, const char *name, enum profile_kind *kind)
 {
     for (int i = 0; i < PROFILE_KIND_COUNT; i++) {
@@ -98,7 +86,7 @@ static enum status read_heap_text(const struct reader *reader, const json_t *val
     *text = strdup(json_string_value(value));
     if (!*text)
         return log_out_of_memory(reader->path);
-    clean(*text);
+    log_sanitize(*text);
     return STATUS_OK;
 }
 
@@ -152,7 +140,7 @@ static enum status read_value(struct reader *reader, const struct profile_field 
         return read_heap_text(reader, value, at);
     case PROFILE_FIELD_TEXT:
         memcpy(at, json_string_value(value), json_string_length(value) + 1);
-        clean(at);
+        log_sanitize(at);
         break;
     case PROFILE_FIELD_U32:
         *(uint32_t *)at = (uint32_t)json_integer_value(value);

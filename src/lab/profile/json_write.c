@@ -1,7 +1,6 @@
 /* json_write.c: writes profiles as JSON. */
-#include <stdlib.h>
-#include <string.h>
 #include "src/base/log.h"
+#include "src/file/json_text.h"
 #include "src/lab/profile/json_fields.h"
 #include "src/lab/profile/profile_reports.h"
 #include "src/lab/profile/row_aggregation.h"
@@ -12,35 +11,11 @@ enum {
 
 /* In this file, a NULL json_t means out of memory. jansson functions that are given NULL fail. */
 
-json_t *profile_json_string(const char *text)
-{
-    json_t *json = json_string(text);
-    char *copy = json ? NULL : strdup(text);
-    for (char *c = copy; c && *c; c++)
-        if ((unsigned char)*c >= 0x80)
-            *c = '?';
-    if (copy)
-        json = json_string(copy);
-    free(copy);
-    return json;
-}
-
-/* Moves a value to the end of an array; on failure frees both and returns NULL. */
-static json_t *append(json_t *array, json_t *value)
-{
-    if (array && json_array_append_new(array, value) == 0)
-        return array;
-    if (!array)
-        json_decref(value);
-    json_decref(array);
-    return NULL;
-}
-
 static json_t *make_samples(const double *samples, uint32_t count)
 {
     json_t *array = json_array();
     for (uint32_t i = 0; i < count && array; i++)
-        array = append(array, json_real(samples[i]));
+        array = json_text_append(array, json_real(samples[i]));
     return array;
 }
 
@@ -62,7 +37,8 @@ static json_t *make_array(const struct profile_field *field, const char *element
     const uint32_t count = *(const uint32_t *)(const void *)((const char *)p + field->count_offset);
     json_t *array = json_array();
     for (uint32_t i = 0; i < count && array; i++)
-        array = append(array, make_object(field->fields, elements + i * field->element_size, p));
+        array = json_text_append(array,
+                                 make_object(field->fields, elements + i * field->element_size, p));
     return array;
 }
 
@@ -72,9 +48,9 @@ static json_t *make_value(const struct profile_field *field, const void *object,
     const void *at = (const char *)object + field->offset;
     switch (field->kind) {
     case PROFILE_FIELD_HEAP:
-        return profile_json_string(*(char *const *)at ? *(char *const *)at : "");
+        return json_text_string(*(char *const *)at ? *(char *const *)at : "");
     case PROFILE_FIELD_TEXT:
-        return profile_json_string(at);
+        return json_text_string(at);
     case PROFILE_FIELD_U32:
         return json_integer(*(const uint32_t *)at);
     case PROFILE_FIELD_U64:
@@ -127,7 +103,7 @@ static json_t *make_point(const struct profile_sweep *sweep, uint32_t point)
 {
     json_t *values = json_array();
     for (uint32_t i = 0; i < sweep->parameter_count && values; i++)
-        values = append(values, profile_json_string(profile_sweep_value(sweep, point, i)));
+        values = json_text_append(values, json_text_string(profile_sweep_value(sweep, point, i)));
     return json_pack("{s:o, s:o}", "values", values, "profile",
                      make_profile(&sweep->points[point]));
 }
@@ -136,9 +112,9 @@ static json_t *make_sweep(const struct profile_sweep *sweep)
 {
     json_t *parameters = json_array(), *points = json_array();
     for (uint32_t i = 0; i < sweep->parameter_count && parameters; i++)
-        parameters = append(parameters, profile_json_string(sweep->parameters[i].name));
+        parameters = json_text_append(parameters, json_text_string(sweep->parameters[i].name));
     for (uint32_t i = 0; i < sweep->point_count && points; i++)
-        points = append(points, make_point(sweep, i));
+        points = json_text_append(points, make_point(sweep, i));
     return json_pack("{s:i, s:s, s:o, s:o}", "format", PROFILE_JSON_FORMAT, "type", "sweep",
                      "parameters", parameters, "points", points);
 }

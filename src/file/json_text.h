@@ -1,9 +1,12 @@
-/* json_text.h: helpers for JSON output on stdout. A NULL value means out of memory. */
-#ifndef FIRN_APP_JSON_TEXT_H
-#define FIRN_APP_JSON_TEXT_H
+/* json_text.h: helpers for writing JSON. A NULL value means out of memory. */
+#ifndef FIRN_FILE_JSON_TEXT_H
+#define FIRN_FILE_JSON_TEXT_H
 
 #include <jansson.h>
 #include "src/base/status.h"
+
+/* Returns a JSON string. If the text is not UTF-8, non-ASCII bytes become '?'. */
+json_t *json_text_string(const char *text);
 
 /* Moves a value to the end of an array; on failure frees both and returns NULL. */
 json_t *json_text_append(json_t *array, json_t *value);

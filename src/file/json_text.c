@@ -1,12 +1,26 @@
-/* json_text.c: helpers for JSON output on stdout, using jansson. */
-#include "src/app/json_text.h"
+/* json_text.c: helpers for writing JSON, using jansson. */
+#include "src/file/json_text.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/base/log.h"
 
 enum {
     DIGITS = 9 /* significant digits of numbers: enough to restore a float exactly */
 };
+
+json_t *json_text_string(const char *text)
+{
+    json_t *json = json_string(text);
+    char *copy = json ? NULL : strdup(text);
+    for (char *c = copy; c && *c; c++)
+        if ((unsigned char)*c >= 0x80)
+            *c = '?';
+    if (copy)
+        json = json_string(copy);
+    free(copy);
+    return json;
+}
 
 json_t *json_text_append(json_t *array, json_t *value)
 {
