@@ -122,11 +122,10 @@ enum app_command {
     APP_PROFILE = 16,
     APP_DIFF = 32,
     APP_LADDER = 64,
-    APP_BAKE = 128,
-    APP_SHEET = 256,
-    APP_FARM = 512,
-    APP_MERGE = 1024,
-    APP_INFO = 2048,
+    APP_SHEET = 128,
+    APP_FARM = 256,
+    APP_MERGE = 512,
+    APP_INFO = 1024,
 };
 
 /* Parses the arguments after the command. If an argument is invalid, logs an error in one line and
@@ -151,7 +150,6 @@ enum status app_profile(const struct app_options *options);
 enum status app_view(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
-enum status app_bake(const struct app_options *options);
 enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);

@@ -39,7 +39,7 @@ static enum status list_environments(void)
 {
     print_assets(ASSET_ENVIRONMENT);
     printf("  %-14s %s\n", "valley", "landscape of the paper, under the built-in sky; also: sky");
-    printf("  %-14s %s\n", "FILE", "equirectangular .exr or .hdr, or firn bake's cube");
+    printf("  %-14s %s\n", "FILE", "equirectangular .exr or .hdr, or a strip of six cube faces");
     return STATUS_OK;
 }
 

@@ -31,7 +31,7 @@ static enum status set_only_output(const struct option *option, struct setup_out
     return option_add_output(option, outputs, value);
 }
 
-enum status option_bake_output(const struct option *option, void *at, const char *value)
+enum status option_exr_output(const struct option *option, void *at, const char *value)
 {
     if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr"))
         return option_refuse(option, value, "a file name that ends in .exr, or -");
@@ -94,17 +94,6 @@ enum status option_size(const struct option *option, void *at, const char *value
     return parse_pair(value, 16384, &image->width, &image->height)
                ? STATUS_OK
                : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
-}
-
-/* Sets the width and height of a cube face, in texels. */
-enum status option_bake_size(const struct option *option, void *at, const char *value)
-{
-    struct setup_image *image = at;
-    const char *rest;
-    if (!option_parse_count(value, 1, 4096, &image->width, &rest) || *rest)
-        return option_refuse(option, value, "the side of a cube face in texels, 1 to 4096");
-    image->height = image->width;
-    return STATUS_OK;
 }
 
 enum {

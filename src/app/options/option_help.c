@@ -31,9 +31,6 @@ static const char *const examples[] = {
                     "  firn ladder sphere valley teapot --rungs search,bounce --runs 0\n"
                     "  firn ladder valley --whole --rungs bounce\n"
                     "  firn ladder valley --furnace\n"),
-    [APP_BAKE] = ("  firn bake room -o env.exr\n"
-                  "  firn bake room --size 1024 -o fine.exr\n"
-                  "  firn render room --env env.exr -o room.png\n"),
     [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
                    "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 "
                    "--set refract.fresnel=crossfade -o fade.png\n"
@@ -64,8 +61,6 @@ static const char *const usages[] = {
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two images differ",
     [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction model with the ray "
                     "traced reference"),
-    [APP_BAKE] = ("firn bake [options] SCENE: bake the environment of a scene's object to a cube "
-                  "map for --env"),
     [APP_SHEET] = "firn sheet [options] SCENE: draw one image per value of a setting, side by side",
     [APP_FARM] =
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
@@ -84,10 +79,6 @@ void option_help(enum app_command command, const struct option *options, size_t 
         printf("\nSCENE is a name (firn list scenes) or a model file (.gltf .glb .obj .ply).\n");
     if (command == APP_PROFILE)
         printf("firn profile paper repeats the measurements of the paper.\n");
-    if (command == APP_BAKE)
-        printf("\nThe file is a vertical strip of six faces, +X -X +Y -Y +Z -Z from the top, of "
-               "half floats: R, G,\nB, and A = 1 / distance from the object's centre in metres. "
-               "--env reads it.\n");
     if (command == APP_FARM)
         printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
                "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "

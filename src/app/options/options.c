@@ -35,10 +35,9 @@ enum {
 
 #define FRAMES  (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
 #define IMAGES  (FRAMES | APP_LADDER | APP_SHEET)
-#define SCENES  (IMAGES | APP_BAKE)
-#define READERS (SCENES | APP_DIFF | APP_MERGE | APP_INFO)
+#define READERS (IMAGES | APP_DIFF | APP_MERGE | APP_INFO)
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
-#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
+#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_SHEET)
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot be in parentheses */
 /* Initialisers of an option's `offset` and `set`. Compilation fails if `field` is not a `type`. */
@@ -65,18 +64,14 @@ static const struct option options[] = {
       "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)" },
     { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS(option_ladder_output),
       "report: .png sheet, .exr layers, .svg plot or .html page; repeatable" },
-    { "Output", "output", 'o', "FILE", APP_BAKE, OUTPUTS(option_bake_output),
-      "output file, .exr, or - for stdout (default: env.exr)" },
     { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS(option_sheet_output),
       "output file, .png (default: sheet.png)" },
-    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_bake_output),
+    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_exr_output),
       "output file, .exr, or - for stdout (default: merged.exr)" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
       "setting and values, one image per value; repeatable (default: one per material)" },
     { "Output", "size", 's', "WxH", APP_SHEET, IMAGE(option_size),
       "size of each image, pixels, 1x1 to 16384x16384 (default: 320x240)" },
-    { "Output", "size", 's', "N", APP_BAKE, IMAGE(option_bake_size),
-      "side of a cube face, texels, 1 to 4096 (default: 512)" },
     { "Output", "size", 's', "WxH", FRAMES, IMAGE(option_size),
       "size of the image, pixels, 1x1 to 16384x16384 (default: 1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, IMAGE(option_size),
@@ -193,35 +188,35 @@ static const struct option options[] = {
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (default: neutral)" },
-    { "Rendering", "preset", 0, "FILE", SCENES, INPUT(image.scene.preset),
+    { "Rendering", "preset", 0, "FILE", IMAGES, INPUT(image.scene.preset),
       "settings from NAME=VALUE lines, from an image that firn wrote, or `paper`" },
-    { "Rendering", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
+    { "Rendering", "set", 0, "NAME=VALUE", IMAGES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
-    { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),
+    { "Scene", "up", 0, "AXIS", IMAGES, SCENE(option_up),
       "up axis of the model file, y or z; does not affect --surroundings (default: y)" },
-    { "Scene", "scale", 0, "X", SCENES, SCENE(option_scale),
+    { "Scene", "scale", 0, "X", IMAGES, SCENE(option_scale),
       "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (default: 1)" },
-    { "Scene", "rotate", 0, "X,Y,Z", SCENES, SCENE(option_rotate),
+    { "Scene", "rotate", 0, "X,Y,Z", IMAGES, SCENE(option_rotate),
       "rotation of the model about X, Y, Z, degrees; does not affect --surroundings" },
-    { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(image.scene.animation),
+    { "Scene", "animation", 0, "NAME|N", IMAGES, TEXT(image.scene.animation),
       "animation of the model file: name, number from 0, or none (default: the first)" },
-    { "Scene", "env", 'e', "FILE", SCENES, INPUT(image.scene.environment),
-      "environment: name, .exr, .hdr or baked cube (default: sky; studio for models)" },
-    { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),
+    { "Scene", "env", 'e', "FILE", IMAGES, INPUT(image.scene.environment),
+      "environment: name, .exr, .hdr or cube faces (default: sky; studio for models)" },
+    { "Scene", "env-rotate", 0, "DEG", IMAGES, SCENE(option_env_rotate),
       "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)" },
-    { "Scene", "env-exposure", 0, "EV", SCENES, SCENE(option_env_exposure),
+    { "Scene", "env-exposure", 0, "EV", IMAGES, SCENE(option_env_exposure),
       "exposure of the --env file, stops, -16 to 16 (default: 0)" },
-    { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(image.scene.surroundings),
+    { "Scene", "surroundings", 0, "FILE", IMAGES, INPUT(image.scene.surroundings),
       "model file that surrounds the object (default: the scene's own surroundings)" },
-    { "Scene", "cracks", 0, "FILE", SCENES, INPUT(image.scene.cracks),
+    { "Scene", "cracks", 0, "FILE", IMAGES, INPUT(image.scene.cracks),
       "model file of a crack; cracks.count copies of it are placed at random" },
-    { "Scene", "bump", 0, "FILE", SCENES, INPUT(image.scene.bump),
+    { "Scene", "bump", 0, "FILE", IMAGES, INPUT(image.scene.bump),
       "height map of bumps, tiled over the surface: .exr, .hdr or .png (default: noise)" },
-    { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(image.scene.bump_mask),
+    { "Scene", "bump-mask", 0, "FILE", IMAGES, INPUT(image.scene.bump_mask),
       "mask image, white where the surface has no bumps (default: noise; see bump.mask)" },
-    { "Scene", "air", 0, "FILE", SCENES, INPUT(image.scene.air),
+    { "Scene", "air", 0, "FILE", IMAGES, INPUT(image.scene.air),
       "texture of the planes of bubbles: white is bubble, black is ice (default: random)" },
-    { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
+    { "Scene", "background", 0, "R,G,B", IMAGES, SCENE(option_background),
       "constant linear colour instead of the sky, or none for a transparent background" },
     { "Camera", "camera", 0, "NAME|N", IMAGES, TEXT(image.camera),
       "camera of the model file: name, or number from 0, see firn info (default: first)" },
@@ -239,7 +234,7 @@ static const struct option options[] = {
       "enable the Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, image.sharing, option_sharing),
+    { "Device", "sharing", 0, "HOW", IMAGES, AT(enum rg_sharing, image.sharing, option_sharing),
       "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)" },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
       "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " of seconds" },
@@ -271,7 +266,7 @@ static const struct option options[] = {
     { "Format", "json", 0, NULL, APP_LIST, FORMAT, "JSON instead of text: a key for each list" },
     { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
       "settings as a file for --preset, with every line commented out" },
-    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress or notes" },
+    { "Other", "quiet", 'q', NULL, IMAGES | APP_MERGE, FLAG(run.quiet), "no progress or notes" },
 };
 
 enum {
@@ -365,7 +360,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 /* Adds a positional argument. Most commands accept only SCENE, but some accept several. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
-    const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
+    const bool is_scene = command & (IMAGES | APP_INFO) & ~(unsigned)APP_FARM;
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
                           : command == APP_LADDER         ? APP_LADDER_SCENE_COUNT
@@ -426,7 +421,6 @@ void app_default_output(struct app_options *o, enum app_command command)
         const char *name;
     } defaults[] = {
         { APP_RENDER | APP_FARM, o->render.frames ? "firn.####.exr" : "firn.exr" },
-        { APP_BAKE, "env.exr" },
         { APP_MERGE, "merged.exr" },
         { APP_SHEET, "sheet.png" },
     };
@@ -486,10 +480,10 @@ static void init_defaults(struct app_options *o, enum app_command command)
         o->image.samples = 0; /* option_check_reference() sets the default */
     if (command == APP_VIEW)
         o->image.samples = 0; /* the viewer sets the default */
-    if (command == APP_LADDER)
+    if (command == APP_LADDER) {
         option_ladder_settings(&o->image.scene.settings);
-    if (command & (APP_LADDER | APP_BAKE))
         o->image.width = o->image.height = 512;
+    }
     if (command == APP_SHEET) {
         o->image.width = 320;
         o->image.height = 240;
