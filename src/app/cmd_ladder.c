@@ -184,25 +184,12 @@ static enum status measure(struct job *job)
 
 /* ---- results ---- */
 
-static enum status encode(const struct job *job, const char *path, void **data, size_t *size)
-{
-    char *text = NULL;
-    enum status status;
-    if (path_ends_in(path, ".png"))
-        return ladder_sheet(&job->report, data, size);
-    if (path_ends_in(path, ".exr"))
-        return ladder_exr(&job->report, data, size);
-    status = path_ends_in(path, ".svg") ? ladder_svg(&job->report, &text, size)
-                                        : ladder_page(&job->report, &text, size);
-    *data = text;
-    return status;
-}
-
 static enum status write_output(const struct job *job, const char *path)
 {
     void *data = NULL;
     size_t size = 0;
-    enum status status = encode(job, path, &data, &size);
+    enum status status = path_ends_in(path, ".png") ? ladder_sheet(&job->report, &data, &size)
+                                                     : ladder_exr(&job->report, &data, &size);
     if (status == STATUS_OK)
         status = file_io_write(path, data, size);
     free(data);

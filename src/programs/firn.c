@@ -40,7 +40,7 @@ static void print_help(FILE *out)
                  "Examples:\n"
                  "  firn render ice-cube -o ice.exr -o ice.png\n"
                  "  firn diff reference.exr ice.exr\n"
-                 "  firn ladder sphere -o ladder.html\n"
+                 "  firn ladder sphere -o ladder.png\n"
                  "  firn list settings\n\n"
                  "Commands:\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++)

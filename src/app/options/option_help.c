@@ -26,7 +26,7 @@ static const char *const examples[] = {
                   "  firn diff a.exr b.exr --mask a.exr --mask-channel thickness.Z --json\n"
                   "  firn diff golden.exr new.exr --fail-above flip=0.01 --fail-above angle=0.1\n"),
     [APP_LADDER] = ("  firn ladder\n"
-                    "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
+                    "  firn ladder sphere --size 256x256 -o ladder.png -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
                     "  firn ladder sphere valley teapot --rungs search,bounce --runs 0\n"
                     "  firn ladder valley --whole --rungs bounce\n"

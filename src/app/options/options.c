@@ -63,7 +63,7 @@ static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS(option_output),
       "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)" },
     { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS(option_ladder_output),
-      "report: .png sheet, .exr layers, .svg plot or .html page; repeatable" },
+      "report: .png contact sheet or .exr layers; repeatable" },
     { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS(option_sheet_output),
       "output file, .png (default: sheet.png)" },
     { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_exr_output),
