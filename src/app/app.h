@@ -13,7 +13,6 @@ enum {
     APP_POSITIONAL_COUNT = 256, /* positional arguments, including the final NULL */
     APP_SWEEP_COUNT = 4,        /* maximum number of --sweep */
     APP_SBATCH_COUNT = 16,      /* maximum number of --sbatch */
-    APP_LADDER_SCENE_COUNT = 8, /* scenes of firn ladder */
 };
 
 /* Output format of commands that print. */
@@ -71,7 +70,6 @@ struct app_mask {
 struct app_diff {
     bool has_exposure;
     float exposure; /* stops */
-    bool only_heat; /* PNG files show only the errors */
     float ppd;      /* pixels per degree; 0: FLIP_PPD */
     enum flip_curve curve;
     bool has_limit[COMPARISON_METRIC_COUNT];

@@ -126,36 +126,6 @@ class Numbers(LadderCase):
         self.assertGreater(said['rungs']['one-sided']['ms'], 0)
         self.assertGreater(said['reference_ms'], 0)
 
-    @long
-    def test_several_scenes(self):
-        words = ('--size', '48x36', '--rungs', 'paper,bounce', '--runs', 0)
-        one = self.ladder('valley', *words)
-        scenes = ('sphere', 'valley', 'teapot')
-        done = self.succeed('ladder', *scenes, '--json', *words)
-        all_ = json.loads(done.stdout)['scenes']
-        self.assertEqual([said['scene'] for said in all_], list(scenes))
-        rungs = {rung['name']: rung for rung in all_[1]['rungs']}
-        for key in ('flip', 'mae', 'mae_reflected', 'tir'):
-            self.assertEqual(rungs['bounce'][key], one['rungs']['bounce'][key])
-        text = self.succeed('ladder', *scenes, *words).stdout.decode()
-        table = [line.split() for line in text.splitlines()[-3:]]
-        self.assertEqual(table[0], ['FLIP', *scenes])
-        for row, name in zip(table[1:], ('paper', 'bounce')):
-            self.assertEqual(row[0], name)
-            self.near(float(row[2]), one['rungs'][name]['flip'], 1e-4)
-        self.assertTrue(all(len(line) <= 100 for line in text.splitlines()), text)
-        text = self.succeed('ladder', 'sphere', 'valley', '--furnace', *words[:-2],
-                            '--rungs', 'paper').stdout.decode()
-        self.assertEqual(re.findall(r'(?m)^scene +(\S+)$', text), ['sphere', 'valley'])
-        done = self.firn('ladder', 'sphere', 'valley', '--furnace', *words[:2], '--set',
-                         'absorb.red=1', '--rungs', 'bounce')
-        self.assertEqual(done.returncode, FAILED)
-        self.assertEqual(done.stdout.count(b'\nbounce'), 2)
-        self.refuse(USAGE, 'ladder', *'abcdefghi', names=["'i'", '8'])
-        for option, value in (('--output', 'a.png'), ('--truth', 'a.exr')):
-            self.refuse(USAGE, 'ladder', 'sphere', 'teapot', option, value,
-                        names=[option, 'one scene', 'teapot'])
-
     def test_beside_another_programs_picture(self):
         self.succeed('render', 'sphere', *SIZE, *ALIKE, '--refraction', 'reference', '--aov',
                      'path', '-o', 'truth.exr')

@@ -33,13 +33,6 @@ enum status option_ppd(const struct option *option, void *at, const char *value)
     return ok ? STATUS_OK : option_refuse(option, value, "1 to 400 pixels per degree");
 }
 
-enum status option_only(const struct option *option, void *at, const char *value)
-{
-    struct app_diff *diff = at;
-    diff->only_heat = !strcmp(value, "heat");
-    return diff->only_heat ? STATUS_OK : option_refuse(option, value, "heat");
-}
-
 enum status option_error_image(const struct option *option, void *at, const char *value)
 {
     if (!path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))

@@ -4,8 +4,7 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_exposure, option_curve, option_ppd, option_fail_above,
-    option_only;              /* of struct app_diff */
+option_fn option_exposure, option_curve, option_ppd, option_fail_above; /* of struct app_diff */
 option_fn option_error_image; /* of struct setup_outputs */
 
 #endif

@@ -28,7 +28,6 @@ static const char *const examples[] = {
     [APP_LADDER] = ("  firn ladder\n"
                     "  firn ladder sphere --size 256x256 -o ladder.png -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
-                    "  firn ladder sphere valley teapot --rungs search,bounce --runs 0\n"
                     "  firn ladder valley --whole --rungs bounce\n"
                     "  firn ladder valley --furnace\n"),
     [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
@@ -41,8 +40,7 @@ static const char *const examples[] = {
                   "--sbatch --time=1:00:00\n"
                   "  firn farm parallel ice-cube --frames 1-250 -o turn.####.exr "
                   "--hosts one,two,:\n"
-                  "  firn farm status ice-cube --frames 1-250 -o turn.####.exr\n"
-                  "  firn farm status turn.####.exr --frames 1-250\n"),
+                  "  firn farm status ice-cube --frames 1-250 -o turn.####.exr\n"),
     [APP_MERGE] = ("  firn render ice-cube --size 16384x8192 --tiles 4x2 --tile 1 -o tile.1.exr\n"
                    "  firn merge tile.*.exr -o still.exr\n"),
     [APP_INFO] = ("  firn info drink\n"
@@ -59,7 +57,7 @@ static const char *const usages[] = {
     [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
     [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two images differ",
-    [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction model with the ray "
+    [APP_LADDER] = ("firn ladder [options] [SCENE]: compare every refraction model with the ray "
                     "traced reference"),
     [APP_SHEET] = "firn sheet [options] SCENE: draw one image per value of a setting, side by side",
     [APP_FARM] =
@@ -82,8 +80,7 @@ void option_help(enum app_command command, const struct option *options, size_t 
     if (command == APP_FARM)
         printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
                "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "
-               "all are. Without SCENE, status\ncompares the settings of all files with those of "
-               "the newest file.\n");
+               "all are.\n");
     if (command == APP_LADDER)
         printf("\nThe default SCENE is valley. firn ladder draws the smooth object alone, "
                "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "

@@ -253,9 +253,7 @@ static const struct option options[] = {
     { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
       "pixels per degree of the viewer's field of view, 1 to 400 (default: 67)" },
     { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_image),
-      "error image, .png in colours or .exr as numbers; repeatable" },
-    { "Result", "only", 0, "heat", APP_DIFF, DIFF(option_only),
-      "PNG files show only the errors (default: both images, errors and scale)" },
+      "error image, .png heat map or .exr as numbers; repeatable" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle (degrees); above it the exit code is 1" },
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
@@ -363,15 +361,12 @@ static enum status add_positional(struct app_options *o, enum app_command comman
     const bool is_scene = command & (IMAGES | APP_INFO) & ~(unsigned)APP_FARM;
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
-                          : command == APP_LADDER         ? APP_LADDER_SCENE_COUNT
                                                           : 1;
-    const bool is_first = is_scene && !o->image.scene.name;
-    const char **args = is_first || (is_scene && most == 1) ? &o->image.scene.name : o->positionals;
-    const uint32_t room = is_first ? 1 : most - (is_scene && most > 1);
+    const char **args = is_scene ? &o->image.scene.name : o->positionals;
     uint32_t count = 0;
-    while (count < room && args[count])
+    while (count < most && args[count])
         count++;
-    if (count < room) {
+    if (count < most) {
         args[count] = word;
         return STATUS_OK;
     }
