@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
-#include "src/app/options/reference_options.h"
+#include "src/app/options/command_options.h"
 #include "src/app/progress.h"
 #include "src/app/render_report.h"
 #include "src/app/sample_sums_file.h"

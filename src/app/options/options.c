@@ -4,20 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/options/diff_options.h"
-#include "src/app/options/farm_options.h"
+#include "src/app/options/command_options.h"
 #include "src/app/options/image_options.h"
-#include "src/app/options/ladder_options.h"
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/output_path_conflicts.h"
-#include "src/app/options/profile_options.h"
-#include "src/app/options/quality_option.h"
-#include "src/app/options/reference_options.h"
-#include "src/app/options/view_options.h"
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
 #include "src/base/suggest.h"
+#include "src/lab/metric/flip_filter.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/scene/material.h"
@@ -49,25 +44,40 @@ enum {
 #define INPUT(field)       AT(const char *, field, option_input)
 #define REPORT(field)      AT(const char *, field, option_report)
 #define COUNT(field)       AT(uint32_t, field, option_count)
+#define FLOAT(field)       AT(float, field, option_float)
+#define DOUBLE(field)      AT(double, field, option_double)
 #define IMAGE(set)         AT(struct setup_image, image, set)
 #define SCENE(set)         AT(struct setup_scene, image.scene, set)
 #define VECTOR(field, set) AT(struct setup_vector, image.field, set)
-#define OUTPUTS(set)       AT(struct setup_outputs, run.outputs, set)
+#define OUTPUTS            AT(struct setup_outputs, run.outputs, option_output)
 #define FORMAT             AT(enum app_format, run.format, option_format)
 #define SWEEP              AT(struct app_sweeps, sweeps, option_sweep)
 #define VIEW(set)          AT(struct setup_window, window, set)
 #define DIFF(set)          AT(struct app_diff, diff, set)
 #define FARM(set)          AT(struct app_farm, farm, set)
 
+static const char *const image_endings[] = { ".exr", ".png", NULL };
+static const char *const exr_ending[] = { ".exr", NULL };
+static const char *const overlays[] = { "", "on", "off", NULL }; /* by enum setup_overlay */
+static const char *const sharings[] = {
+    [RG_SHARE_FEWEST_BATCHES] = "batches",
+    [RG_SHARE_LEAST_MEMORY] = "memory",
+    [RG_SHARE_NOTHING] = "nothing",
+    NULL,
+};
+
 static const struct option options[] = {
-    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS(option_output),
-      "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)" },
-    { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS(option_ladder_output),
-      "report: .png contact sheet or .exr layers; repeatable" },
-    { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS(option_sheet_output),
-      "output file, .png (default: sheet.png)" },
-    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_exr_output),
-      "output file, .exr, or - for stdout (default: merged.exr)" },
+    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS,
+      "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)",
+      .max = SETUP_OUTPUT_COUNT, .words = image_endings, .unit = ", or -" },
+    { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS,
+      "report: .png contact sheet or .exr layers; repeatable", .max = SETUP_OUTPUT_COUNT,
+      .words = image_endings },
+    { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS, "output file, .png (default: sheet.png)",
+      .max = 1, .words = &image_endings[1] },
+    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS,
+      "output file, .exr, or - for stdout (default: merged.exr)", .max = 1, .words = exr_ending,
+      .unit = ", or -" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
       "setting and values, one image per value; repeatable (default: one per material)" },
     { "Output", "size", 's', "WxH", APP_SHEET, IMAGE(option_size),
@@ -77,13 +87,15 @@ static const struct option options[] = {
     { "Output", "size", 's', "WxH", APP_LADDER, IMAGE(option_size),
       "size of the image, pixels, 1x1 to 16384x16384 (default: 512x512)" },
     { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, IMAGE(option_samples),
-      "samples per pixel, 1 to 65536; auto: 4 to 64 by noise (default: by --quality)", 1, 65536 },
+      "samples per pixel, 1 to 65536; auto: 4 to 64 by noise (default: by --quality)" },
     { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(image.samples),
       "samples per pixel, 1 to 65536 (default: 1)", 1, 65536 },
-    { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
-      "reference: stop at this mean standard error of clamped (0..1) RGB (default: none)" },
-    { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
-      "reference: seconds after which no more samples are started (default: no limit)" },
+    { "Output", "noise", 0, "LEVEL", APP_RENDER, DOUBLE(render.noise),
+      "reference: stop at this mean standard error of clamped (0..1) RGB (default: none)", 1e-6,
+      0.5 },
+    { "Output", "time", 0, "SECONDS", APP_RENDER, DOUBLE(render.seconds),
+      "reference: seconds after which no more samples are started (default: no limit)", 1e-3, 1e9,
+      " seconds" },
     { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
       "reference: store the sample sums of a.exr in a.sums.exr, for --resume to continue" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(image.samples),
@@ -95,8 +107,8 @@ static const struct option options[] = {
       "additional EXR layers (AOVs), separated by commas, or all; see firn list layers" },
     { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, IMAGE(option_tiles),
       "draw in tiles, columns x rows, 1x1 to 16x16: less memory, identical output" },
-    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, IMAGE(option_tile),
-      "draw only one tile, with this number from 1; firn merge joins the files" },
+    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, COUNT(image.tile),
+      "draw only one tile, with this number from 1; firn merge joins the files", 1, 256 },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(image.interleaved),
       "interleave the tiles' pixels, for images above the device's limit; mips differ" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, IMAGE(option_show),
@@ -105,20 +117,24 @@ static const struct option options[] = {
       "bits per channel of PNG files (default: 8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(window.frame_count),
       "frames until the window closes, 1 to 1000000000 (default: no limit)", 1, 1000000000 },
-    { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, window.time_step, option_time_step),
-      "scene time per frame, seconds, 0 to 3600 (default: real time)" },
-    { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
-      "file for the last frame, .png or .exr, written at the end; repeatable" },
+    { "Window", "time-step", 0, "SECONDS", APP_VIEW, DOUBLE(window.time_step),
+      "scene time per frame, seconds, 0 to 3600 (default: real time)", 0, 3600, " seconds" },
+    { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS,
+      "file for the last frame, .png or .exr, written at the end; repeatable",
+      .max = SETUP_OUTPUT_COUNT, .words = image_endings, .unit = ", or -" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
       "present mode: fifo, mailbox, immediate (default: fifo)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(window.fps_limit),
       "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
-    { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
-      "panels beside the image (default: on; off with --frames or --screenshot)" },
-    { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, VIEW(option_ui_scale),
-      "scale of text and panels, 0.5 to 4; also Ctrl + and - (default: the desktop's)" },
-    { "Window", "theme", 0, "dark|light", APP_VIEW, VIEW(option_theme),
-      "colours of the panels; key Ctrl T (default: dark)" },
+    { "Window", "overlay", 0, "on|off", APP_VIEW,
+      AT(enum setup_overlay, window.overlay, option_word),
+      "panels beside the image (default: on; off with --frames or --screenshot)", .min = 1,
+      .words = overlays },
+    { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, FLOAT(window.ui_scale),
+      "scale of text and panels, 0.5 to 4; also Ctrl + and - (default: the desktop's)",
+      (double)SETUP_UI_SCALE_MIN, (double)SETUP_UI_SCALE_MAX },
+    { "Window", "theme", 0, "dark|light", APP_VIEW, AT(uint32_t, window.theme, option_word),
+      "colours of the panels; key Ctrl T (default: dark)", .words = app_themes },
     { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(window.ui_dump),
       "file for the pixel positions of all controls, rewritten when they change" },
     { "Window", "session", 0, "FILE", APP_VIEW, INPUT(window.session),
@@ -147,9 +163,9 @@ static const struct option options[] = {
       "number of measured runs, 1 to 100000 (default: 30)", 1, 100000 },
     { "Runs", "warmup", 0, "N", APP_PROFILE, COUNT(profile.warmup),
       "number of warm-up runs, which are not measured, 0 to 100000 (default: 5)", 0, 100000 },
-    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE,
-      AT(double, profile.time_step, option_time_step),
-      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (default: 0)" },
+    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, DOUBLE(profile.time_step),
+      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (default: 0)", 0, 3600,
+      " seconds" },
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
       "timer: timestamps, submits (each pass submitted alone) or auto (submits on CPU devices, "
       "else timestamps; default)" },
@@ -202,10 +218,11 @@ static const struct option options[] = {
       "animation of the model file: name, number from 0, or none (default: the first)" },
     { "Scene", "env", 'e', "FILE", IMAGES, INPUT(image.scene.environment),
       "environment: name, .exr, .hdr or cube faces (default: sky; studio for models)" },
-    { "Scene", "env-rotate", 0, "DEG", IMAGES, SCENE(option_env_rotate),
-      "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)" },
-    { "Scene", "env-exposure", 0, "EV", IMAGES, SCENE(option_env_exposure),
-      "exposure of the --env file, stops, -16 to 16 (default: 0)" },
+    { "Scene", "env-rotate", 0, "DEG", IMAGES, FLOAT(image.scene.env_rotate),
+      "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)", -360, 360,
+      " degrees" },
+    { "Scene", "env-exposure", 0, "EV", IMAGES, FLOAT(image.scene.env_exposure),
+      "exposure of the --env file, stops, -16 to 16 (default: 0)", -16, 16, " stops" },
     { "Scene", "surroundings", 0, "FILE", IMAGES, INPUT(image.scene.surroundings),
       "model file that surrounds the object (default: the scene's own surroundings)" },
     { "Scene", "cracks", 0, "FILE", IMAGES, INPUT(image.scene.cracks),
@@ -226,20 +243,22 @@ static const struct option options[] = {
       "position of the camera, metres" },
     { "Camera", "target", 0, "X,Y,Z", IMAGES, VECTOR(target, option_position),
       "point that the camera looks at, metres (default: the object's centre)" },
-    { "Camera", "fov", 0, "DEGREES", IMAGES, IMAGE(option_fov),
-      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)" },
+    { "Camera", "fov", 0, "DEGREES", IMAGES, FLOAT(image.fov_deg),
+      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)", 1, 170,
+      " degrees" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
       "Vulkan device, number or part of its name; see firn list devices (default: a GPU)" },
     { "Device", "validate", 0, NULL, DEVICES, FLAG(run.gpu.validate),
       "enable the Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", IMAGES, AT(enum rg_sharing, image.sharing, option_sharing),
-      "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)" },
+    { "Device", "sharing", 0, "HOW", IMAGES, AT(enum rg_sharing, image.sharing, option_word),
+      "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)",
+      .words = sharings },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
-      "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " of seconds" },
+      "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " seconds" },
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(image.scene.reader.memory_gib),
-      "memory limit per file, GiB, 1 to 1024 (default: 4)", 1, 1024, " of GiB" },
+      "memory limit per file, GiB, 1 to 1024 (default: 4)", 1, 1024, " GiB" },
     { "Reading", "sandbox", 0, "on|off", READERS, SCENE(option_sandbox),
       "sandbox of the processes that read files; off is for debugging (default: on)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, INPUT(mask.file),
@@ -248,12 +267,15 @@ static const struct option options[] = {
       "channel of the --mask image (default: A)" },
     { "Comparison", "exposure", 0, "STOPS", APP_DIFF, DIFF(option_exposure),
       "exposure of EXR and HDR files, -40 to 40 stops, for LDR-FLIP instead of HDR-FLIP" },
-    { "Comparison", "curve", 0, "NAME", APP_DIFF, DIFF(option_curve),
-      "tone curve of HDR-FLIP: aces, hable or reinhard (default: aces)" },
-    { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
-      "pixels per degree of the viewer's field of view, 1 to 400 (default: 67)" },
-    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_image),
-      "error image, .png heat map or .exr as numbers; repeatable" },
+    { "Comparison", "curve", 0, "NAME", APP_DIFF, AT(enum flip_curve, diff.curve, option_word),
+      "tone curve of HDR-FLIP: aces, hable or reinhard (default: aces)",
+      .words = flip_curve_names },
+    { "Comparison", "ppd", 0, "N", APP_DIFF, FLOAT(diff.ppd),
+      "pixels per degree of the viewer's field of view, 1 to 400 (default: 67)", 1, FLIP_PPD_MAX,
+      " pixels per degree" },
+    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS,
+      "error image, .png heat map or .exr as numbers; repeatable", .max = SETUP_OUTPUT_COUNT,
+      .words = image_endings },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle (degrees); above it the exit code is 1" },
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
