@@ -71,8 +71,8 @@ static bool draw_errors(struct canvas *canvas, uint32_t x, uint32_t y, const str
     return true;
 }
 
-/* Draws the heat map's colour bar in a box: left, top, width and height in pixels. The value is 1 at
- * the top and 0 at the bottom. Numbers are to its right, only two if it is short. */
+/* Draws the heat map's colour bar in a box: left, top, width and height in pixels. The value is 1
+ * at the top and 0 at the bottom. Numbers are to its right, only two if it is short. */
 static void draw_legend(struct canvas *canvas, const uint32_t box[static 4], uint32_t scale)
 {
     const uint32_t x = box[0], y = box[1], width = box[2], height = box[3];
