@@ -155,6 +155,7 @@ class Examples(Case):
             shutil.copy(self.folder / 'reference.exr', self.folder / f'{name}.exr')
         shutil.copy(self.folder / 'before.png', self.folder / 'after.png')
         self.succeed('render', 'sphere', '--size', '16x8', '-o', 'studio.exr')
+        self.succeed('render', 'sphere', '--size', '4x24', '-o', 'cube.exr')
         (self.folder / 'session-0001.firn').write_text('scene=sphere\nrung=paper\n')
         (self.folder / 'shaders').symlink_to(ROOT / 'shaders')
         (self.folder / 'FOLDER').symlink_to(ROOT / 'shaders')
