@@ -2,8 +2,8 @@
 import re
 import subprocess
 
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet',
-            'farm', 'merge', 'info', 'list')
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
+            'merge', 'info', 'list')
 LISTS = ('scenes', 'environments', 'refractions', 'materials', 'layers', 'qualities', 'settings')
 
 

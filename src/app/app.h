@@ -13,7 +13,6 @@ enum {
     APP_POSITIONAL_COUNT = 256, /* positional arguments, including the final NULL */
     APP_SWEEP_COUNT = 4,        /* maximum number of --sweep */
     APP_SBATCH_COUNT = 16,      /* maximum number of --sbatch */
-    APP_LADDER_SCENE_COUNT = 8, /* scenes of firn ladder */
 };
 
 /* Output format of commands that print. */
@@ -71,7 +70,6 @@ struct app_mask {
 struct app_diff {
     bool has_exposure;
     float exposure; /* stops */
-    bool only_heat; /* PNG files show only the errors */
     float ppd;      /* pixels per degree; 0: FLIP_PPD */
     enum flip_curve curve;
     bool has_limit[COMPARISON_METRIC_COUNT];
@@ -122,11 +120,10 @@ enum app_command {
     APP_PROFILE = 16,
     APP_DIFF = 32,
     APP_LADDER = 64,
-    APP_BAKE = 128,
-    APP_SHEET = 256,
-    APP_FARM = 512,
-    APP_MERGE = 1024,
-    APP_INFO = 2048,
+    APP_SHEET = 128,
+    APP_FARM = 256,
+    APP_MERGE = 512,
+    APP_INFO = 1024,
 };
 
 /* Parses the arguments after the command. If an argument is invalid, logs an error in one line and
@@ -151,7 +148,6 @@ enum status app_profile(const struct app_options *options);
 enum status app_view(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
-enum status app_bake(const struct app_options *options);
 enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);

@@ -5,12 +5,13 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/diff_report.h"
-#include "src/app/diff_sheet.h"
 #include "src/app/input_image.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/file/atomic_file.h"
 #include "src/file/exr.h"
+#include "src/file/png.h"
+#include "src/lab/metric/heat_map.h"
 
 struct job {
     const struct app_options *options;
@@ -130,18 +131,21 @@ static void check_limits(struct job *job)
 
 /* ---- the error image ---- */
 
+/* Encodes the FLIP heat map as a PNG file. Pixels outside the mask are black. */
 static enum status encode_png(const struct job *job, void **data, size_t *size)
 {
-    const struct app_diff *o = &job->options->diff;
-    const struct diff_sheet sheet = {
-        .reference = &job->reference,
-        .test = &job->test,
-        .errors = job->comparison.errors,
-        .counted = job->counted,
-        .flip = job->comparison.flip,
-        .exposure = o->has_exposure ? o->exposure : 0.0f,
-    };
-    return (o->only_heat ? diff_sheet_heat : diff_sheet_all)(&sheet, data, size);
+    const uint32_t width = job->reference.width, height = job->reference.height;
+    uint8_t *rgba = calloc((size_t)width * height, 4);
+    if (!rgba)
+        return log_out_of_memory(NULL);
+    for (size_t i = 0; i < (size_t)width * height; i++) {
+        if (!job->counted || job->counted[i])
+            heat_map_srgb(job->comparison.errors[i], &rgba[4 * i]);
+    }
+    const struct png_image_source heat = { .rgba = rgba, .width = width, .height = height };
+    const enum status status = png_encode(&heat, data, size);
+    free(rgba);
+    return status;
 }
 
 /* Encodes the per-pixel errors of the comparison as an EXR file. */

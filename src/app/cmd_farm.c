@@ -13,7 +13,6 @@
 #include "src/app/farm_status.h"
 #include "src/app/sequence_frame_list.h"
 #include "src/base/log.h"
-#include "src/base/path.h"
 
 enum {
     NAME_SIZE = 64,
@@ -22,30 +21,6 @@ enum {
 };
 
 /* ---- checks of the arguments ---- */
-
-static bool is_image_option(const char *word)
-{
-    return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
-}
-
-/* Finds SCENE among the arguments. For firn farm status, SCENE may also be an output file. */
-static enum status parse_arguments(struct app_options *o, bool is_status)
-{
-    struct setup_outputs *outputs = &o->run.outputs;
-    const char *scene = o->positionals[1];
-    if (is_status && is_image_option(scene)) {
-        if (outputs->count) {
-            log_error("--output: 'farm status %s' already names a file; give a SCENE in its place, "
-                      "or leave out --output",
-                      scene);
-            return STATUS_USAGE;
-        }
-        outputs->paths[outputs->count++] = scene;
-        return STATUS_OK;
-    }
-    o->image.scene.name = scene;
-    return setup_require_scene(&o->image.scene);
-}
 
 static enum status check_files(const struct app_options *o)
 {
@@ -194,7 +169,8 @@ enum status app_farm(const struct app_options *options)
                   kind ? kind : "");
         return STATUS_USAGE;
     }
-    enum status status = parse_arguments(&o, kinds[k].is_status);
+    o.image.scene.name = o.positionals[1];
+    enum status status = setup_require_scene(&o.image.scene);
     if (status == STATUS_OK)
         status = check_files(&o);
     if (status == STATUS_OK)

@@ -1,5 +1,4 @@
 /* cmd_ladder.c: command firn ladder: compares refraction models with the reference. */
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,7 +28,6 @@ struct job {
     struct ladder ladder;
     struct ladder_report report;
     char *command;
-    const char *prefix; /* printed before the results */
     struct progress progress;
 };
 
@@ -183,25 +181,12 @@ static enum status measure(struct job *job)
 
 /* ---- results ---- */
 
-static enum status encode(const struct job *job, const char *path, void **data, size_t *size)
-{
-    char *text = NULL;
-    enum status status;
-    if (path_ends_in(path, ".png"))
-        return ladder_sheet(&job->report, data, size);
-    if (path_ends_in(path, ".exr"))
-        return ladder_exr(&job->report, data, size);
-    status = path_ends_in(path, ".svg") ? ladder_svg(&job->report, &text, size)
-                                        : ladder_page(&job->report, &text, size);
-    *data = text;
-    return status;
-}
-
 static enum status write_output(const struct job *job, const char *path)
 {
     void *data = NULL;
     size_t size = 0;
-    enum status status = encode(job, path, &data, &size);
+    enum status status = path_ends_in(path, ".png") ? ladder_sheet(&job->report, &data, &size)
+                                                    : ladder_exr(&job->report, &data, &size);
     if (status == STATUS_OK)
         status = file_io_write(path, data, size);
     free(data);
@@ -220,7 +205,7 @@ static enum status print(const struct job *job)
     else
         status = ladder_json(&job->report, &text, &size);
     if (text)
-        fputs(text, stdout);
+        puts(text);
     free(text);
     return status;
 }
@@ -229,11 +214,8 @@ static enum status report(const struct job *job)
 {
     struct furnace furnace;
     enum status status = STATUS_OK;
-    fputs(job->prefix, stdout);
     if (job->o.ladder.furnace) {
         furnace = furnace_measure(&job->ladder);
-        if (job->o.positionals[0])
-            printf("scene      %s\n", job->o.image.scene.name);
         furnace_print(&furnace, stdout);
         status = furnace_passes(&furnace) ? STATUS_OK : STATUS_FAILED;
     } else {
@@ -266,67 +248,6 @@ static enum status run(struct job *job)
     return status;
 }
 
-/* ---- several scenes ---- */
-
-/* FLIP errors of all scenes, collected for the final table. */
-struct summary {
-    const char *scenes[APP_LADDER_SCENE_COUNT];
-    double flip[APP_LADDER_SCENE_COUNT][LADDER_MODEL_COUNT];
-    const char *refraction_models[LADDER_MODEL_COUNT];
-    uint32_t scene_count, refraction_model_count;
-};
-
-static void record_scene(struct summary *summary, const struct job *job)
-{
-    const struct ladder *ladder = &job->ladder;
-    summary->refraction_model_count = ladder->refraction_model_count;
-    for (uint32_t i = 0; i < ladder->refraction_model_count; i++) {
-        summary->refraction_models[i] = ladder->refraction_models[i].refraction->refraction.name;
-        summary->flip[summary->scene_count][i] = ladder->refraction_models[i].error.flip;
-    }
-    summary->scenes[summary->scene_count++] = job->o.image.scene.name;
-}
-
-/* Prints a column title: a scene's file name, truncated to the column width. */
-static void print_title(const char *scene)
-{
-    const char *slash = strrchr(scene, '/');
-    char title[11];
-    snprintf(title, sizeof(title), "%s", slash ? slash + 1 : scene);
-    for (char *c = title; *c; c++) {
-        if (iscntrl((unsigned char)*c))
-            *c = '?';
-    }
-    printf(" %10s", title);
-}
-
-static void print_summary(const struct summary *summary)
-{
-    printf("\n%-10s", "FLIP");
-    for (uint32_t s = 0; s < summary->scene_count; s++)
-        print_title(summary->scenes[s]);
-    putchar('\n');
-    for (uint32_t r = 0; r < summary->refraction_model_count; r++) {
-        printf("%-10s", summary->refraction_models[r]);
-        for (uint32_t s = 0; s < summary->scene_count; s++)
-            printf(" %10.4f", summary->flip[s][r]);
-        putchar('\n');
-    }
-}
-
-/* Checks that all given options work with several scenes. */
-static enum status check_several(const struct app_options *o)
-{
-    const char *option = o->run.outputs.count        ? "--output"
-                         : o->ladder.reference_image ? "--truth"
-                                                     : NULL;
-    if (!option)
-        return STATUS_OK;
-    log_error("%s: expected one scene, got '%s' and '%s'; give one at a time", option,
-              o->image.scene.name, o->positionals[0]);
-    return STATUS_USAGE;
-}
-
 static void job_finish(struct job *job)
 {
     ladder_finish(&job->ladder);
@@ -338,53 +259,14 @@ static void job_finish(struct job *job)
     free(job);
 }
 
-/* Compares the refraction models in one scene. Prints `prefix` and then the results. */
-static enum status run_scene(const struct app_options *options, const char *name,
-                             const char *prefix, struct summary *summary)
+enum status app_ladder(const struct app_options *options)
 {
     struct job *job = calloc(1, sizeof(*job));
     if (!job)
         return log_out_of_memory(NULL);
     job->o = *options;
-    job->o.image.scene.name = name;
-    job->prefix = prefix;
     job->command = shell_quote_join(options->run.args);
-    enum status status = job->command ? run(job) : log_out_of_memory(NULL);
-    if (status == STATUS_OK)
-        record_scene(summary, job);
+    const enum status status = job->command ? run(job) : log_out_of_memory(NULL);
     job_finish(job);
-    return status;
-}
-
-/* Measures all scenes until the first error. A failed furnace test only sets the exit code. */
-static enum status run_scenes(const struct app_options *o)
-{
-    const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;
-    struct summary summary = { 0 };
-    enum status first = STATUS_OK, status = check_several(o);
-    if (status != STATUS_OK)
-        return status;
-    status = run_scene(o, o->image.scene.name, is_json ? "{\"scenes\": [\n" : "", &summary);
-    for (uint32_t i = 0; o->positionals[i]; i++) {
-        if (status != STATUS_OK && !(o->ladder.furnace && status == STATUS_FAILED))
-            break;
-        first = first == STATUS_OK ? status : first;
-        status = run_scene(o, o->positionals[i], is_json ? ",\n" : "\n", &summary);
-    }
-    if (status == STATUS_OK && is_json)
-        puts("\n]}");
-    else if (status == STATUS_OK && !o->ladder.furnace)
-        print_summary(&summary);
-    return first == STATUS_OK ? status : first;
-}
-
-enum status app_ladder(const struct app_options *options)
-{
-    struct summary summary = { 0 };
-    if (options->positionals[0])
-        return run_scenes(options);
-    const enum status status = run_scene(options, options->image.scene.name, "", &summary);
-    if (status == STATUS_OK && options->run.format == APP_FORMAT_JSON && !options->ladder.furnace)
-        putchar('\n');
     return status;
 }

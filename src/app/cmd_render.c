@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/app.h"
-#include "src/app/options/reference_options.h"
+#include "src/app/options/command_options.h"
 #include "src/app/progress.h"
 #include "src/app/render_report.h"
 #include "src/app/sample_sums_file.h"
@@ -259,14 +259,8 @@ static enum status draw_image(struct job *job, struct frame *frame)
 static bool make_png(const struct setup_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
-    if (!p->show)
-        return layer_image_beauty(&result->image, &p->scene.settings, is_16 ? NULL : &result->rgba,
-                                  is_16 ? &result->rgba_16 : NULL);
-    if (is_16)
-        result->rgba_16 = layer_image_rgba_16(&result->image, p->show);
-    else
-        result->rgba = layer_image_rgba(&result->image, p->show);
-    return result->rgba || result->rgba_16;
+    return layer_image_show(&result->image, p->show, &p->scene.settings,
+                            is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL);
 }
 
 static enum status draw(struct job *job, struct frame *frame)

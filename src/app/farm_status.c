@@ -2,8 +2,6 @@
 #include "src/app/farm_status.h"
 #include <jansson.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/file/image_receive.h"
@@ -28,47 +26,25 @@ static const struct {
 };
 
 struct job {
-    struct setup_image image; /* scene name NULL if unknown */
+    struct setup_image image;
     const struct setup_outputs *outputs;
     const struct sequence *sequence;
     struct scene scene;
     struct camera camera;
-    char *newest[SETUP_OUTPUT_COUNT]; /* settings in each output's newest file */
     enum state *frames;
     uint32_t counts[STATE_COUNT];
 };
 
 /* ---- files ---- */
 
-/* Copies the settings stored in a file, except motion.time. Returns NULL when out of memory. */
-static char *copy_settings(const struct image_header *head)
-{
-    static const char time[] = " motion.time=";
-    const char *settings = image_header_text(head, "firn/settings");
-    char *text = strdup(settings ? settings : "");
-    char *at = text ? strstr(text, time) : NULL;
-    if (at) {
-        const char *end = at + sizeof(time) - 1;
-        end += strcspn(end, " ");
-        memmove(at, end, strlen(end) + 1);
-    }
-    return text;
-}
-
-static enum state check_file(const struct job *job, const struct output *output, uint32_t i,
-                             const char *path)
+static enum state check_file(const struct job *job, const struct output *output, const char *path)
 {
     struct image_header head;
     if (access(path, F_OK) != 0)
         return MISSING;
     if (image_reader_check(&head, path, &job->image.scene.reader) != STATUS_OK)
         return DAMAGED;
-    bool same = output && output_is_current(output, path, &head);
-    if (!output) {
-        char *settings = copy_settings(&head);
-        same = settings && job->newest[i] && !strcmp(settings, job->newest[i]);
-        free(settings);
-    }
+    const bool same = output_is_current(output, path, &head);
     image_header_finish(&head);
     return same ? DONE : STALE;
 }
@@ -82,12 +58,11 @@ static enum status check_frame(struct job *job, uint32_t index)
         .shot = { .camera = job->camera,
                   .time = (float)sequence_time(&job->image.scene.settings, number) },
     };
-    const bool has_scene = job->image.scene.name != NULL;
-    enum status status = has_scene ? output_describe(&output) : STATUS_OK;
+    enum status status = output_describe(&output);
     enum state worst = DONE;
     for (uint32_t i = 0; i < job->outputs->count && status == STATUS_OK; i++) {
         char *path = frame_name_make(&job->sequence->names[i], number);
-        const enum state state = path ? check_file(job, has_scene ? &output : NULL, i, path) : DONE;
+        const enum state state = path ? check_file(job, &output, path) : DONE;
         worst = state > worst ? state : worst;
         if (!path)
             status = log_out_of_memory(NULL);
@@ -97,31 +72,6 @@ static enum status check_frame(struct job *job, uint32_t index)
     job->counts[worst]++;
     output_finish(&output);
     return status;
-}
-
-/* Finds the newest readable file of an output and copies its settings. */
-static enum status find_newest(struct job *job, uint32_t i)
-{
-    struct timespec best = { 0 };
-    for (uint32_t f = 0; f < job->sequence->range.count; f++) {
-        char *path = frame_name_make(&job->sequence->names[i], job->sequence->range.frames[f]);
-        struct stat info;
-        if (!path)
-            return log_out_of_memory(NULL);
-        const bool newer =
-            stat(path, &info) == 0 && S_ISREG(info.st_mode) &&
-            (info.st_mtim.tv_sec > best.tv_sec ||
-             (info.st_mtim.tv_sec == best.tv_sec && info.st_mtim.tv_nsec > best.tv_nsec));
-        struct image_header head;
-        if (newer && image_reader_check(&head, path, &job->image.scene.reader) == STATUS_OK) {
-            best = info.st_mtim;
-            free(job->newest[i]);
-            job->newest[i] = copy_settings(&head);
-            image_header_finish(&head);
-        }
-        free(path);
-    }
-    return STATUS_OK;
 }
 
 /* ---- report ---- */
@@ -193,22 +143,17 @@ static enum status check_frames(struct job *job)
 {
     const uint32_t count = job->sequence->range.count;
     struct setup_image *image = &job->image;
-    enum status status = STATUS_OK;
+    enum status status;
     job->frames = calloc(count, sizeof(*job->frames));
     if (!job->frames)
         return log_out_of_memory(NULL);
-    if (image->scene.name) {
-        status = setup_begin_scene(&job->scene, &image->scene);
-        if (status == STATUS_OK)
-            status = setup_camera(&job->camera, &job->scene, image);
-        if (status == STATUS_OK)
-            setup_choose_refraction(image, &job->scene, &job->camera);
-        if (status == STATUS_OK)
-            status = output_check_tiles(image, job->outputs);
-    } else {
-        for (uint32_t i = 0; i < job->outputs->count && status == STATUS_OK; i++)
-            status = find_newest(job, i);
-    }
+    status = setup_begin_scene(&job->scene, &image->scene);
+    if (status == STATUS_OK)
+        status = setup_camera(&job->camera, &job->scene, image);
+    if (status == STATUS_OK)
+        setup_choose_refraction(image, &job->scene, &job->camera);
+    if (status == STATUS_OK)
+        status = output_check_tiles(image, job->outputs);
     for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
         status = check_frame(job, i);
     return status;
@@ -228,8 +173,6 @@ enum status farm_status(const struct app_options *options, const struct sequence
         print_text(&job);
     if (status == STATUS_OK && job.counts[DONE] < sequence->range.count)
         status = STATUS_FAILED;
-    for (uint32_t i = 0; i < SETUP_OUTPUT_COUNT; i++)
-        free(job.newest[i]);
     free(job.frames);
     scene_finish(&job.scene);
     return status;

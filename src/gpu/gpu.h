@@ -162,8 +162,6 @@ void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 /* Checks that an image's size is within the device's limits. Call it before any allocation. If the
  * size is too large, logs an error and returns STATUS_USAGE. */
 MUST_USE enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t height);
-/* `side`: width of a face, texels */
-MUST_USE enum status gpu_check_cube(const struct gpu *gpu, uint32_t side);
 /* Returns STATUS_DATA if a scene's texture is too large; size.depth is its number of layers. */
 MUST_USE enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
 /* Checks that the heaps hold `device_size` bytes of device memory and `host_size` bytes of

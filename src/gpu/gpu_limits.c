@@ -28,16 +28,6 @@ enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t heigh
     return STATUS_USAGE;
 }
 
-enum status gpu_check_cube(const struct gpu *gpu, uint32_t side)
-{
-    const uint32_t side_max = gpu->properties.limits.maxImageDimensionCube;
-    if (side <= side_max)
-        return gpu_check_size(gpu, side, side);
-    log_error("cube faces of %u x %u: %s supports at most %u x %u; reduce --size", side, side,
-              gpu->properties.deviceName, side_max, side_max);
-    return STATUS_USAGE;
-}
-
 enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D size)
 {
     const VkPhysicalDeviceLimits *limits = &gpu->properties.limits;

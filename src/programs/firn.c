@@ -21,8 +21,6 @@ static const struct {
     { "diff", APP_DIFF, app_diff, "measure how much two images differ" },
     { "ladder", APP_LADDER, app_ladder,
       "compare every refraction model with the ray traced reference" },
-    { "bake", APP_BAKE, app_bake,
-      "bake the environment of a scene's object to a cube map for --env" },
     { "sheet", APP_SHEET, app_sheet,
       "draw one image per material or value of a setting, side by side" },
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
@@ -42,7 +40,7 @@ static void print_help(FILE *out)
                  "Examples:\n"
                  "  firn render ice-cube -o ice.exr -o ice.png\n"
                  "  firn diff reference.exr ice.exr\n"
-                 "  firn ladder sphere -o ladder.html\n"
+                 "  firn ladder sphere -o ladder.png\n"
                  "  firn list settings\n\n"
                  "Commands:\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++)
@@ -87,8 +85,8 @@ static enum status run(int argc, char **argv)
     struct app_options options;
     bool done;
     if (argc < 2) {
-        log_error("no command: expected render, view, profile, graph, diff, ladder, bake, sheet, "
-                  "farm, merge, info or list (see --help)");
+        log_error("no command: expected render, view, profile, graph, diff, ladder, sheet, farm, "
+                  "merge, info or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))

@@ -110,18 +110,6 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
     };
 }
 
-/* Returns the request for a baked cube. The view has the size of a face. */
-struct frame_request renderer_bake_request(const struct renderer_params *params)
-{
-    return (struct frame_request){
-        .config = choose(params, TECHNIQUE_BAKE),
-        .face_size = params->face_size,
-        .view = { params->width, params->height },
-        .cube_back = true,
-        .sharing = params->sharing,
-    };
-}
-
 /* Returns the request for tone-mapping. The view has the size of the largest tile. */
 struct frame_request renderer_resolve_request(const struct renderer_params *params)
 {

@@ -9,9 +9,8 @@
 
 /* Returns the frame request for one sample of the image. */
 struct frame_request renderer_image_request(const struct renderer_params *params);
-/* Returns the frame requests for the static environment cube, and for the cube of `firn bake`. */
+/* Returns the frame request for the static environment cube. */
 struct frame_request renderer_capture_request(const struct renderer_params *params);
-struct frame_request renderer_bake_request(const struct renderer_params *params);
 /* Returns the frame request for tone-mapping the mean of the samples. */
 struct frame_request renderer_resolve_request(const struct renderer_params *params);
 

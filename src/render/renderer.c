@@ -370,59 +370,6 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     return status;
 }
 
-static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *image)
-{
-    static const struct frame_layer cube = {
-        .image = &frame_env_cube_baked,
-        .planes = { "R", "G", "B", "A" },
-        .half = true,
-        .mean = true,
-    };
-    image_init(image, r->params.face_size, 6 * r->params.face_size);
-    if (!accumulate_add_planes(image, &cube)) {
-        image_finish(image);
-        return log_out_of_memory(NULL);
-    }
-    const struct tile all = { .width = image->width, .height = image->height };
-    accumulate_sample(image, &all, &cube,
-                      renderer_read_back(&r->capture, &frame_env_cube_baked, slot), 0);
-    return STATUS_OK;
-}
-
-enum status renderer_bake(const struct renderer_params *params, float time, struct image *image)
-{
-    struct renderer r = { 0 };
-    const vec3s center = box_center(params->scene->box);
-    const vec3s ahead = glms_vec3_add(center, (vec3s){ { 0.0f, 0.0f, -1.0f } });
-    const struct renderer_shot shot = {
-        /* arbitrary camera direction, on which cube faces do not depend */
-        .camera = { .eye = center, .target = ahead, .fov_deg = 90.0f },
-        .time = time,
-    };
-    struct renderer_params strip = *params;
-    uint32_t slot;
-    strip.height = strip.face_size = params->width;
-    renderer_set_params(&r, &strip);
-    enum status status = gpu_check_cube(params->gpu, params->width);
-    if (status == STATUS_OK)
-        status = uploaded_scene_check(params->gpu, params->scene);
-    if (status == STATUS_OK)
-        status = upload(&r);
-    if (status == STATUS_OK)
-        status = renderer_compile(&r, &r.capture, renderer_bake_request(&r.params));
-    if (status == STATUS_OK)
-        status = renderer_run(&r, &r.capture, &shot, 0, &slot);
-    if (status == STATUS_OK)
-        status = gpu_status(rg_exec_wait(r.capture.exec, slot));
-    if (status == STATUS_OK)
-        status = fetch_cube(&r, slot, image);
-    compiled_frame_destroy(&r.capture);
-    uploaded_scene_finish(&r.own, params->gpu);
-    uploaded_scene_finish(&r.bvh, params->gpu);
-    free(r.meshes);
-    return status;
-}
-
 void render_result_finish(struct render_result *result)
 {
     image_finish(&result->image);

@@ -3,7 +3,7 @@
  *
  * renderer_create() uploads the scene, compiles the plan, creates its resources; renderer_render()
  * draws all samples and reads the image back; renderer_draw() draws one sample and leaves the image
- * on the device; renderer_bake() needs no renderer: draws the environment cube and reads it back.
+ * on the device.
  *
  * Thread-safety: one thread at a time per gpu.
  *
@@ -71,12 +71,6 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
 /* Submits sample 0 of the shot without waiting for its completion. If two frames are in flight,
  * waits for one of them. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
-
-/* Draws the environment cube at `time`, in seconds. *image gets half-float planes R, G, B and A,
- * with six faces one below another (environment.h). If this fails, *image stays empty. Uses only
- * these params: gpu, scene, uploaded, settings, sharing, and width (of a face). */
-MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
-                                   struct image *image);
 
 /*
  * Progressive rendering, for renderers with params.refines (renderer_set_view() also with

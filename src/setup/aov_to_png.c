@@ -108,48 +108,19 @@ static struct source open_source(const struct image *image, const struct frame_l
     return source;
 }
 
-static uint32_t shown_count(const struct source *source)
+/* Computes the shown colour of a layer's pixel. Colours of 8 bits are encoded as in shaders. */
+static void show_layer(const struct source *source, enum frame_shown shown, size_t i, bool is_16,
+                       float rgba[static 4])
 {
-    return source->count == 2 ? 2 : 3;
-}
-
-uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer)
-{
-    const size_t pixels = (size_t)image->width * image->height;
-    uint8_t *rgba = calloc(pixels, 4);
-    if (!rgba) {
-        log_error("out of memory");
-        return NULL;
+    const bool is_color = shown == FRAME_SHOWN_COLOR;
+    const uint32_t count = !is_color && !has_value(source, i) ? 0 : source->count == 2 ? 2 : 3;
+    rgba[0] = rgba[1] = rgba[2] = 0.0f;
+    rgba[3] = 1.0f;
+    for (uint32_t c = 0; c < count; c++) {
+        const uint32_t p = c % source->count;
+        rgba[c] =
+            is_color && is_16 ? srgb_encode(source->planes[p][i]) : shade(source, shown, p, i);
     }
-    const struct source source = open_source(image, layer);
-    for (size_t i = 0; i < pixels; i++) {
-        const bool has = layer->shown == FRAME_SHOWN_COLOR || has_value(&source, i);
-        for (uint32_t c = 0; c < shown_count(&source) && has; c++)
-            rgba[i * 4 + c] = quantise(shade(&source, layer->shown, c % source.count, i));
-        rgba[i * 4 + 3] = 255;
-    }
-    return rgba;
-}
-
-uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer)
-{
-    const size_t pixels = (size_t)image->width * image->height;
-    uint16_t *rgba = calloc(pixels, 4 * sizeof(*rgba));
-    if (!rgba) {
-        log_error("out of memory");
-        return NULL;
-    }
-    const struct source source = open_source(image, layer);
-    for (size_t i = 0; i < pixels; i++) {
-        const bool is_color = layer->shown == FRAME_SHOWN_COLOR;
-        for (uint32_t c = 0; c < shown_count(&source) && (is_color || has_value(&source, i)); c++) {
-            const uint32_t p = c % source.count;
-            rgba[i * 4 + c] = quantise_16(is_color ? srgb_encode(source.planes[p][i])
-                                                   : shade(&source, layer->shown, p, i));
-        }
-        rgba[i * 4 + 3] = UINT16_MAX;
-    }
-    return rgba;
 }
 
 /* Tone-maps a pixel of the layer `beauty`. The result has straight (unpremultiplied) alpha. */
@@ -191,33 +162,37 @@ bool layer_image_is_dithered(const struct settings *settings)
     return values->dither;
 }
 
-bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
-                        uint16_t **rgba_16)
+bool layer_image_show(const struct image *image, const struct frame_layer *layer,
+                      const struct settings *settings, uint8_t **rgba, uint16_t **rgba_16)
 {
     const struct tonemap_params params = tonemap_params_of(settings);
     const size_t pixels = (size_t)image->width * image->height;
-    const float *planes[4];
-    float shown[4];
+    const bool is_dithered = !layer && layer_image_is_dithered(settings);
+    const struct source source = layer ? open_source(image, layer) : (struct source){ 0 };
+    const float *beauty[4];
     uint8_t *bytes = rgba ? calloc(pixels, 4) : NULL;
-    uint16_t *pixels_16 = rgba_16 ? calloc(pixels, 4 * sizeof(*pixels_16)) : NULL;
+    uint16_t *words = rgba_16 ? calloc(pixels, 4 * sizeof(*words)) : NULL;
     for (size_t p = 0; p < 4; p++)
-        planes[p] = image_find(image, frame_beauty.planes[p]);
-    for (size_t i = 0; i < pixels && (bytes || pixels_16); i++) {
-        show_beauty(planes, i, params, shown);
-        for (size_t c = 0; c < 4; c++) {
-            const bool is_dithered = c < 3 && layer_image_is_dithered(settings);
+        beauty[p] = image_find(image, frame_beauty.planes[p]);
+    for (size_t i = 0; i < pixels && (bytes || words); i++) {
+        float shown[4];
+        if (layer)
+            show_layer(&source, layer->shown, i, words != NULL, shown);
+        else
+            show_beauty(beauty, i, params, shown);
+        for (uint32_t c = 0; c < 4; c++) {
+            if (words)
+                words[i * 4 + c] = quantise_16(shown[c]);
             if (bytes)
                 bytes[i * 4 + c] =
-                    quantise(is_dithered ? dither_value(shown[c], i, (uint32_t)c) : shown[c]);
-            if (pixels_16)
-                pixels_16[i * 4 + c] = quantise_16(shown[c]);
+                    quantise(is_dithered && c < 3 ? dither_value(shown[c], i, c) : shown[c]);
         }
     }
     if (rgba)
         *rgba = bytes;
     if (rgba_16)
-        *rgba_16 = pixels_16;
-    if (bytes || pixels_16)
+        *rgba_16 = words;
+    if (bytes || words)
         return true;
     log_error("out of memory");
     return false;

@@ -79,12 +79,6 @@ const struct rg_image frame_env_cube_depth = {
     .layers = 6,
 };
 
-const struct rg_image frame_env_cube_baked = {
-    .name = "env_cube.baked",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .cube = true,
-};
-
 const struct rg_buffer frame_samples = {
     .name = "resolve.samples",
     .size_per_texel = 8,

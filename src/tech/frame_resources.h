@@ -103,9 +103,8 @@ extern const struct rg_image frame_color;   /* linear radiance, alpha 1 */
 extern const struct rg_image frame_depth;   /* reversed depth: 0 is infinitely far */
 extern const struct rg_image frame_display; /* display image: 8 bits, sRGB-encoded */
 
-/* Environment cube (rgb: linear radiance; a: 1 / distance in metres) and its depth buffer.
- * frame_env_cube_baked is a cube for output files, with faces as large as the view. */
-extern const struct rg_image frame_env_cube, frame_env_cube_depth, frame_env_cube_baked;
+/* Environment cube (rgb: linear radiance; a: 1 / distance in metres) and its depth buffer. */
+extern const struct rg_image frame_env_cube, frame_env_cube_depth;
 
 /* Mean of an image's samples, uploaded as tightly packed texels in the format of frame_color. */
 extern const struct rg_buffer frame_samples;

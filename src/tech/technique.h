@@ -24,7 +24,6 @@ struct technique;
 enum technique_purpose {
     TECHNIQUE_IMAGE,   /* one sample of an image */
     TECHNIQUE_CAPTURE, /* environment cube, captured once */
-    TECHNIQUE_BAKE,    /* environment cube for a file */
     TECHNIQUE_RESOLVE, /* tone-mapped mean of many samples */
 };
 

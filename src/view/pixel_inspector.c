@@ -204,9 +204,13 @@ static uint8_t *make_rgba(struct pixel_inspector *inspector, const struct viewpo
 {
     const struct pixel_inspector_choice *c = &inspector->choice;
     const struct tonemap_params tonemap = tonemap_params_of(&p->state.scene.settings);
-    if (c->layer && !c->channel && !c->false_color && !shows_colors(c))
-        return layer_image_rgba(&inspector->layers, pixel_inspector_layer(c->layer));
-    uint8_t *rgba = malloc(planes->size * 4);
+    uint8_t *rgba = NULL;
+    if (c->layer && !c->channel && !c->false_color && !shows_colors(c)) {
+        const bool ok = layer_image_show(&inspector->layers, pixel_inspector_layer(c->layer),
+                                         &p->state.scene.settings, &rgba, NULL);
+        return ok ? rgba : NULL;
+    }
+    rgba = malloc(planes->size * 4);
     for (size_t i = 0; i < planes->size && rgba; i++) {
         if (shows_colors(c))
             write_color(inspector, planes, tonemap, i, &rgba[i * 4]);

@@ -106,7 +106,7 @@ static enum status draw_side(struct viewport *p, struct side *side,
     if (status == STATUS_OK)
         status = renderer_render(renderer, &side->output.shot, &side->result, NULL, NULL);
     if (status == STATUS_OK && makes_png &&
-        !layer_image_beauty(&side->result.image, params.settings, &side->result.rgba, NULL))
+        !layer_image_show(&side->result.image, NULL, params.settings, &side->result.rgba, NULL))
         status = STATUS_TRY_AGAIN;
     renderer_destroy(renderer);
     return status;

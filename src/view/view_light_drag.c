@@ -24,7 +24,7 @@ static void move_sun(struct settings *settings, const struct setting *azimuth,
 static const char *refusal(const struct scene *scene, const struct env_params *env, bool is_sun)
 {
     if (scene->background.cube.texels)
-        return "a baked cube map cannot be rotated: open a panorama or a model without one";
+        return "a cube map cannot be rotated: open a panorama or a model without one";
     if (scene->background.kind == SCENE_COLOR)
         return "the background is a single colour: open a panorama to rotate the light";
     if (scene->background.kind == SCENE_ENVIRONMENT && is_sun && env->sun != ENV_SUN_CUSTOM)

@@ -14,7 +14,7 @@ from case import (  # noqa: E402
 from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet', 'farm',
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
             'merge', 'info', 'list', 'help')
 
 
@@ -86,7 +86,6 @@ class CommandLine(Case):
                 ((*draw, '--env', 'in.exr', '-o', 'link.exr'), ['link.exr', '--output', '--env']),
                 (('merge', 'in.exr', 'b.exr', '-o', 'in.exr'), ["input 'in.exr'"]),
                 (('merge', 'merged.exr', 'b.exr'), ["input 'merged.exr'"]),
-                (('bake', 'sphere', '--env', 'env.exr'), ['env.exr']),
                 (('diff', 'b.exr', 'in.exr', '-o', 'sub/../in.exr'), ["input 'in.exr'"]),
                 (('profile', 'sphere', '--csv', 'a', '--json', 'a'), ['--csv', '--json']),
                 (('profile', 'sphere', '--baseline', 'in.exr', '--json', 'in.exr'),

@@ -35,12 +35,6 @@ def rows_of(width, values):
     return [values[i:i + width] for i in range(0, len(values), width)]
 
 
-def encoded(linear):
-    """To sRGB, 0 to 255."""
-    x = min(max(linear, 0), 1)
-    return 255 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055)
-
-
 class Diff(Case):
     def png(self, name, width, height, pixels, **how):
         (self.folder / name).write_bytes(write_png(width, height, pixels, **how))
@@ -281,8 +275,7 @@ class Refused(Diff):
                               ('output', 'e.jpg'), ('output', '-'), ('fail-above', 'flip'),
                               ('fail-above', 'flip='), ('fail-above', 'psnr=1'),
                               ('fail-above', 'flip=-1'), ('fail-above', 'flip=nan'),
-                              ('fail-above', 'fli=1'), ('fail-above', 'flip=1x'),
-                              ('only', 'test')):
+                              ('fail-above', 'fli=1'), ('fail-above', 'flip=1x')):
             self.refuse(USAGE, 'diff', self.a, self.a, f'--{option}', value,
                         names=[f'--{option}', value])
         self.refuse(USAGE, 'diff', self.a, self.a, '--dot', names=['--dot'])
@@ -333,7 +326,7 @@ class Results(Diff):
             self.assertIn('2 values of layer beauty are not finite', done.stderr.decode())
 
     def test_error_picture(self):
-        self.succeed('diff', self.a, self.b, '--only', 'heat', '-o', 'e.png', '-o', 'e.exr')
+        self.succeed('diff', self.a, self.b, '-o', 'e.png', '-o', 'e.exr')
         picture = Png((self.folder / 'e.png').read_bytes())
         self.assertEqual(picture[60, 24], (2, 4, 35))  # no error
         self.assertGreater(sum(picture[5, 24]), 120)
@@ -343,36 +336,10 @@ class Results(Diff):
         self.near(sum(errors) / len(errors), self.diff(self.a, self.b)['flip']['mean'], 1e-6)
         self.assertEqual(errors[WIDTH - 1], 0)
 
-    def test_pictures_beside_their_errors(self):
-        """A column of each picture, and of its errors, is somewhere in the sheet; so is a scale."""
-        self.exr('mask.exr', WIDTH, HEIGHT, {'A': [x < 40 for y in range(HEIGHT)
-                                                   for x in range(WIDTH)]})
-        self.succeed('diff', self.a, self.b, '--mask', 'mask.exr', '-o', 'sheet.png')
-        self.succeed('diff', self.a, self.b, '--mask', 'mask.exr', '-o', 'heat.png', '--only',
-                     'heat')
-        sheet = Png((self.folder / 'sheet.png').read_bytes())
-        heat = Png((self.folder / 'heat.png').read_bytes())
-        cell, top = max(WIDTH, 100) + 8, 24
-        for y in range(0, HEIGHT, 5):
-            for x in range(0, WIDTH, 7):
-                for i, linear in enumerate((0.5, 0.9 if x < 20 else 0.5)):
-                    for value in sheet[8 + i * cell + x, top + y]:
-                        self.near(value, encoded(linear), 1)
-                self.assertEqual(sheet[8 + 2 * cell + x, top + y], heat[x, y])
-        scale = 8 + 3 * cell
-        bottom = top + max(HEIGHT, 40) - 1
-        self.assertGreater(sum(sheet[scale, top]), 600)
-        self.assertLess(sum(sheet[scale, bottom]), 60)
-        numbers = {sheet[x, y] for y in range(top, bottom) for x in range(scale + 24, scale + 50)}
-        self.assertIn((235, 235, 235), numbers)
-        labels = {sheet[x, y] for y in range(8, 20) for x in range(8 + 2 * cell, 8 + 3 * cell)}
-        self.assertIn((235, 235, 235), labels)
-
     def test_error_picture_of_a_mask(self):
         self.exr('mask.exr', WIDTH, HEIGHT, {'A': [x < 10 for y in range(HEIGHT)
                                                    for x in range(WIDTH)]})
-        self.succeed('diff', self.a, self.b, '--mask', 'mask.exr', '-o', 'e.png', '--only',
-                     'heat')
+        self.succeed('diff', self.a, self.b, '--mask', 'mask.exr', '-o', 'e.png')
         picture = Png((self.folder / 'e.png').read_bytes())
         self.assertEqual(picture[15, 24], (0, 0, 0))
         self.assertGreater(sum(picture[5, 24]), 120)

@@ -28,14 +28,14 @@ if len(sys.argv) > 2 and sys.argv[2].startswith('--pages='):
     PART, PARTS = map(int, sys.argv.pop(2).removeprefix('--pages=').split('/'))
 
 ROOT = pathlib.Path(__file__).parents[2]
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'bake', 'sheet',
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'sheet',
             'farm', 'merge', 'info')
 # Settings of a technique that a reader is to write
 TO_BE_WRITTEN = 'fog.density'
 SMALL = {
     'render': '--size 48x36', 'view': '--size 48x36 --frames 1 -q',
     'profile': '--runs 2 --warmup 0 --clock submits', 'ladder': '--size 48x36 --runs 0',
-    'graph': '', 'diff': '', 'list': '', 'bake': '--size 64', 'sheet': '--size 48x36',
+    'graph': '', 'diff': '', 'list': '', 'sheet': '--size 48x36',
     'farm': '', 'merge': '', 'info': '',
 }
 # Of what costs most: words of a command, and fewer of the same.
@@ -78,7 +78,7 @@ def shrink(line):
         more += ' --rungs paper'
     if command == 'render' and '--samples' not in line and '--quality' not in line:
         more += ' --samples 1'
-    if more and command not in ('view', 'bake'):
+    if more and command != 'view':
         more += ' ' + ' '.join(QUICK)
     before, to, after = line.partition(' > ')
     return f'{before} {more}{to}{after}'
@@ -153,6 +153,7 @@ class Examples(Case):
             shutil.copy(self.folder / 'reference.exr', self.folder / f'{name}.exr')
         shutil.copy(self.folder / 'before.png', self.folder / 'after.png')
         self.succeed('render', 'sphere', '--size', '16x8', '-o', 'studio.exr')
+        self.succeed('render', 'sphere', '--size', '4x24', '-o', 'cube.exr')
         (self.folder / 'session-0001.firn').write_text('scene=sphere\nrung=paper\n')
         (self.folder / 'shaders').symlink_to(ROOT / 'shaders')
         (self.folder / 'FOLDER').symlink_to(ROOT / 'shaders')

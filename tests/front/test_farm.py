@@ -121,8 +121,8 @@ class Words(Farm):
                 (('slurm', 'sphere', '--frames', '1', '--tasks', '0'), ['--tasks']),
                 (('slurm', 'sphere', '--frames', '1', '--sbatch', 'x'), ['--sbatch']),
                 (('parallel', 'sphere', '--frames', '1', '--hosts', ''), ['--hosts']),
-                (('parallel', 'sphere', '--frames', '1-2', '-o', '{}.##.exr'), ['{}.##.exr']),
-                (('status', 'a.##.exr', '--frames', '1-2', '-o', 'b.##.exr'), ['--output'])):
+                (('status', '--frames', '1-2', '-o', 'b.##.exr'), ['SCENE']),
+                (('parallel', 'sphere', '--frames', '1-2', '-o', '{}.##.exr'), ['{}.##.exr'])):
             self.refuse(USAGE, 'farm', *words, names=names)
         self.refuse(CANT_CREATE, 'farm', 'slurm', 'sphere', '--frames', '1-2', '-o', 'gone/##.exr',
                     names=['gone/01.exr'])
@@ -175,7 +175,7 @@ class Status(Farm):
 
     def test_nothing_is_there(self):
         self.assertEqual(self.status(*self.words, code=1), 'missing      6  1-6\n')
-        self.assertEqual(self.status('a.#.exr', '--frames', '9-1x2', code=1),
+        self.assertEqual(self.status('sphere', '-o', 'a.#.exr', '--frames', '9-1x2', code=1),
                          'missing      5  9-1x2\n')
 
     def test_all_states(self):
@@ -197,17 +197,6 @@ class Status(Farm):
         self.succeed('render', *self.words, '--frames', left, '--resume')
         self.status(*self.words)
         self.assertIn('stale        6  1-6', self.status(*self.words, '--fov', '40', code=1))
-
-    def test_of_files_alone(self):
-        self.succeed('render', *self.words)
-        for kind in ('exr', 'png'):
-            pattern = (f'a.#.{kind}', '--frames', '1-6')
-            self.assertEqual(self.status(*pattern), 'done         6  1-6\n')
-            self.succeed('render', *BARE, 'sphere', '-o', f'a.#.{kind}', '--frames', '5,6',
-                         '--fov', '40')
-            self.assertRegex(self.status(*pattern, code=1), r'\Adone +2  5-6\nstale +4  1-4 ')
-            (self.folder / f'a.6.{kind}').write_bytes(b'')
-            self.assertRegex(self.status(*pattern, code=1), r'\ndamaged +1  6\n')
 
 
 @unittest.skipIf(NO_PARALLEL, 'no GNU parallel')

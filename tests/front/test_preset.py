@@ -69,7 +69,7 @@ class Preset(Case):
         self.refuse(NO_INPUT, 'graph', 'sphere', '--preset', 'nosuch.txt', names=['nosuch.txt'])
         self.refuse(USAGE, 'render', 'sphere', '--preset', 'b.exr', '-o', 'b.exr',
                     names=['--preset'])
-        self.succeed('bake', 'sphere', '--size', '4', '-o', 'cube.exr')
+        self.succeed('render', 'sphere', '--size', '4x4', '-n', '1', '-o', 'cube.exr')
         (self.folder / 'no.exr').write_bytes((self.folder / 'cube.exr').read_bytes().replace(
             b'firn/settings', b'firm/settings'))
         self.refuse(DATA, 'graph', 'sphere', '--preset', 'no.exr', names=['no.exr', 'no settings'])

@@ -13,7 +13,7 @@ sys.path.append(str(pathlib.Path(__file__).parents[2] / 'man'))
 import settings  # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv.pop(2)).resolve()
-COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'sheet', 'farm',
+COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
             'merge', 'info', 'list')
 HARNESS = '''
 source "$1"

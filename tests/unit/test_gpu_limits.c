@@ -41,8 +41,6 @@ static void sizes(void **state)
     assert_int_equal(gpu_check_size(&gpu, 2049, 1), STATUS_USAGE);
     assert_int_equal(gpu_check_size(&gpu, 1, 1025), STATUS_USAGE);
     assert_int_equal(gpu_check_size(&gpu, UINT32_MAX, 2), STATUS_USAGE);
-    assert_int_equal(gpu_check_cube(&gpu, 512), STATUS_OK);
-    assert_int_equal(gpu_check_cube(&gpu, 513), STATUS_USAGE);
 }
 
 static void texels(void **state)

@@ -184,7 +184,6 @@ static void check_settings(const struct settings *settings, const struct techniq
         { .scene = &convex },
         { .scene = &pool },
         { .scene = &object, .purpose = TECHNIQUE_CAPTURE },
-        { .scene = &object, .purpose = TECHNIQUE_BAKE },
         { .scene = &object, .purpose = TECHNIQUE_RESOLVE },
     };
     for (size_t i = 0; i < sizeof(choices) / sizeof(choices[0]); i++) {

@@ -6,7 +6,6 @@
 #include "src/app/options/node_material_option.h"
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
-#include "src/base/path.h"
 #include "src/lab/reference/reference.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/scene/material.h"
@@ -14,36 +13,7 @@
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 
-/* ---- files ---- */
-
-enum status option_output(const struct option *option, void *at, const char *value)
-{
-    if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))
-        return option_refuse(option, value, "a file name that ends in .exr or .png, or -");
-    return option_add_output(option, at, value);
-}
-
-static enum status set_only_output(const struct option *option, struct setup_outputs *outputs,
-                                   const char *value)
-{
-    if (outputs->count)
-        return option_refuse_more(option, value, 1);
-    return option_add_output(option, outputs, value);
-}
-
-enum status option_bake_output(const struct option *option, void *at, const char *value)
-{
-    if (strcmp(value, "-") != 0 && !path_ends_in(value, ".exr"))
-        return option_refuse(option, value, "a file name that ends in .exr, or -");
-    return set_only_output(option, at, value);
-}
-
-enum status option_sheet_output(const struct option *option, void *at, const char *value)
-{
-    if (!path_ends_in(value, ".png"))
-        return option_refuse(option, value, "a file name that ends in .png");
-    return set_only_output(option, at, value);
-}
+/* ---- frames and format ---- */
 
 enum status option_chunk(const struct option *option, void *at, const char *value)
 {
@@ -96,64 +66,18 @@ enum status option_size(const struct option *option, void *at, const char *value
                : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
 }
 
-/* Sets the width and height of a cube face, in texels. */
-enum status option_bake_size(const struct option *option, void *at, const char *value)
-{
-    struct setup_image *image = at;
-    const char *rest;
-    if (!option_parse_count(value, 1, 4096, &image->width, &rest) || *rest)
-        return option_refuse(option, value, "the side of a cube face in texels, 1 to 4096");
-    image->height = image->width;
-    return STATUS_OK;
-}
-
-enum {
-    TILES_MAX = 16 /* in a row or column */
-};
-
 enum status option_tiles(const struct option *option, void *at, const char *value)
 {
     struct setup_image *image = at;
-    return parse_pair(value, TILES_MAX, &image->columns, &image->rows)
+    return parse_pair(value, 16, &image->columns, &image->rows)
                ? STATUS_OK
                : option_refuse(option, value, "COLUMNSxROWS, 1x1 to 16x16");
 }
 
-enum status option_tile(const struct option *option, void *at, const char *value)
-{
-    struct setup_image *image = at;
-    const char *rest;
-    if (!option_parse_count(value, 1, TILES_MAX * TILES_MAX, &image->tile, &rest) || *rest)
-        return option_refuse(option, value, "the number of a tile, from 1 to 256");
-    return STATUS_OK;
-}
-
-static bool add_layer(struct setup_image *image, const char *name, size_t length)
-{
-    if (length == 3 && !strncmp(name, "all", 3)) {
-        image->all_layers = true;
-        return true;
-    }
-    for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (strlen(techniques_layer(i)->name) == length &&
-            !strncmp(techniques_layer(i)->name, name, length)) {
-            image->layers |= 1u << i;
-            return true;
-        }
-    }
-    return false;
-}
-
 enum status option_aov(const struct option *option, void *at, const char *value)
 {
-    for (const char *name = value;;) {
-        const size_t length = strcspn(name, ",");
-        if (!add_layer(at, name, length))
-            return option_refuse_name(option, OPTION_LAYERS, name, length);
-        if (!name[length])
-            return STATUS_OK;
-        name += length + 1;
-    }
+    struct setup_image *image = at;
+    return option_parse_names(option, OPTION_LAYERS, value, &image->layers, &image->all_layers);
 }
 
 enum status option_show(const struct option *option, void *at, const char *value)
@@ -181,7 +105,7 @@ enum status option_samples(const struct option *option, void *at, const char *va
     image->is_adaptive = strcmp(value, "auto") == 0;
     if (image->is_adaptive)
         image->samples = ADAPTIVE_SAMPLES;
-    else if (!option_parse_count(value, option->min, option->max, &image->samples, &rest) || *rest)
+    else if (!option_parse_count(value, 1, 65536, &image->samples, &rest) || *rest)
         return option_refuse(option, value, "a whole number from 1 to 65536, or auto");
     return STATUS_OK;
 }
@@ -194,21 +118,6 @@ enum status option_pixel_filter(const struct option *option, void *at, const cha
         return option_refuse(option, value, "box, point or blackman-harris");
     image->filter = (enum pixel_filter)i;
     image->is_filter_named = true;
-    return STATUS_OK;
-}
-
-enum status option_sharing(const struct option *option, void *at, const char *value)
-{
-    static const char *const names[] = {
-        [RG_SHARE_FEWEST_BATCHES] = "batches",
-        [RG_SHARE_LEAST_MEMORY] = "memory",
-        [RG_SHARE_NOTHING] = "nothing",
-    };
-    enum rg_sharing *sharing = at;
-    const int i = option_find_word(names, sizeof(names) / sizeof(names[0]), value);
-    if (i < 0)
-        return option_refuse(option, value, "batches, memory or nothing");
-    *sharing = (enum rg_sharing)i;
     return STATUS_OK;
 }
 
@@ -265,27 +174,6 @@ enum status option_tone_curve(const struct option *option, void *at, const char 
         return option_refuse(option, value, "neutral, agx, aces, hable or clip");
     settings_put(&scene->settings, row, i, SETTING_USER);
     return STATUS_OK;
-}
-
-static bool parse_within(const char *value, float limit, float *number)
-{
-    return option_parse_numbers(value, ',', number, 1) && fabsf(*number) <= limit;
-}
-
-enum status option_env_rotate(const struct option *option, void *at, const char *value)
-{
-    struct setup_scene *scene = at;
-    return parse_within(value, 360.0f, &scene->env_rotate)
-               ? STATUS_OK
-               : option_refuse(option, value, "-360 to 360 degrees");
-}
-
-enum status option_env_exposure(const struct option *option, void *at, const char *value)
-{
-    struct setup_scene *scene = at;
-    return parse_within(value, 16.0f, &scene->env_exposure)
-               ? STATUS_OK
-               : option_refuse(option, value, "-16 to 16 stops");
 }
 
 enum status option_up(const struct option *option, void *at, const char *value)
@@ -362,12 +250,4 @@ enum status option_position(const struct option *option, void *at, const char *v
     return vector->is_given
                ? STATUS_OK
                : option_refuse(option, value, "X,Y,Z in metres, each from -1e9 to 1e9");
-}
-
-enum status option_fov(const struct option *option, void *at, const char *value)
-{
-    struct setup_image *image = at;
-    const bool ok = option_parse_numbers(value, ',', &image->fov_deg, 1) &&
-                    image->fov_deg >= 1.0f && image->fov_deg <= 170.0f;
-    return ok ? STATUS_OK : option_refuse(option, value, "1 to 170 degrees");
 }

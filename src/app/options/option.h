@@ -19,8 +19,9 @@ struct option {
     size_t offset;     /* offset in struct app_options */
     option_fn *set;
     const char *help;
-    uint32_t min, max; /* range of option_count */
-    const char *unit;  /* " of seconds", or NULL */
+    double min, max;  /* range of numbers; max of option_output is a number of files */
+    const char *unit; /* after a number's range: " degrees"; option_output: ", or -"; or NULL */
+    const char *const *words; /* choices, or endings of file names, terminated by NULL */
 };
 
 #endif

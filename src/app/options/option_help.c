@@ -25,14 +25,10 @@ static const char *const examples[] = {
                   "  firn diff a.exr b.exr --mask a.exr --mask-channel thickness.Z --json\n"
                   "  firn diff golden.exr new.exr --fail-above flip=0.01 --fail-above angle=0.1\n"),
     [APP_LADDER] = ("  firn ladder\n"
-                    "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
+                    "  firn ladder sphere --size 256x256 -o ladder.png -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
-                    "  firn ladder sphere valley teapot --rungs search,bounce --runs 0\n"
                     "  firn ladder valley --whole --rungs bounce\n"
                     "  firn ladder valley --furnace\n"),
-    [APP_BAKE] = ("  firn bake room -o env.exr\n"
-                  "  firn bake room --size 1024 -o fine.exr\n"
-                  "  firn render room --env env.exr -o room.png\n"),
     [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
                    "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 "
                    "--set refract.fresnel=crossfade -o fade.png\n"
@@ -43,8 +39,7 @@ static const char *const examples[] = {
                   "--sbatch --time=1:00:00\n"
                   "  firn farm parallel ice-cube --frames 1-250 -o turn.####.exr "
                   "--hosts one,two,:\n"
-                  "  firn farm status ice-cube --frames 1-250 -o turn.####.exr\n"
-                  "  firn farm status turn.####.exr --frames 1-250\n"),
+                  "  firn farm status ice-cube --frames 1-250 -o turn.####.exr\n"),
     [APP_MERGE] = ("  firn render ice-cube --size 16384x8192 --tiles 4x2 --tile 1 -o tile.1.exr\n"
                    "  firn merge tile.*.exr -o still.exr\n"),
     [APP_INFO] = ("  firn info drink\n"
@@ -61,10 +56,8 @@ static const char *const usages[] = {
     [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
     [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two images differ",
-    [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction model with the ray "
+    [APP_LADDER] = ("firn ladder [options] [SCENE]: compare every refraction model with the ray "
                     "traced reference"),
-    [APP_BAKE] = ("firn bake [options] SCENE: bake the environment of a scene's object to a cube "
-                  "map for --env"),
     [APP_SHEET] = "firn sheet [options] SCENE: draw one image per value of a setting, side by side",
     [APP_FARM] =
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
@@ -81,15 +74,10 @@ void option_help(enum app_command command, const struct option *options, size_t 
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (strstr(usages[command], "SCENE"))
         printf("\nSCENE is a name (firn list scenes) or a model file (.gltf .glb .obj .ply).\n");
-    if (command == APP_BAKE)
-        printf("\nThe file is a vertical strip of six faces, +X -X +Y -Y +Z -Z from the top, of "
-               "half floats: R, G,\nB, and A = 1 / distance from the object's centre in metres. "
-               "--env reads it.\n");
     if (command == APP_FARM)
         printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
                "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "
-               "all are. Without SCENE, status\ncompares the settings of all files with those of "
-               "the newest file.\n");
+               "all are.\n");
     if (command == APP_LADDER)
         printf("\nThe default SCENE is valley. firn ladder draws the smooth object alone, "
                "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/base/path.h"
 #include "src/base/suggest.h"
 #include "src/scene/material.h"
 #include "src/tech/refract/cpu_reference_settings.h"
@@ -30,25 +31,24 @@ enum status option_refuse_more(const struct option *option, const char *value, u
     return STATUS_USAGE;
 }
 
-static void offer_names(struct suggest *suggest, enum option_names names)
-{
-    const bool has_reference = names == OPTION_REFRACTION_MODELS_AND_REFERENCE;
-    for (size_t i = 0;
-         (names == OPTION_REFRACTION_MODELS || has_reference) && techniques_refraction(i); i++)
-        suggest_offer(suggest, techniques_refraction(i)->refraction.name);
-    if (has_reference)
-        suggest_offer(suggest, cpu_reference_settings.refraction.name);
-    for (const struct material_preset *m = material_presets; names == OPTION_MATERIALS && m->name;
-         m++)
-        suggest_offer(suggest, m->name);
-    for (size_t i = 0; names == OPTION_LAYERS && techniques_layer(i); i++)
-        suggest_offer(suggest, techniques_layer(i)->name);
-}
-
 /* Returns true for the names of refraction models of earlier versions. */
 static bool is_removed_model(const char *name)
 {
     return !strcmp(name, "slab") || !strcmp(name, "sphere") || !strcmp(name, "blend");
+}
+
+/* Returns the i-th name, or NULL if there are fewer. */
+static const char *name_at(enum option_names names, uint32_t i)
+{
+    if (names == OPTION_MATERIALS)
+        return material_presets[i].name;
+    if (names == OPTION_LAYERS)
+        return techniques_layer(i) ? techniques_layer(i)->name : NULL;
+    if (techniques_refraction(i))
+        return techniques_refraction(i)->refraction.name;
+    return names == OPTION_REFRACTION_MODELS_AND_REFERENCE && techniques_refraction(i - 1)
+               ? cpu_reference_settings.refraction.name
+               : NULL;
 }
 
 enum status option_refuse_name(const struct option *option, enum option_names names,
@@ -68,7 +68,8 @@ enum status option_refuse_name(const struct option *option, enum option_names na
     struct suggest suggest = { .word = name };
     snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
              word);
-    offer_names(&suggest, names);
+    for (uint32_t i = 0; name_at(names, i); i++)
+        suggest_offer(&suggest, name_at(names, i));
     if (names != OPTION_MATERIALS && names != OPTION_LAYERS && is_removed_model(name))
         log_error("--%s %s: removed; use one-sided", option->name, name);
     else if (names == OPTION_REFRACTION_MODELS &&
@@ -79,6 +80,28 @@ enum status option_refuse_name(const struct option *option, enum option_names na
         log_error("--%s: unknown %s '%s'%s (firn list %s)", option->name, kinds[names].singular,
                   name, suggest_hint(&suggest, hint), kinds[names].list);
     return STATUS_USAGE;
+}
+
+enum status option_parse_names(const struct option *option, enum option_names names,
+                               const char *value, uint32_t *bits, bool *all)
+{
+    for (const char *word = value;; word++) {
+        const size_t length = strcspn(word, ",");
+        uint32_t i = 0;
+        const char *name;
+        while ((name = name_at(names, i)) &&
+               (strlen(name) != length || strncmp(name, word, length) != 0))
+            i++;
+        if (name)
+            *bits |= 1u << i;
+        else if (all && length == 3 && !strncmp(word, "all", 3))
+            *all = true;
+        else
+            return option_refuse_name(option, names, word, length);
+        word += length;
+        if (!*word)
+            return STATUS_OK;
+    }
 }
 
 bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count)
@@ -120,15 +143,6 @@ int option_find_word(const char *const *names, int count, const char *value)
     return i < count ? i : -1;
 }
 
-enum status option_add_output(const struct option *option, struct setup_outputs *outputs,
-                              const char *value)
-{
-    if (outputs->count == SETUP_OUTPUT_COUNT)
-        return option_refuse_more(option, value, SETUP_OUTPUT_COUNT);
-    outputs->paths[outputs->count++] = value;
-    return STATUS_OK;
-}
-
 enum status option_flag(const struct option *option, void *at, const char *value)
 {
     bool *flag = at;
@@ -146,13 +160,79 @@ enum status option_text(const struct option *option, void *at, const char *value
     return STATUS_OK;
 }
 
+static enum status refuse_number(const struct option *option, const char *value, const char *kind)
+{
+    char expected[80];
+    snprintf(expected, sizeof(expected), "%s%.9g to %.9g%s", kind, option->min, option->max,
+             option->unit ? option->unit : "");
+    return option_refuse(option, value, expected);
+}
+
 enum status option_count(const struct option *option, void *at, const char *value)
 {
-    char expected[64];
     const char *rest;
-    if (option_parse_count(value, option->min, option->max, at, &rest) && !*rest)
-        return STATUS_OK;
-    snprintf(expected, sizeof(expected), "a whole number%s from %u to %u",
-             option->unit ? option->unit : "", option->min, option->max);
+    return option_parse_count(value, (uint32_t)option->min, (uint32_t)option->max, at, &rest) &&
+                   !*rest
+               ? STATUS_OK
+               : refuse_number(option, value, "a whole number from ");
+}
+
+enum status option_float(const struct option *option, void *at, const char *value)
+{
+    float number;
+    if (!option_parse_numbers(value, ',', &number, 1) || number < (float)option->min ||
+        number > (float)option->max)
+        return refuse_number(option, value, "");
+    *(float *)at = number;
+    return STATUS_OK;
+}
+
+enum status option_double(const struct option *option, void *at, const char *value)
+{
+    float number;
+    const enum status status = option_float(option, &number, value);
+    if (status == STATUS_OK)
+        *(double *)at = (double)number;
+    return status;
+}
+
+/* Logs that a value is none of option->words. Returns STATUS_USAGE. */
+static enum status refuse_word(const struct option *option, const char *value, const char *kind)
+{
+    char expected[80];
+    size_t used = (size_t)snprintf(expected, sizeof(expected), "%s", kind);
+    for (size_t first = (size_t)option->min, i = first; option->words[i]; i++)
+        used += (size_t)snprintf(&expected[used], sizeof(expected) - used, "%s%s",
+                                 i == first             ? ""
+                                 : option->words[i + 1] ? ", "
+                                                        : " or ",
+                                 option->words[i]);
+    snprintf(&expected[used], sizeof(expected) - used, "%s", option->unit ? option->unit : "");
     return option_refuse(option, value, expected);
+}
+
+enum status option_word(const struct option *option, void *at, const char *value)
+{
+    uint32_t *index = at;
+    for (uint32_t i = (uint32_t)option->min; option->words[i]; i++) {
+        if (!strcmp(option->words[i], value)) {
+            *index = i;
+            return STATUS_OK;
+        }
+    }
+    return refuse_word(option, value, "");
+}
+
+enum status option_output(const struct option *option, void *at, const char *value)
+{
+    struct setup_outputs *outputs = at;
+    bool is_known = option->unit && !strcmp(value, "-");
+    for (size_t i = 0; option->words[i]; i++)
+        is_known = is_known || path_ends_in(value, option->words[i]);
+    if (!is_known)
+        return refuse_word(option, value, "a file name that ends in ");
+    if (outputs->count == (uint32_t)option->max)
+        return option_refuse_more(option, value, outputs->count);
+    outputs->paths[outputs->count++] = value;
+    return STATUS_OK;
 }

@@ -4,8 +4,15 @@
 
 #include "src/app/options/option.h"
 
-/* Setters of a flag (to true), a string, and an integer from option->min to option->max. */
-option_fn option_flag, option_text, option_count;
+/* Setters of a flag (to true), a string, and numbers from option->min to option->max. */
+option_fn option_flag, option_text, option_count; /* of bool, const char *, uint32_t */
+option_fn option_float, option_double;
+
+/* Sets an enumeration to the index of the value in option->words, which begin at option->min. */
+option_fn option_word;
+
+/* Adds an output file whose name ends in one of option->words, or is "-" if option->unit allows. */
+option_fn option_output; /* of struct setup_outputs */
 
 /* Returns true for options whose value may be left out, such as --name[=VALUE]. */
 bool option_is_optional(const struct option *option);
@@ -28,9 +35,10 @@ enum option_names {
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length);
 
-/* Adds an output file. If there are too many, logs that and returns STATUS_USAGE. */
-enum status option_add_output(const struct option *option, struct setup_outputs *outputs,
-                              const char *value);
+/* Parses names separated by commas. Sets bit i of *bits for the i-th known name, and *all for the
+ * name "all"; NULL if that is no name. */
+enum status option_parse_names(const struct option *option, enum option_names names,
+                               const char *value, uint32_t *bits, bool *all);
 
 /* Returns the index of `value` in the array of words, or -1 if the array does not contain it. */
 int option_find_word(const char *const *names, int count, const char *value);

@@ -4,20 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/options/diff_options.h"
-#include "src/app/options/farm_options.h"
+#include "src/app/options/command_options.h"
 #include "src/app/options/image_options.h"
-#include "src/app/options/ladder_options.h"
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/output_path_conflicts.h"
-#include "src/app/options/profile_options.h"
-#include "src/app/options/quality_option.h"
-#include "src/app/options/reference_options.h"
-#include "src/app/options/view_options.h"
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
 #include "src/base/suggest.h"
+#include "src/lab/metric/flip_filter.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/scene/material.h"
@@ -35,10 +30,9 @@ enum {
 
 #define FRAMES  (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
 #define IMAGES  (FRAMES | APP_LADDER | APP_SHEET)
-#define SCENES  (IMAGES | APP_BAKE)
-#define READERS (SCENES | APP_DIFF | APP_MERGE | APP_INFO)
+#define READERS (IMAGES | APP_DIFF | APP_MERGE | APP_INFO)
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
-#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
+#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_SHEET)
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot be in parentheses */
 /* Initialisers of an option's `offset` and `set`. Compilation fails if `field` is not a `type`. */
@@ -50,45 +44,58 @@ enum {
 #define INPUT(field)       AT(const char *, field, option_input)
 #define REPORT(field)      AT(const char *, field, option_report)
 #define COUNT(field)       AT(uint32_t, field, option_count)
+#define FLOAT(field)       AT(float, field, option_float)
+#define DOUBLE(field)      AT(double, field, option_double)
 #define IMAGE(set)         AT(struct setup_image, image, set)
 #define SCENE(set)         AT(struct setup_scene, image.scene, set)
 #define VECTOR(field, set) AT(struct setup_vector, image.field, set)
-#define OUTPUTS(set)       AT(struct setup_outputs, run.outputs, set)
+#define OUTPUTS            AT(struct setup_outputs, run.outputs, option_output)
 #define FORMAT             AT(enum app_format, run.format, option_format)
 #define SWEEP              AT(struct app_sweeps, sweeps, option_sweep)
 #define VIEW(set)          AT(struct setup_window, window, set)
 #define DIFF(set)          AT(struct app_diff, diff, set)
 #define FARM(set)          AT(struct app_farm, farm, set)
 
+static const char *const image_endings[] = { ".exr", ".png", NULL };
+static const char *const exr_ending[] = { ".exr", NULL };
+static const char *const overlays[] = { "", "on", "off", NULL }; /* by enum setup_overlay */
+static const char *const sharings[] = {
+    [RG_SHARE_FEWEST_BATCHES] = "batches",
+    [RG_SHARE_LEAST_MEMORY] = "memory",
+    [RG_SHARE_NOTHING] = "nothing",
+    NULL,
+};
+
 static const struct option options[] = {
-    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS(option_output),
-      "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)" },
-    { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS(option_ladder_output),
-      "report: .png sheet, .exr layers, .svg plot or .html page; repeatable" },
-    { "Output", "output", 'o', "FILE", APP_BAKE, OUTPUTS(option_bake_output),
-      "output file, .exr, or - for stdout (default: env.exr)" },
-    { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS(option_sheet_output),
-      "output file, .png (default: sheet.png)" },
-    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_bake_output),
-      "output file, .exr, or - for stdout (default: merged.exr)" },
+    { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS,
+      "output file, .exr or .png; - is an EXR on stdout; repeatable (default: firn.exr)",
+      .max = SETUP_OUTPUT_COUNT, .words = image_endings, .unit = ", or -" },
+    { "Output", "output", 'o', "FILE", APP_LADDER, OUTPUTS,
+      "report: .png contact sheet or .exr layers; repeatable", .max = SETUP_OUTPUT_COUNT,
+      .words = image_endings },
+    { "Output", "output", 'o', "FILE", APP_SHEET, OUTPUTS, "output file, .png (default: sheet.png)",
+      .max = 1, .words = &image_endings[1] },
+    { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS,
+      "output file, .exr, or - for stdout (default: merged.exr)", .max = 1, .words = exr_ending,
+      .unit = ", or -" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
       "setting and values, one image per value; repeatable (default: one per material)" },
     { "Output", "size", 's', "WxH", APP_SHEET, IMAGE(option_size),
       "size of each image, pixels, 1x1 to 16384x16384 (default: 320x240)" },
-    { "Output", "size", 's', "N", APP_BAKE, IMAGE(option_bake_size),
-      "side of a cube face, texels, 1 to 4096 (default: 512)" },
     { "Output", "size", 's', "WxH", FRAMES, IMAGE(option_size),
       "size of the image, pixels, 1x1 to 16384x16384 (default: 1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, IMAGE(option_size),
       "size of the image, pixels, 1x1 to 16384x16384 (default: 512x512)" },
     { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, IMAGE(option_samples),
-      "samples per pixel, 1 to 65536; auto: 4 to 64 by noise (default: by --quality)", 1, 65536 },
+      "samples per pixel, 1 to 65536; auto: 4 to 64 by noise (default: by --quality)" },
     { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(image.samples),
       "samples per pixel, 1 to 65536 (default: 1)", 1, 65536 },
-    { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
-      "reference: stop at this mean standard error of clamped (0..1) RGB (default: none)" },
-    { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
-      "reference: seconds after which no more samples are started (default: no limit)" },
+    { "Output", "noise", 0, "LEVEL", APP_RENDER, DOUBLE(render.noise),
+      "reference: stop at this mean standard error of clamped (0..1) RGB (default: none)", 1e-6,
+      0.5 },
+    { "Output", "time", 0, "SECONDS", APP_RENDER, DOUBLE(render.seconds),
+      "reference: seconds after which no more samples are started (default: no limit)", 1e-3, 1e9,
+      " seconds" },
     { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
       "reference: store the sample sums of a.exr in a.sums.exr, for --resume to continue" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(image.samples),
@@ -100,8 +107,8 @@ static const struct option options[] = {
       "additional EXR layers (AOVs), separated by commas, or all; see firn list layers" },
     { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, IMAGE(option_tiles),
       "draw in tiles, columns x rows, 1x1 to 16x16: less memory, identical output" },
-    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, IMAGE(option_tile),
-      "draw only one tile, with this number from 1; firn merge joins the files" },
+    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, COUNT(image.tile),
+      "draw only one tile, with this number from 1; firn merge joins the files", 1, 256 },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(image.interleaved),
       "interleave the tiles' pixels, for images above the device's limit; mips differ" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, IMAGE(option_show),
@@ -110,20 +117,24 @@ static const struct option options[] = {
       "bits per channel of PNG files (default: 8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(window.frame_count),
       "frames until the window closes, 1 to 1000000000 (default: no limit)", 1, 1000000000 },
-    { "Window", "time-step", 0, "SECONDS", APP_VIEW, AT(double, window.time_step, option_time_step),
-      "scene time per frame, seconds, 0 to 3600 (default: real time)" },
-    { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
-      "file for the last frame, .png or .exr, written at the end; repeatable" },
+    { "Window", "time-step", 0, "SECONDS", APP_VIEW, DOUBLE(window.time_step),
+      "scene time per frame, seconds, 0 to 3600 (default: real time)", 0, 3600, " seconds" },
+    { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS,
+      "file for the last frame, .png or .exr, written at the end; repeatable",
+      .max = SETUP_OUTPUT_COUNT, .words = image_endings, .unit = ", or -" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
       "present mode: fifo, mailbox, immediate (default: fifo)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(window.fps_limit),
       "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
-    { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
-      "panels beside the image (default: on; off with --frames or --screenshot)" },
-    { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, VIEW(option_ui_scale),
-      "scale of text and panels, 0.5 to 4; also Ctrl + and - (default: the desktop's)" },
-    { "Window", "theme", 0, "dark|light", APP_VIEW, VIEW(option_theme),
-      "colours of the panels; key Ctrl T (default: dark)" },
+    { "Window", "overlay", 0, "on|off", APP_VIEW,
+      AT(enum setup_overlay, window.overlay, option_word),
+      "panels beside the image (default: on; off with --frames or --screenshot)", .min = 1,
+      .words = overlays },
+    { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, FLOAT(window.ui_scale),
+      "scale of text and panels, 0.5 to 4; also Ctrl + and - (default: the desktop's)",
+      (double)SETUP_UI_SCALE_MIN, (double)SETUP_UI_SCALE_MAX },
+    { "Window", "theme", 0, "dark|light", APP_VIEW, AT(uint32_t, window.theme, option_word),
+      "colours of the panels; key Ctrl T (default: dark)", .words = app_themes },
     { "Window", "ui-dump", 0, "FILE", APP_VIEW, TEXT(window.ui_dump),
       "file for the pixel positions of all controls, rewritten when they change" },
     { "Window", "session", 0, "FILE", APP_VIEW, INPUT(window.session),
@@ -152,9 +163,9 @@ static const struct option options[] = {
       "number of measured runs, 1 to 100000 (default: 30)", 1, 100000 },
     { "Runs", "warmup", 0, "N", APP_PROFILE, COUNT(profile.warmup),
       "number of warm-up runs, which are not measured, 0 to 100000 (default: 5)", 0, 100000 },
-    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE,
-      AT(double, profile.time_step, option_time_step),
-      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (default: 0)" },
+    { "Runs", "time-step", 0, "SECONDS", APP_PROFILE, DOUBLE(profile.time_step),
+      "scene time between runs, seconds, 0 to 3600; 0 repeats one frame (default: 0)", 0, 3600,
+      " seconds" },
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
       "timer: timestamps, submits (each pass submitted alone) or auto (submits on CPU devices, "
       "else timestamps; default)" },
@@ -191,35 +202,36 @@ static const struct option options[] = {
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (default: neutral)" },
-    { "Rendering", "preset", 0, "FILE", SCENES, INPUT(image.scene.preset),
+    { "Rendering", "preset", 0, "FILE", IMAGES, INPUT(image.scene.preset),
       "settings from NAME=VALUE lines, from an image that firn wrote, or `paper`" },
-    { "Rendering", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
+    { "Rendering", "set", 0, "NAME=VALUE", IMAGES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
-    { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),
+    { "Scene", "up", 0, "AXIS", IMAGES, SCENE(option_up),
       "up axis of the model file, y or z; does not affect --surroundings (default: y)" },
-    { "Scene", "scale", 0, "X", SCENES, SCENE(option_scale),
+    { "Scene", "scale", 0, "X", IMAGES, SCENE(option_scale),
       "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (default: 1)" },
-    { "Scene", "rotate", 0, "X,Y,Z", SCENES, SCENE(option_rotate),
+    { "Scene", "rotate", 0, "X,Y,Z", IMAGES, SCENE(option_rotate),
       "rotation of the model about X, Y, Z, degrees; does not affect --surroundings" },
-    { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(image.scene.animation),
+    { "Scene", "animation", 0, "NAME|N", IMAGES, TEXT(image.scene.animation),
       "animation of the model file: name, number from 0, or none (default: the first)" },
-    { "Scene", "env", 'e', "FILE", SCENES, INPUT(image.scene.environment),
-      "environment: name, .exr, .hdr or baked cube (default: sky; studio for models)" },
-    { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),
-      "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)" },
-    { "Scene", "env-exposure", 0, "EV", SCENES, SCENE(option_env_exposure),
-      "exposure of the --env file, stops, -16 to 16 (default: 0)" },
-    { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(image.scene.surroundings),
+    { "Scene", "env", 'e', "FILE", IMAGES, INPUT(image.scene.environment),
+      "environment: name, .exr, .hdr or cube faces (default: sky; studio for models)" },
+    { "Scene", "env-rotate", 0, "DEG", IMAGES, FLOAT(image.scene.env_rotate),
+      "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)", -360, 360,
+      " degrees" },
+    { "Scene", "env-exposure", 0, "EV", IMAGES, FLOAT(image.scene.env_exposure),
+      "exposure of the --env file, stops, -16 to 16 (default: 0)", -16, 16, " stops" },
+    { "Scene", "surroundings", 0, "FILE", IMAGES, INPUT(image.scene.surroundings),
       "model file that surrounds the object (default: the scene's own surroundings)" },
-    { "Scene", "cracks", 0, "FILE", SCENES, INPUT(image.scene.cracks),
+    { "Scene", "cracks", 0, "FILE", IMAGES, INPUT(image.scene.cracks),
       "model file of a crack; cracks.count copies of it are placed at random" },
-    { "Scene", "bump", 0, "FILE", SCENES, INPUT(image.scene.bump),
+    { "Scene", "bump", 0, "FILE", IMAGES, INPUT(image.scene.bump),
       "height map of bumps, tiled over the surface: .exr, .hdr or .png (default: noise)" },
-    { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(image.scene.bump_mask),
+    { "Scene", "bump-mask", 0, "FILE", IMAGES, INPUT(image.scene.bump_mask),
       "mask image, white where the surface has no bumps (default: noise; see bump.mask)" },
-    { "Scene", "air", 0, "FILE", SCENES, INPUT(image.scene.air),
+    { "Scene", "air", 0, "FILE", IMAGES, INPUT(image.scene.air),
       "texture of the planes of bubbles: white is bubble, black is ice (default: random)" },
-    { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
+    { "Scene", "background", 0, "R,G,B", IMAGES, SCENE(option_background),
       "constant linear colour instead of the sky, or none for a transparent background" },
     { "Camera", "camera", 0, "NAME|N", IMAGES, TEXT(image.camera),
       "camera of the model file: name, or number from 0, see firn info (default: first)" },
@@ -229,20 +241,22 @@ static const struct option options[] = {
       "position of the camera, metres" },
     { "Camera", "target", 0, "X,Y,Z", IMAGES, VECTOR(target, option_position),
       "point that the camera looks at, metres (default: the object's centre)" },
-    { "Camera", "fov", 0, "DEGREES", IMAGES, IMAGE(option_fov),
-      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)" },
+    { "Camera", "fov", 0, "DEGREES", IMAGES, FLOAT(image.fov_deg),
+      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)", 1, 170,
+      " degrees" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
       "Vulkan device, number or part of its name; see firn list devices (default: a GPU)" },
     { "Device", "validate", 0, NULL, DEVICES, FLAG(run.gpu.validate),
       "enable the Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, image.sharing, option_sharing),
-      "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)" },
+    { "Device", "sharing", 0, "HOW", IMAGES, AT(enum rg_sharing, image.sharing, option_word),
+      "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)",
+      .words = sharings },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
-      "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " of seconds" },
+      "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " seconds" },
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(image.scene.reader.memory_gib),
-      "memory limit per file, GiB, 1 to 1024 (default: 4)", 1, 1024, " of GiB" },
+      "memory limit per file, GiB, 1 to 1024 (default: 4)", 1, 1024, " GiB" },
     { "Reading", "sandbox", 0, "on|off", READERS, SCENE(option_sandbox),
       "sandbox of the processes that read files; off is for debugging (default: on)" },
     { "Comparison", "mask", 0, "FILE", APP_DIFF | APP_LADDER, INPUT(mask.file),
@@ -251,14 +265,15 @@ static const struct option options[] = {
       "channel of the --mask image (default: A)" },
     { "Comparison", "exposure", 0, "STOPS", APP_DIFF, DIFF(option_exposure),
       "exposure of EXR and HDR files, -40 to 40 stops, for LDR-FLIP instead of HDR-FLIP" },
-    { "Comparison", "curve", 0, "NAME", APP_DIFF, DIFF(option_curve),
-      "tone curve of HDR-FLIP: aces, hable or reinhard (default: aces)" },
-    { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
-      "pixels per degree of the viewer's field of view, 1 to 400 (default: 67)" },
-    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_image),
-      "error image, .png in colours or .exr as numbers; repeatable" },
-    { "Result", "only", 0, "heat", APP_DIFF, DIFF(option_only),
-      "PNG files show only the errors (default: both images, errors and scale)" },
+    { "Comparison", "curve", 0, "NAME", APP_DIFF, AT(enum flip_curve, diff.curve, option_word),
+      "tone curve of HDR-FLIP: aces, hable or reinhard (default: aces)",
+      .words = flip_curve_names },
+    { "Comparison", "ppd", 0, "N", APP_DIFF, FLOAT(diff.ppd),
+      "pixels per degree of the viewer's field of view, 1 to 400 (default: 67)", 1, FLIP_PPD_MAX,
+      " pixels per degree" },
+    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS,
+      "error image, .png heat map or .exr as numbers; repeatable", .max = SETUP_OUTPUT_COUNT,
+      .words = image_endings },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle (degrees); above it the exit code is 1" },
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
@@ -269,7 +284,7 @@ static const struct option options[] = {
     { "Format", "json", 0, NULL, APP_LIST, FORMAT, "JSON instead of text: a key for each list" },
     { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
       "settings as a file for --preset, with every line commented out" },
-    { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress or notes" },
+    { "Other", "quiet", 'q', NULL, IMAGES | APP_MERGE, FLAG(run.quiet), "no progress or notes" },
 };
 
 enum {
@@ -363,18 +378,15 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 /* Adds a positional argument. Most commands accept only SCENE, but some accept several. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
-    const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
+    const bool is_scene = command & (IMAGES | APP_INFO) & ~(unsigned)APP_FARM;
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
-                          : command == APP_LADDER         ? APP_LADDER_SCENE_COUNT
                                                           : 1;
-    const bool is_first = is_scene && !o->image.scene.name;
-    const char **args = is_first || (is_scene && most == 1) ? &o->image.scene.name : o->positionals;
-    const uint32_t room = is_first ? 1 : most - (is_scene && most > 1);
+    const char **args = is_scene ? &o->image.scene.name : o->positionals;
     uint32_t count = 0;
-    while (count < room && args[count])
+    while (count < most && args[count])
         count++;
-    if (count < room) {
+    if (count < most) {
         args[count] = word;
         return STATUS_OK;
     }
@@ -424,7 +436,6 @@ void app_default_output(struct app_options *o, enum app_command command)
         const char *name;
     } defaults[] = {
         { APP_RENDER | APP_FARM, o->render.frames ? "firn.####.exr" : "firn.exr" },
-        { APP_BAKE, "env.exr" },
         { APP_MERGE, "merged.exr" },
         { APP_SHEET, "sheet.png" },
     };
@@ -484,10 +495,10 @@ static void init_defaults(struct app_options *o, enum app_command command)
         o->image.samples = 0; /* option_check_reference() sets the default */
     if (command == APP_VIEW)
         o->image.samples = 0; /* the viewer sets the default */
-    if (command == APP_LADDER)
+    if (command == APP_LADDER) {
         option_ladder_settings(&o->image.scene.settings);
-    if (command & (APP_LADDER | APP_BAKE))
         o->image.width = o->image.height = 512;
+    }
     if (command == APP_SHEET) {
         o->image.width = 320;
         o->image.height = 240;

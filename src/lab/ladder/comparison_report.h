@@ -1,7 +1,7 @@
 /*
- * comparison_report.h: writes a model comparison as table, JSON, PNG, SVG, HTML or EXR. If out of
- * memory, functions log an error and return STATUS_TRY_AGAIN. The caller frees returned text and
- * data, which are NULL on failure.
+ * comparison_report.h: writes a model comparison as table, JSON, PNG or EXR. If out of memory,
+ * functions log an error and return STATUS_TRY_AGAIN. The caller frees returned text and data,
+ * which are NULL on failure.
  */
 #ifndef FIRN_LAB_LADDER_COMPARISON_REPORT_H
 #define FIRN_LAB_LADDER_COMPARISON_REPORT_H
@@ -22,15 +22,8 @@ void ladder_table(const struct ladder_report *report, FILE *out);
 
 MUST_USE enum status ladder_json(const struct ladder_report *report, char **text, size_t *size);
 
-/* Draws FLIP error over cost as an SVG plot with logarithmic axes, for a file or for HTML. Omits
- * models whose cost was not measured. */
-MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text, size_t *size);
-
 /* Encodes a PNG contact sheet: the reference, then each model's image and FLIP heat map. */
 MUST_USE enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size);
-
-/* Writes one HTML file with table, plot, contact sheet and an image slider for all models. */
-MUST_USE enum status ladder_page(const struct ladder_report *report, char **text, size_t *size);
 
 /* Encodes an EXR file. R, G, B are the reference. Each model's layer has R, G, B and flip.Z. */
 MUST_USE enum status ladder_exr(const struct ladder_report *report, void **data, size_t *size);

@@ -7,7 +7,6 @@
 #include "src/file/png.h"
 #include "src/lab/ladder/canvas.h"
 #include "src/lab/ladder/comparison_report.h"
-#include "src/lab/ladder/heat_map_legend.h"
 #include "src/lab/metric/heat_map.h"
 
 enum {
@@ -16,6 +15,8 @@ enum {
     LABEL = 330,    /* label width at scale 1, pixels */
     TEXT_SCALE = 2, /* text scale in wide cells */
     GREY = 34,
+    TICKS = 5,       /* of the colour bar */
+    TICK_LENGTH = 8, /* pixels */
 };
 
 static uint32_t cell_width(const struct ladder *ladder)
@@ -70,6 +71,28 @@ static bool draw_errors(struct canvas *canvas, uint32_t x, uint32_t y, const str
     return true;
 }
 
+/* Draws the heat map's colour bar in a box: left, top, width and height in pixels. The value is 1
+ * at the top and 0 at the bottom. Numbers are to its right, only two if it is short. */
+static void draw_legend(struct canvas *canvas, const uint32_t box[static 4], uint32_t scale)
+{
+    const uint32_t x = box[0], y = box[1], width = box[2], height = box[3];
+    const uint32_t line = scale * CANVAS_TEXT_HEIGHT;
+    const uint32_t ticks = height >= TICKS * line ? TICKS : 2;
+    uint8_t rgb[3];
+    for (uint32_t row = 0; row < height; row++) {
+        heat_map_srgb(1.0f - ((float)row + 0.5f) / (float)height, rgb);
+        canvas_fill(canvas, (const uint32_t[]){ x, y + row, width, 1 }, rgb);
+    }
+    for (uint32_t i = 0; i < ticks; i++) {
+        char text[16];
+        const uint32_t at = i * (height - 1) / (ticks - 1);
+        const uint32_t lift = i * line / (ticks - 1);
+        snprintf(text, sizeof(text), "%.2f", 1.0 - (double)i / (ticks - 1));
+        canvas_draw_text(canvas, x + width + TICK_LENGTH, y + at - (lift < at ? lift : at), scale,
+                         text);
+    }
+}
+
 static void draw_reference(struct canvas *canvas, const struct ladder *ladder)
 {
     const struct canvas picture = { ladder->width, ladder->height, ladder->reference.rgba };
@@ -77,7 +100,7 @@ static void draw_reference(struct canvas *canvas, const struct ladder *ladder)
     cell_origin(ladder, 0, &x, &y);
     canvas_draw_text(canvas, x, y, letter_scale(ladder), "reference   FLIP:");
     canvas_draw_image(canvas, x, y + label_height(ladder), &picture);
-    legend_draw(canvas,
+    draw_legend(canvas,
                 (const uint32_t[]){ x + ladder->width + MARGIN, y + label_height(ladder),
                                     ladder->width / 8 + 1, ladder->height },
                 letter_scale(ladder));

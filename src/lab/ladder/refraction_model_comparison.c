@@ -8,10 +8,10 @@
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/file/half_float.h"
-#include "src/lab/ladder/ladder_cost.h"
 #include "src/lab/metric/angle.h"
 #include "src/lab/metric/error_sums.h"
 #include "src/lab/metric/flip.h"
+#include "src/lab/profile/statistics.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/render/make_frame_request.h"
@@ -333,26 +333,61 @@ static enum status draw_models(struct ladder *ladder, const struct ladder_params
     return status;
 }
 
+static enum status time_frame(struct renderer *renderer, const struct renderer_shot *shot,
+                              double *ms)
+{
+    const double start = clock_ms();
+    enum status status = renderer_draw(renderer, shot);
+    if (status == STATUS_OK)
+        status = renderer_wait(renderer);
+    *ms = clock_ms() - start;
+    return status;
+}
+
+/* Stores the frame time of model i in run r in samples[i * run_count + r]: from the call until the
+ * GPU has finished, without readback. The models take turns, because other load on the machine then
+ * affects all of them equally. A warm-up run comes first, whose times are overwritten by run 0. */
+static enum status time_all(struct renderer *const *renderers, const struct ladder *ladder,
+                            const struct ladder_params *params, double *samples, struct work *work)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t run = 0; run <= params->run_count && status == STATUS_OK; run++) {
+        const uint32_t sample = run ? run - 1 : 0;
+        for (uint32_t i = 0; i < ladder->refraction_model_count && status == STATUS_OK; i++)
+            status = time_frame(renderers[i], &params->shot,
+                                &samples[(size_t)i * params->run_count + sample]);
+        if (status == STATUS_OK && !show_progress(work, run, params->run_count))
+            status = STATUS_FAILED;
+    }
+    return status;
+}
+
 /* Measures frame times with one sample per pixel, since cost is proportional to samples. */
 static enum status measure_costs(struct ladder *ladder, const struct ladder_params *params,
                                  struct work *work)
 {
-    struct renderer_params renderers[LADDER_MODEL_COUNT];
-    double costs[LADDER_MODEL_COUNT];
-    for (uint32_t i = 0; i < ladder->refraction_model_count; i++) {
-        renderers[i] = renderer_params_of(params, ladder->refraction_models[i].refraction);
-        renderers[i].samples = 1;
-    }
-    const struct ladder_cost_request request = {
-        .renderers = renderers,
-        .count = ladder->refraction_model_count,
-        .run_count = params->run_count,
-        .shot = params->shot,
-    };
+    struct renderer *renderers[LADDER_MODEL_COUNT] = { 0 };
+    const uint32_t count = ladder->refraction_model_count;
+    double *samples = calloc((size_t)count * params->run_count, sizeof(*samples));
+    enum status status = samples ? STATUS_OK : log_out_of_memory(NULL);
     work->stage++;
-    enum status status = ladder_cost(&request, costs, show_progress, work);
-    for (uint32_t i = 0; i < ladder->refraction_model_count && status == STATUS_OK; i++)
-        ladder->refraction_models[i].cost = costs[i];
+    for (uint32_t i = 0; i < count && status == STATUS_OK; i++) {
+        struct renderer_params made =
+            renderer_params_of(params, ladder->refraction_models[i].refraction);
+        made.samples = 1;
+        made.keep = true;
+        status = renderer_create(&renderers[i], &made);
+    }
+    if (status == STATUS_OK)
+        status = time_all(renderers, ladder, params, samples, work);
+    for (uint32_t i = 0; i < count; i++) {
+        if (status == STATUS_OK)
+            ladder->refraction_models[i].cost =
+                profile_summarize(&samples[(size_t)i * params->run_count], params->run_count)
+                    .median;
+        renderer_destroy(renderers[i]);
+    }
+    free(samples);
     return status;
 }
 

@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
+const char *const flip_curve_names[FLIP_CURVE_COUNT + 1] = {
     [FLIP_ACES] = "aces",
     [FLIP_HABLE] = "hable",
     [FLIP_REINHARD] = "reinhard",

@@ -19,7 +19,7 @@ enum flip_curve {
     FLIP_CURVE_COUNT,
 };
 
-extern const char *const flip_curve_names[FLIP_CURVE_COUNT];
+extern const char *const flip_curve_names[FLIP_CURVE_COUNT + 1]; /* terminated by NULL */
 
 /* Returns the luminance of a linear Rec.709 colour. */
 float flip_tone_luminance(vec3s linear);

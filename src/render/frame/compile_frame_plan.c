@@ -28,7 +28,7 @@ static void add_readback(struct frame_plan *p, const struct rg_image *image)
     snprintf(r->name, sizeof(r->name), "readback.%s", image->name);
     r->buffer = (struct rg_buffer){
         .name = r->name,
-        .size_per_texel = (image->cube ? 6 : (VkDeviceSize)1) * rg_format_info(image->format)->size,
+        .size_per_texel = rg_format_info(image->format)->size,
         .memory = RG_MEMORY_READBACK,
     };
     r->uses[0] = (struct rg_use){ .image = image, .access = RG_COPY_SRC };
@@ -76,8 +76,6 @@ static void add_outputs(struct frame_plan *p, const struct frame_request *reques
         add_readback(p, frame_denoise_layers[i].image);
     if (request->display)
         add_readback(p, &frame_display);
-    if (request->cube_back)
-        add_readback(p, &frame_env_cube_baked);
     if (request->keep_cube)
         keep_on_device(p, &frame_env_cube);
     if (request->keep_display)

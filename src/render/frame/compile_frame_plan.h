@@ -19,7 +19,6 @@ struct frame_request {
     VkExtent2D max_region; /* largest tile, pixels; 0: whole view */
     uint32_t layers;       /* bit i: read back techniques_layer(i) */
     bool beauty, display;  /* read back linear; 8-bit image */
-    bool cube_back;        /* read frame_env_cube_baked back */
     bool keep_cube;        /* keep frame_env_cube for other frames */
     bool keep_display;     /* keep the 8-bit image */
     enum rg_sharing sharing;

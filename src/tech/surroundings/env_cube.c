@@ -20,12 +20,6 @@
 static rg_record_fn record_surroundings, record_sky;
 static rg_when_fn is_due;
 
-static const struct rg_image env_cube_baked_depth = {
-    .name = "env_cube.baked_depth",
-    .format = VK_FORMAT_D32_SFLOAT,
-    .layers = 6,
-};
-
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
 {
     return frame->due.faces & 1u << repetition;
@@ -53,17 +47,16 @@ static struct rg_technique make_passes(const struct technique_config *config,
 {
     const struct env_cube_params *params = settings_of(config->settings, &env_cube_settings);
     const bool is_image = config->purpose == TECHNIQUE_IMAGE;
-    const bool is_baked = config->purpose == TECHNIQUE_BAKE;
     const struct surroundings_pass_params pass_params = {
         .name = "env_cube",
-        .color = is_baked ? &frame_env_cube_baked : &frame_env_cube,
-        .depth = is_baked ? &env_cube_baked_depth : &frame_env_cube_depth,
+        .color = &frame_env_cube,
+        .depth = &frame_env_cube_depth,
         .caustics = is_image && ice_caustics.is_on(config->settings),
         .scene = config->scene,
         .repeat = RG_PER_LAYER,
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
-        .when = is_baked ? NULL : is_due,
+        .when = is_due,
     };
     if (is_image && (!params->dynamic || config->scene->background.cube.texels))
         return (struct rg_technique){ 0 };
@@ -90,8 +83,7 @@ const struct technique env_cube = {
     .name = "env_cube",
     .help = "cube map of the scene without the ice, from the ice's centre",
     .pass_groups = { { PHASE_ENVIRONMENT,
-                       .purposes =
-                           1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_CAPTURE | 1u << TECHNIQUE_BAKE,
+                       .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_CAPTURE,
                        .make_passes = make_passes } },
     .imports = imports,
 };

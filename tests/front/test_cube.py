@@ -1,4 +1,4 @@
-"""test_bake.py: tests `firn bake`, which draws the surroundings of an object to a file.
+"""test_cube.py: tests --env with a cube map: a strip of six faces, instead of the drawn cube.
 
 Usage: see case.py.
 """
@@ -10,7 +10,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main, unsanitized)
+    DATA, SMALL, Case, long, main, unsanitized)
 from exr_file import Exr, write_exr  # noqa: E402
 
 SMOOTH = tuple(word for name in ('bump.strength', 'light.count', 'cracks.count', 'air.count',
@@ -30,80 +30,13 @@ def strip(side, alpha=None):
     return write_exr((side, 6 * side), planes)
 
 
-class Bake(Case):
-    def bake(self, *arguments):
-        self.succeed('bake', *arguments, '--validate', '-q', '-o', 'env.exr')
-        return Exr((self.folder / 'env.exr').read_bytes())
-
+class Cube(Case):
     def draw(self, name, *arguments):
         self.succeed('render', *arguments, '--validate', '-q', '-o', name)
         return Exr((self.folder / name).read_bytes())
 
     def planes(self, exr):
         return exr.read_planes(exr.channels)
-
-    @unsanitized
-    def test_six_faces(self):
-        done = self.succeed('bake', 'room')
-        self.assertEqual(done.stderr, b'env.exr: six faces of 512x512\n')
-        self.assertEqual(done.stdout, b'')
-        exr = Exr((self.folder / 'env.exr').read_bytes())
-        self.assertEqual(exr.size, (512, 3072))
-        self.assertEqual(exr.channels, {name: 'half' for name in 'ABGR'})
-        x, y, z = map(float, exr.text('firn/center').split(','))
-        self.assertLess(max(abs(x), abs(y), abs(z)), 1e-5)
-        self.assertIn('scene=room ', exr.text('firn/settings'))
-        piped = self.succeed('bake', 'room', '-o', '-', '-q')
-        self.assertEqual(piped.stdout, (self.folder / 'env.exr').read_bytes())
-        self.assertEqual(piped.stderr, b'')
-
-    @long
-    def test_faces_of_any_size(self):
-        """A texel of a coarse cube shows what the four do that it covers, where all is smooth."""
-        fine, coarse = (self.planes(self.bake('room', '--size', str(side))) for side in (40, 20))
-        self.assertEqual(len(coarse['R']), 6 * 20 * 20)
-        differences = []
-        for i in range(6 * 20 * 20):
-            at = i // 20 * 2 * 40 + i % 20 * 2
-            four = [fine['A'][at + step] for step in (0, 1, 40, 41)]
-            differences.append(abs(sum(four) / 4 / coarse['A'][i] - 1))
-        differences.sort()
-        self.assertLess(differences[len(differences) // 2], 5e-3)
-        done = self.succeed('bake', 'sphere', '--size', '1')
-        self.assertEqual(done.stderr, b'env.exr: six faces of 1x1\n')
-        exr = self.bake('sphere', '--size', '24')
-        self.assertEqual(exr.size, (24, 144))
-        drawn = self.draw('a.exr', 'sphere', *SMALL, '--env', 'env.exr')
-        self.assertIn('env_cube.dynamic=off', drawn.text('firn/settings'))
-
-    def test_walls_are_as_far_as_they_are(self):
-        """The middles of the faces of a room whose walls are known."""
-        side = 128
-        walls = {0: 7.2, 1: 4.5, 2: 3.6, 4: 6.3, 5: 3.6}  # the table is below
-        alpha = self.planes(self.bake('room', '--size', str(side)))['A']
-        for face, distance in walls.items():
-            at = face * side * side + side // 2 * side + side // 2
-            self.assertAlmostEqual(alpha[at] * distance, 1, delta=2e-3)
-
-    @long
-    def test_stands_in_for_what_is_drawn(self):
-        for scene, *arguments in (
-                ('room', '--set', 'refract.lookup=box'),
-                ('room', '--set', 'refract.lookup=distance', '--refraction', 'bounce'),
-                ('valley', '--set', 'frost.amount=0.5', '--set', 'cracks.refract=gap', '--set',
-                 'cracks.count=2', '--set', 'bubbles.count=40'),
-                ('sphere', '--background', '0.2,0.4,0.6')):
-            with self.subTest(scene=scene, arguments=arguments):
-                around = arguments if '--background' in arguments else ()
-                self.bake(scene, '--size', '64', *around)
-                drawn = self.draw('a.exr', scene, *SMALL, *arguments)
-                baked = self.draw('b.exr', scene, *SMALL, *arguments, '--env', 'env.exr')
-                self.assertIn('env_cube.dynamic=off', baked.text('firn/settings'))
-                ours, theirs = self.planes(drawn), self.planes(baked)
-                worst = max(abs(a - b) for name in ours
-                            for a, b in zip(ours[name], theirs[name]))
-                print(f'{scene}: baked and drawn differ by {worst} at most')
-                self.assertEqual(worst, 0)  # halves, stored as they are
 
     @long
     def test_faces_are_where_they_are_told(self):
@@ -211,18 +144,6 @@ class Bake(Case):
         (self.folder / 'gray.exr').write_bytes(write_exr((1, 6), {'Z': [1.0] * 6}))
         self.refuse(DATA, 'render', 'sphere', *SMALL, '-o', 'a.exr', '--env', 'gray.exr',
                     names=['gray.exr', 'R, G and B'])
-
-    def test_wrong_words(self):
-        (self.folder / 'faces.exr').write_bytes(strip(4))
-        self.refuse(USAGE, 'bake', names=['SCENE'])
-        self.refuse(USAGE, 'bake', 'room', '-o', 'a.png', names=['a.png', '.exr'])
-        self.refuse(USAGE, 'bake', 'room', '-o', 'a.exr', '-o', 'b.exr', names=['b.exr'])
-        self.refuse(USAGE, 'bake', 'room', '--env', 'faces.exr', names=['--env', 'faces.exr'])
-        for wrong in ('64x64', '0', '4097', '-1', '9.5', ''):
-            self.refuse(USAGE, 'bake', 'room', '--size', wrong, names=['--size', '1 to 4096'])
-        self.refuse(NO_INPUT, 'bake', 'gone.obj', names=['gone.obj'])
-        self.refuse(CANT_CREATE, 'bake', 'room', '-o', 'gone/a.exr', names=['gone/a.exr'])
-        self.assertEqual([name for name in self.files() if pathlib.Path(name).stem != 'faces'], [])
 
 
 if __name__ == '__main__':
