@@ -171,18 +171,12 @@ static const struct {
     },
     [VIEW_SCREENSHOT] = {
         .keys = { GLFW_KEY_F12 },
-        .characters = "p",
+        .characters = "pP",
         .name = "P, F12",
         .label = "save the image",
         .help = "save the image as firn-0001.png and firn-0001.exr, with all samples and layers, "
                 "without panels",
         .button = "Save",
-    },
-    [VIEW_SCREENSHOT_WINDOW] = {
-        .characters = "P",
-        .name = "Shift+P",
-        .label = "save the window with its panels",
-        .help = "save a screenshot of the window with its panels as a PNG file",
     },
     [VIEW_COPY] = {
         .characters = "cC",

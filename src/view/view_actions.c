@@ -205,10 +205,9 @@ static void step_time(struct view *v, float frames)
 /* Handles saving and copying. Returns true if `action` is one of these. */
 static bool save(struct view *v, enum view_action action)
 {
-    if (action == VIEW_SCREENSHOT || action == VIEW_SCREENSHOT_WINDOW) {
+    if (action == VIEW_SCREENSHOT)
         v->wants_screenshot = true;
-        v->screenshot_with_panels = action == VIEW_SCREENSHOT_WINDOW;
-    } else if (action == VIEW_COPY_IMAGE)
+    else if (action == VIEW_COPY_IMAGE)
         v->wants_screenshot = v->screenshot_to_clipboard = true;
     else if (action == VIEW_COPY)
         copy_command(v);

@@ -67,7 +67,6 @@ struct view {
     bool recenters;             /* centre the camera on the surface at (recenter_x, recenter_y) */
     double recenter_x, recenter_y; /* position in the window, pixels */
     bool screenshot_to_clipboard;  /* copy instead of saving */
-    bool screenshot_with_panels;   /* include the panels when saving */
     uint32_t screenshot_number;    /* number of the last screenshot */
     struct view_frame_stats frame_stats;
     struct view_progressive progressive;
@@ -88,9 +87,6 @@ void view_clear_errors(struct view *view); /* forgets the last logged error */
 void view_fail(struct view *view, const char *what);
 void view_show_ui(struct view *view, bool shown);
 void view_update_layout(struct view *view, VkExtent2D size); /* `size` of the window, pixels */
-
-/* Returns the frame data of the window. `list` is the user interface's draw list (may be NULL). */
-struct window_frame view_window(const struct view *view, const struct overlay_draw_list *list);
 
 /* ---- view_actions.c: actions ---- */
 
@@ -215,7 +211,7 @@ void view_inspect(struct view *view);
 /* Saves the image or copies it to the clipboard, as requested. Failures are only logged. */
 void view_take_screenshot(struct view *view);
 
-/* Writes the files of --screenshot at exit. With --overlay on, PNG files include the panels. */
+/* Writes the files of --screenshot at exit. */
 MUST_USE enum status view_write_outputs(struct view *view);
 
 #endif

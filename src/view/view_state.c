@@ -69,15 +69,6 @@ void view_seek(struct view *v, float time)
     v->changed = true;
 }
 
-struct window_frame view_window(const struct view *v, const struct overlay_draw_list *list)
-{
-    return (struct window_frame){
-        .present = v->image_area,
-        .layout = v->layout,
-        .overlay = list,
-    };
-}
-
 /* Sets the camera. If the projection changes, replaces the renderers. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {

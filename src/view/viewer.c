@@ -279,7 +279,11 @@ static enum status draw(struct view *v, bool *ready)
     const bool divided = viewport_is_split(p) && !p->flipped && !v->compare.wants_error_map;
     v->image_area = present_fit(v->layout.image, viewport_extent(p), divided ? p->divider : -1.0);
     v->image_area.surround = theme_at(v->theme)->surround;
-    const struct window_frame window = view_window(v, list);
+    const struct window_frame window = {
+        .present = v->image_area,
+        .layout = v->layout,
+        .overlay = list,
+    };
     return presenter_end(&v->presenter, &window);
 }
 

@@ -184,17 +184,13 @@ class Panels(PanelsCase):
         self.close(window)
 
     @unsanitized
-    def test_only_some_screenshots_have_panels(self):
+    def test_files_have_no_panels(self):
         copied = self.xclip()
         window = self.start_with_panels()
         alone = self.shoot(window, 1)
         self.press_until(window, 'ctrl+c', 'a copy', copied.exists)
         self.assertEqual(copied.read_bytes(), alone.read_bytes())
-        path = self.folder / 'firn-0002.png'
-        self.press_until(window, 'P', 'the screenshot of all', path.exists)
-        self.assertNotIn('firn-0002.exr', self.files())
-        self.assertNotEqual(png_pixels(path), png_pixels(alone))
-        self.assertEqual((png_size(alone), png_size(path)), (self.PICTURE, self.WINDOW))
+        self.assertEqual(png_size(alone), self.PICTURE)
         self.press_until(window, 'h', 'no panels', lambda: self.desktop.pixels(window) ==
                          png_pixels(self.shoot_next(window)))
         hidden = self.desktop.pixels(window)
@@ -305,7 +301,6 @@ class Panels(PanelsCase):
         window = self.start_with_panels()
         self.wait_for_command(window, 'refract.ior=1.5 ',
                               act=lambda: self.find_and_choose(window, 'material glass'))
-        self.misspelt(window)
         self.wait_for_command(window, without='refract.ior',
                               act=lambda: self.press(window, 'ctrl+z'))
         self.wait_for_command(window, 'refract.ior',
@@ -331,18 +326,6 @@ class Panels(PanelsCase):
         last = scenes[scenes.index('room') - 1]
         self.press_for(window, 'Prior', f'{last}, paused')
         self.close(window)
-
-    def misspelt(self, window):
-        """The palette finds what some letters, or a wrong one, or another word, are for."""
-        self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        for typed, found in (('wtr ampl', 'First octave amplitude (water.amplitude)'),
-                             ('anisotrpoy', 'Anisotropic filtering (texture.anisotropy)'),
-                             ('spin', 'Turntable (motion.ice)')):
-            self.assertIsNone(self.control(found))  # no panel shows it
-            wait_until(found, lambda found=found: self.control(found) and not self.control(
-                'open pool'), self.words, act=lambda typed=typed: self.desktop.do(
-                    'windowfocus', '--sync', window, 'key', 'ctrl+a', 'type', typed))
-        self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
 
     def bookmarks(self, window):
         """A camera that was stored is gone back to."""
@@ -501,13 +484,6 @@ class Panels(PanelsCase):
             return set(self.folder.glob('firn-*.png')) - before
         return wait_until('a screenshot', look, self.words,
                           act=lambda: self.press(window, 'p')).pop()
-
-    def test_panels_in_files_if_asked_for(self):
-        words = ('sphere', *CHECKED, *PLAIN, '--time-step', 1, '--frames', 3)
-        self.view(*words, '--screenshot', 'a.png')
-        self.view(*words, '--overlay', 'on', '--screenshot', 'b.png', '--screenshot', 'b.exr')
-        self.assertEqual(png_size(self.folder / 'a.png'), (200, 150))
-        self.assertEqual(png_size(self.folder / 'b.png'), (400, 150 + 36 + 26))
 
 
 if __name__ == '__main__':
