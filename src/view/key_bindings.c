@@ -249,13 +249,6 @@ static const struct {
         .help = "switch between the settings and the time of each pass",
         .button = "Passes",
     },
-    [VIEW_PLAN] = {
-        .characters = "gG",
-        .name = "G",
-        .label = "render graph of the frame",
-        .help = "switch between the settings and the compiled render graph of the frame",
-        .button = "Plan",
-    },
     [VIEW_INSPECT] = {
         .characters = "iI",
         .name = "I",

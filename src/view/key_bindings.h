@@ -50,7 +50,6 @@ enum view_action {
     VIEW_DIVIDER_RIGHT,
     VIEW_HIDE,
     VIEW_TIMES,
-    VIEW_PLAN,
     VIEW_INSPECT,
     VIEW_NEXT_LAYER,
     VIEW_PREVIOUS_LAYER,

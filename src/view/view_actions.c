@@ -152,8 +152,8 @@ static bool change_window(struct view *v, enum view_action action)
         window_toggle_fullscreen(&v->window);
     else if (action == VIEW_HIDE)
         view_show_ui(v, !ui_is_shown(v->ui));
-    else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PLAN ||
-             action == VIEW_PALETTE || action == VIEW_INSPECT)
+    else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PALETTE ||
+             action == VIEW_INSPECT)
         open_panel(v, action);
     else if (action == VIEW_LARGER || action == VIEW_SMALLER)
         resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));

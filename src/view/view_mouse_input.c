@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
-#include "src/tech/output/tonemap.h"
 #include "src/view/orbit_camera.h"
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
@@ -117,13 +116,6 @@ void view_handle_input(struct view *v)
     v->quit = v->quit || window_is_closed(&v->window);
 }
 
-/* Returns the noise scaled by the exposure, as it appears on the display. */
-static double noise_of(const struct view *v)
-{
-    const struct settings *settings = &v->viewport->state.scene.settings;
-    return noise_estimate_now(&v->progressive.noise) * (double)tonemap_params_of(settings).gain;
-}
-
 static void use_request(struct view *v, const struct ui_request *request)
 {
     struct view_state requested = view_state_now(v);
@@ -170,7 +162,6 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .time = view_time(v),
         .sample_count = v->progressive.shown_count,
         .sample_goal = v->progressive.target_count,
-        .noise = noise_of(v),
         .seconds_left = view_progressive_seconds_left(v),
         .shows_hint = !v->has_orbited,
         .layout = &v->layout,

@@ -114,7 +114,6 @@ static void leave_device(struct view *v)
 static void finish(struct view *v)
 {
     leave_device(v);
-    noise_estimate_finish(&v->progressive.noise);
     flip_error_map_finish(&v->compare.flip_map);
     image_finish(&v->compare.file.linear);
     session_file_finish(&v->session);

@@ -203,9 +203,7 @@ void ui_set_error(struct ui *ui, const char *message)
 
 bool ui_toggle(struct ui *ui, enum view_action action)
 {
-    const enum ui_tab tab = action == VIEW_TIMES     ? UI_TIMES
-                            : action == VIEW_INSPECT ? UI_INSPECT
-                                                     : UI_PLAN;
+    const enum ui_tab tab = action == VIEW_TIMES ? UI_TIMES : UI_INSPECT;
     if (action == VIEW_HELP) {
         ui->keys_open = !ui->keys_open || !ui->shown;
     } else if (action == VIEW_PALETTE) {

@@ -1,4 +1,4 @@
-/* ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
+/* ui.h: user interface of the viewer: panels for settings, inspection, pass times and
  * shortcuts. Input events must go to ui_handle_event() first, which consumes events for panels.
  * Hidden panels cost no time and consume no events. */
 #ifndef FIRN_VIEW_PANELS_UI_H
@@ -71,7 +71,6 @@ struct ui_view {
     bool paused;
     float time;                         /* scene time, seconds */
     uint32_t sample_count, sample_goal; /* 0 during interaction */
-    double noise;                       /* negative if not known */
     double seconds_left;                /* 0 if done or unknown */
     bool shows_hint;                    /* the camera was never orbited */
 };

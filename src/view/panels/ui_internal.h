@@ -10,7 +10,6 @@
 enum ui_tab {
     UI_SETTINGS,
     UI_TIMES,
-    UI_PLAN,
     UI_INSPECT,
 };
 

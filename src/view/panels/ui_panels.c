@@ -9,7 +9,6 @@
 #include "src/tech/refract/refract.h"
 #include "src/view/panels/ui_internal.h"
 #include "src/view/panels/ui_pixel_inspector.h"
-#include "src/view/panels/ui_plan_chart.h"
 #include "src/view/panels/ui_settings.h"
 
 enum {
@@ -20,6 +19,7 @@ enum {
 };
 
 static const char panel[] = "settings";
+static const double mebi = 1024.0 * 1024.0;
 
 /* Lists the names of all refraction models. Returns the index of the current one. */
 static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX], uint32_t *count,
@@ -197,8 +197,14 @@ static void show_costs(const struct ui_view *view)
 {
     const struct renderer *renderer = viewport_renderer(view->viewport, false);
     const char *message = rebuild_log_at(view->rebuild_log, 0);
-    if (renderer)
-        ui_plan_chart_memory(renderer_frame(renderer));
+    char text[128];
+    if (renderer) {
+        const struct rg_plan *plan = renderer_frame(renderer);
+        snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f without aliasing",
+                 (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
+        imgui_text_wrapped(text);
+        imgui_tooltip("device memory of the plan's images and buffers");
+    }
     imgui_text_dim(message ? "slow changes:" : "no slow changes");
     imgui_tooltip("changes that took longer than a frame, newest first; a setting's tooltip says "
                   "what the setting rebuilds");
@@ -217,15 +223,6 @@ static void times_tab(const struct ui *ui, const struct ui_view *view)
     imgui_scroll_end();
 }
 
-static void plan_tab(const struct ui_view *view)
-{
-    imgui_scroll_begin("plan");
-    const struct renderer *renderer = viewport_renderer(view->viewport, false);
-    if (renderer)
-        ui_plan_chart_panel(renderer_frame(renderer));
-    imgui_scroll_end();
-}
-
 static void tabs(struct ui *ui)
 {
     static const struct {
@@ -233,7 +230,6 @@ static void tabs(struct ui *ui)
     } rows[] = {
         [UI_SETTINGS] = { "Settings", "settings of scene and rendering" },
         [UI_TIMES] = { "Passes", "time of each pass (B)" },
-        [UI_PLAN] = { "Plan", "compiled render graph of the frame (G)" },
         [UI_INSPECT] = { "Inspect", "layers, histogram, values below the cursor (I)" },
     };
 
@@ -257,10 +253,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
         settings_tab(ui, view, request);
     else if (ui->tab == UI_TIMES)
         times_tab(ui, view);
-    else if (ui->tab == UI_INSPECT)
-        ui_pixel_inspector_panel(ui, view, request);
     else
-        plan_tab(view);
+        ui_pixel_inspector_panel(ui, view, request);
     ui->focus_search = false;
 }
 

@@ -111,15 +111,12 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
     const struct setup_image *p = &view->viewport->state;
     const double frame = ui->pace.frame;
     const VkExtent2D drawn = view->viewport->extent;
-    char noise[32] = "";
     char left[32] = "";
-    if (view->noise >= 0.0)
-        snprintf(noise, sizeof(noise), " \xc2\xb1%.2g", view->noise);
     if (view->seconds_left >= 0.5)
         snprintf(left, sizeof(left), ", %.0f s left", view->seconds_left);
     if (view->sample_count)
-        snprintf(text, size, "%u\xc3\x97%u  %u/%u%s%s", p->width, p->height, view->sample_count,
-                 view->sample_goal, noise, left);
+        snprintf(text, size, "%u\xc3\x97%u  %u/%u%s", p->width, p->height, view->sample_count,
+                 view->sample_goal, left);
     else if (frame > 0.0)
         snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", drawn.width, drawn.height, frame * 1e3,
                  ui_frame_pacing_limit(&ui->pace));
