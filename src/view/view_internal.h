@@ -2,6 +2,8 @@
 #ifndef FIRN_VIEW_VIEW_INTERNAL_H
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
+#include <pthread.h>
+#include "src/base/log.h"
 #include "src/base/signals.h"
 #include "src/view/compare/view_compare.h"
 #include "src/view/panels/ui.h"
@@ -10,7 +12,6 @@
 #include "src/view/session/undo_scenes.h"
 #include "src/view/session/undo_stack.h"
 #include "src/view/slow_change_log.h"
-#include "src/view/stderr_capture.h"
 #include "src/view/view_frame_stats.h"
 #include "src/view/view_progressive.h"
 #include "src/view/view_renderers.h"
@@ -29,7 +30,8 @@ struct view {
     struct setup_image initial_state; /* from the options */
     struct session_file session;      /* from --session; .scene NULL once restored */
     struct signals signals;
-    struct stderr_capture stderr_capture;
+    pthread_mutex_t error_lock;
+    char error[512]; /* last logged error, protected by the lock; or "" */
     struct window window;
     struct gpu_window_system system;
     struct gpu gpu;
@@ -82,6 +84,7 @@ void view_seek(struct view *view, float time);            /* sets the scene time
 void view_set_title(struct view *view, const char *what); /* sets the window title */
 void view_show_name(struct view *view);
 
+log_listen_fn view_keep_error;             /* keeps an error for view_fail() */
 void view_clear_errors(struct view *view); /* forgets the last logged error */
 /* Shows `what` and the last logged error, if there is one, in the status bar. */
 void view_fail(struct view *view, const char *what);

@@ -12,18 +12,26 @@ void view_set_title(struct view *v, const char *what)
     window_title(&v->window, title);
 }
 
+void view_keep_error(void *user, const char *message)
+{
+    struct view *v = user;
+    pthread_mutex_lock(&v->error_lock);
+    snprintf(v->error, sizeof(v->error), "%s", message);
+    pthread_mutex_unlock(&v->error_lock);
+}
+
 void view_clear_errors(struct view *v)
 {
-    char line[STDERR_CAPTURE_SIZE];
-    (void)stderr_capture_take(&v->stderr_capture, line);
+    view_keep_error(v, "");
 }
 
 void view_fail(struct view *v, const char *what)
 {
-    char why[STDERR_CAPTURE_SIZE];
-    char words[STDERR_CAPTURE_SIZE + 64];
-    const bool known = stderr_capture_take(&v->stderr_capture, why);
-    snprintf(words, sizeof(words), "%s%s%s", what, known ? ": " : "", why);
+    char words[sizeof(v->error) + 64];
+    pthread_mutex_lock(&v->error_lock);
+    snprintf(words, sizeof(words), "%s%s%s", what, *v->error ? ": " : "", v->error);
+    *v->error = '\0';
+    pthread_mutex_unlock(&v->error_lock);
     ui_show_failure(v->ui, words);
 }
 
