@@ -99,10 +99,11 @@ static void add_file(struct palette *p, const char *what, char *path)
     add(p, &(struct entry){ ENTRY_OPEN, .open = path }, "%s %s", what, slash ? slash + 1 : path);
 }
 
-/* Adds the files with an extension of a folder. Frees `folder`, which may be NULL. */
-static void add_folder(struct palette *p, const char *what, char *folder, const char *extension)
+/* Adds the user's presets or sessions. */
+static void add_folder(struct palette *p, const char *what, const char *extension)
 {
     const char *const extensions[] = { extension, NULL };
+    char *folder = user_files_data(what, false);
     char *path;
     for (uint32_t i = 0; folder && (path = user_files_at(folder, extensions, i)); i++)
         add_file(p, what, path);
@@ -117,8 +118,8 @@ static void collect_files(struct palette *p)
         add_file(p, "open", path);
     for (uint32_t i = 0; ui_environment(i) && (path = strdup(ui_environment(i))); i++)
         add_file(p, "environment", path);
-    add_folder(p, "preset", user_files_presets(false), ".txt");
-    add_folder(p, "session", user_files_sessions(false), ".firn");
+    add_folder(p, "preset", ".txt");
+    add_folder(p, "session", ".firn");
     for (uint32_t i = 0; (path = recent_files_at(i)); i++)
         add_file(p, "recent", path);
 }
@@ -143,10 +144,10 @@ static void collect(struct palette *p)
 {
     const struct setting *row;
     p->count = 0;
-    for (enum view_action a = VIEW_ACTION_NONE; a < VIEW_ACTION_COUNT; a++) {
-        if (key_bindings_label(a) && a != VIEW_PALETTE)
-            add(p, &(struct entry){ ENTRY_ACTION, a, .key = key_bindings_name(a) }, "%s",
-                key_bindings_label(a));
+    for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_ACTION_COUNT; a++) {
+        if (a != VIEW_PALETTE)
+            add(p, &(struct entry){ ENTRY_ACTION, a, .key = key_bindings[a].keys }, "%s",
+                key_bindings[a].label);
     }
     for (uint32_t i = 0; material_presets[i].name; i++)
         add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
