@@ -82,24 +82,7 @@ static void change_projection(struct view *v)
     view_use_camera(v, &camera);
 }
 
-static void use_bookmark(struct view *v, uint32_t i, bool store)
-{
-    char text[64];
-    if (store) {
-        v->bookmarks[i] = v->viewport->camera;
-        v->bookmarked[i] = true;
-        snprintf(text, sizeof(text), "stored camera %u: recall it with Ctrl %u", i + 1, i + 1);
-    } else if (v->bookmarked[i]) {
-        view_use_camera(v, &v->bookmarks[i]);
-        snprintf(text, sizeof(text), "camera %u", i + 1);
-    } else {
-        snprintf(text, sizeof(text), "camera %u is empty: store one with Ctrl Shift %u", i + 1,
-                 i + 1);
-    }
-    ui_show_message(v->ui, text);
-}
-
-/* Handles view directions, projection and stored cameras. Returns false for other actions. */
+/* Handles view directions and projection. Returns false for other actions. */
 static bool set_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->viewport->camera;
@@ -111,10 +94,6 @@ static bool set_camera(struct view *v, enum view_action action)
         orbit_camera_look_from(camera, 0.0f, 90.0f);
     else if (action == VIEW_ORTHOGRAPHIC)
         change_projection(v);
-    else if (action >= VIEW_GO_1 && action <= VIEW_GO_4)
-        use_bookmark(v, action - VIEW_GO_1, false);
-    else if (action >= VIEW_STORE_1 && action <= VIEW_STORE_4)
-        use_bookmark(v, action - VIEW_STORE_1, true);
     else
         return false;
     return true;

@@ -19,10 +19,6 @@
 #include "src/view/window/presenter.h"
 #include "src/view/window/window.h"
 
-enum {
-    VIEW_BOOKMARK_COUNT = 4,
-};
-
 #define VIEW_HOLD 0x80000000u /* gesture-number bit that marks a drag of the light */
 
 struct view {
@@ -50,8 +46,6 @@ struct view {
     struct undo_scene *undo_scenes; /* scenes that undo can return to */
     uint32_t scene, scene_count;    /* current number; number opened */
     struct rebuild_log rebuild_log;
-    struct camera bookmarks[VIEW_BOOKMARK_COUNT];
-    bool bookmarked[VIEW_BOOKMARK_COUNT];
     bool has_orbited;                                 /* the user orbited the camera */
     uint32_t press_count;                             /* number of mouse button presses */
     uint32_t counted_presses[VIEW_WHEEL - VIEW_DRAG]; /* last press counted for each gesture */
@@ -118,6 +112,13 @@ void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` 
 /* Loads settings from a preset file. */
 void view_load_preset(struct view *view, const char *path);
 void view_save_preset(struct view *view); /* to a new file */
+
+typedef void view_print_fn(const struct view *view, FILE *out);
+
+/* Saves what `print` prints as a new file in the user's folder of presets or sessions, and shows
+ * its path. `what` is "preset" or "session". `omitted` names what the file lacks, or is NULL. */
+void view_save_text(struct view *view, const char *what, const char *extension,
+                    view_print_fn *print, const char *omitted);
 
 /* Opens a model, environment, preset, session or image. The kind of file is detected. */
 void view_open(struct view *view, const char *path);

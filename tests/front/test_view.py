@@ -179,7 +179,7 @@ class Hands(WindowCase):
         rows = [tuple(cell.strip() for cell in line.split('|')[1:3])
                 for line in table.splitlines()[2:]]
         lines = self.printed().splitlines()[:len(rows)]
-        self.assertEqual(rows, [(line[2:18].strip(), line[19:]) for line in lines])
+        self.assertEqual(rows, [(line[2:22].strip(), line[23:]) for line in lines])
 
     def test_closed_while_it_loads(self):
         window = self.start('teapot', title='loading .*', plain=())

@@ -315,7 +315,6 @@ class Panels(PanelsCase):
                               act=lambda: self.click(window, 'Reset all'))
         self.wait_for_command(window, 'refract.ior=1.5 ', 'bump.strength=0', act=lambda:
                               self.find_and_choose(window, 'preset preset-0001.txt'))
-        self.bookmarks(window)
         self.keys_fit(window)
         seen = self.desktop.pixels(window)
         self.press_until(window, 'o', 'another projection',
@@ -325,20 +324,6 @@ class Panels(PanelsCase):
         last = scenes[scenes.index('room') - 1]
         self.press_for(window, 'Prior', f'{last}, paused')
         self.close(window)
-
-    def bookmarks(self, window):
-        """A camera that was stored is gone back to."""
-        front = self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
-        self.press_until(window, 'ctrl+shift+2', 'a stored camera',
-                         lambda: self.label('stored camera 2'))
-        side = self.wait_for_command(window, '--eye', without=self.eye(front),
-                                     act=lambda: self.press(window, '3'))
-        self.assertNotEqual(self.eye(side), self.eye(front))
-        self.wait_for_command(window, self.eye(front), act=lambda: self.press(window, 'ctrl+2'))
-
-    @staticmethod
-    def eye(command):
-        return '--eye ' + command.partition('--eye ')[2].split()[0]
 
     @unsanitized
     def test_what_a_scene_brings_goes_with_it(self):

@@ -54,13 +54,8 @@ def keys():
         if name in NO_KEYS:
             continue
         for word in name.split(', '):
-            first, _, last = word.partition('-')
-            for one in [first[:-1] + str(i) for i in range(1, int(last) + 1)] if last else [word]:
-                if one in LAST:
-                    continue
-                *held, key = [one] if one in SIGNS else one.replace('+', ' ').split() or ['+']
-                if one.endswith(' +'):
-                    held, key = ['Ctrl'], '+'
+            if word not in LAST:
+                *held, key = [word] if word in SIGNS else word.split()
                 key = SIGNS.get(key, key.lower() if len(key) == 1 else key)
                 found.append('+'.join([*map(str.lower, held), key]))
     return found
@@ -129,7 +124,7 @@ class Random(PanelsCase):
     def test_anything(self):
         table, rng, gestures = keys(), random.Random(SEED), []
         self.assertGreater(len(table), 40)
-        self.assertIn('ctrl+shift+4', table)
+        self.assertIn('ctrl+shift+z', table)
         self.write_files()
         window = self.start_with_panels('--samples', 2, plain=('--plain', '--set',
                                                                'env_cube.size=64'))

@@ -40,7 +40,7 @@ static void replace_dump(const struct ui *ui, const struct imgui_item *items, ui
         fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].rect.x, (double)items[i].rect.y,
                 (double)items[i].rect.width, (double)items[i].rect.height, items[i].label);
     for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_INPUT_COUNT; a++)
-        fprintf(file, "0 0 0 0 done %u: %s\n", ui->action_counts[a], key_bindings_label(a));
+        fprintf(file, "0 0 0 0 done %u: %s\n", ui->action_counts[a], key_bindings[a].label);
     if (fclose(file) == 0)
         (void)!rename(path, ui->dump_path);
 }

@@ -262,11 +262,7 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
  * of two. In low windows, its rows are closer together. If it still does not fit, it scrolls. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
-    const char *name;
-    const char *help;
-    uint32_t count = 0;
-    while (key_bindings_row(count, &name, &help))
-        count++;
+    const uint32_t count = VIEW_INPUT_COUNT - 1;
     const float scale = ui->scale;
     const float width = fminf(728.0f * scale, (float)view->size.width);
     const uint32_t columns = width < 600.0f * scale ? 1 : 2;
@@ -283,14 +279,15 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_scroll_begin("##keys");
     const float column = imgui_available_width() / (float)columns;
     for (uint32_t i = 0; i < rows; i++) {
-        for (uint32_t c = 0; c < columns && key_bindings_row(i + c * rows, &name, &help); c++) {
+        for (uint32_t c = 0; c < columns && i + c * rows < count; c++) {
+            const struct key_binding *binding = &key_bindings[i + c * rows + 1];
             const float x = 8.0f * scale + (float)c * column;
             if (c)
                 imgui_same_line(x);
-            imgui_text_in(name, ui->theme->accent);
-            imgui_name(name);
-            imgui_same_line(x + 112.0f * scale);
-            imgui_text_elided(help, column - 122.0f * scale);
+            imgui_text_in(binding->keys, ui->theme->accent);
+            imgui_name(binding->keys);
+            imgui_same_line(x + 132.0f * scale);
+            imgui_text_elided(binding->label, column - 142.0f * scale);
         }
     }
     imgui_scroll_end();
