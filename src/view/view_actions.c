@@ -259,7 +259,6 @@ static bool compare(struct view *v, enum view_action action)
 void view_execute(struct view *v, enum view_action action)
 {
     v->changed = true;
-    ui_count_action(v->ui, action);
     if (!compare(v, action) && !move_camera(v, action) && !set_camera(v, action) &&
         !change_window(v, action))
         change_viewport(v, action);

@@ -11,7 +11,6 @@
 #include "src/view/session/session_file.h"
 #include "src/view/session/undo_scenes.h"
 #include "src/view/session/undo_stack.h"
-#include "src/view/slow_change_log.h"
 #include "src/view/view_frame_stats.h"
 #include "src/view/view_progressive.h"
 #include "src/view/view_renderers.h"
@@ -45,14 +44,12 @@ struct view {
     struct undo_stack undo_stack;
     struct undo_scene *undo_scenes; /* scenes that undo can return to */
     uint32_t scene, scene_count;    /* current number; number opened */
-    struct rebuild_log rebuild_log;
-    bool has_orbited;                                 /* the user orbited the camera */
-    uint32_t press_count;                             /* number of mouse button presses */
-    uint32_t counted_presses[VIEW_WHEEL - VIEW_DRAG]; /* last press counted for each gesture */
-    double now;                                       /* time of this iteration, seconds */
-    double elapsed;                                   /* scene time since motion.time, seconds */
-    float drawn_time;                                 /* scene time last drawn, seconds */
-    double next_frame_at;                             /* earliest start, seconds */
+    bool has_orbited;               /* the user orbited the camera */
+    uint32_t press_count;           /* number of mouse button presses */
+    double now;                     /* time of this iteration, seconds */
+    double elapsed;                 /* scene time since motion.time, seconds */
+    float drawn_time;               /* scene time last drawn, seconds */
+    double next_frame_at;           /* earliest start, seconds */
     bool paused, changed, quit;
     bool recovered;             /* the lost device was already reopened */
     uint32_t message_count;     /* validation messages of a lost device */

@@ -13,29 +13,6 @@ static bool has_moved(const struct window_drag *drag)
     return drag->x != 0.0 || drag->y != 0.0;
 }
 
-/* Counts a mouse drag as one action, even if the mouse moves many times until it is released. */
-static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
-{
-    uint32_t *hold = &v->counted_presses[gesture - VIEW_DRAG];
-    if (!has_moved(drag) || *hold == v->press_count)
-        return;
-    *hold = v->press_count;
-    ui_count_action(v->ui, gesture);
-}
-
-static void count_gestures(struct view *v, const struct window_input *input)
-{
-    v->press_count += input->pressed;
-    count_drag(v, &input->orbit, VIEW_DRAG);
-    count_drag(v, &input->pan, VIEW_PAN);
-    count_drag(v, &input->light, VIEW_ROTATE_LIGHT);
-    count_drag(v, &input->sun, VIEW_MOVE_SUN);
-    if (input->wheel != 0.0)
-        ui_count_action(v->ui, VIEW_WHEEL);
-    if (input->double_clicked)
-        ui_count_action(v->ui, VIEW_CENTRE);
-}
-
 /* Applies mouse input to camera and divider. */
 static void drag(struct view *v, const struct window_input *input)
 {
@@ -77,10 +54,8 @@ static void drag_light(struct view *v, const struct window_input *input)
 static void open_dropped(struct view *v)
 {
     char *path = window_take_dropped(&v->window);
-    if (path) {
-        ui_count_action(v->ui, VIEW_DROP);
+    if (path)
         view_open(v, path);
-    }
     free(path);
 }
 
@@ -103,7 +78,7 @@ static void take_shaders(struct view *v)
 void view_handle_input(struct view *v)
 {
     const struct window_input input = window_take_input(&v->window);
-    count_gestures(v, &input);
+    v->press_count += input.pressed;
     drag(v, &input);
     drag_light(v, &input);
     for (uint32_t i = 0; i < input.action_count; i++)
@@ -166,7 +141,6 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .shows_hint = !v->has_orbited,
         .layout = &v->layout,
         .undo_stack = &v->undo_stack,
-        .rebuild_log = &v->rebuild_log,
         .inspector = &v->inspector,
         .inspector_choice = v->inspector_choice,
         .image_area = &v->image_area,

@@ -161,7 +161,6 @@ static enum status fit_image(struct view *v, bool window_changed)
 {
     const struct viewport *p = v->viewport;
     const VkExtent2D room = v->layout.image.extent;
-    char words[REBUILD_LOG_SIZE];
     const bool waits = window_changed && p->renderer && !v->options->window->frame_count;
     if (p->renderer && p->state.width == room.width && p->state.height == room.height) {
         v->resize_at = 0.0;
@@ -178,12 +177,7 @@ static enum status fit_image(struct view *v, bool window_changed)
     presenter_disconnect(&v->presenter);
     if (!p->renderer)
         return resize(v);
-    const double start = clock_seconds();
-    const enum status status = worker_run(&v->window, resize, v);
-    snprintf(words, sizeof(words), "image size %ux%u (plan recompiled in %.0f ms)", room.width,
-             room.height, (clock_seconds() - start) * 1e3);
-    rebuild_log_add(&v->rebuild_log, words);
-    return status;
+    return worker_run(&v->window, resize, v);
 }
 
 /* Resizes swapchain, layout and renderer to the window. *ready is false if nothing can be drawn. */

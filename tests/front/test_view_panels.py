@@ -219,12 +219,6 @@ class Panels(PanelsCase):
         shown = {self.desktop.pixels(window)}
         self.press_until(window, 'b', 'what costs', lambda: self.label('the last '))
         self.assertTrue(self.said(r'[\d.]+ MiB of memory, [\d.]+ without aliasing'))
-        self.press(window, 'b')
-        self.wait_for_command(window, 'cracks.count=', act=lambda: self.drag_row(
-            window, 'cracks.count', 0.2, 0.7))
-        self.press(window, 'Escape')
-        self.press_until(window, 'b', 'why a change took long', lambda: len(self.said(
-            r'Cracks \d+ -> \d+ \(scene rebuilt.*')) > 1)  # and below
         for key in ('F1', 'ctrl+t', 'ctrl+plus'):
             self.press_until(window, key, key, lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))

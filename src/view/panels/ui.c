@@ -18,11 +18,6 @@ static const float click_reach = 3.0f;   /* pixels; longer mouse movements are d
 
 /* ---- dump for scripts ---- */
 
-void ui_count_action(struct ui *ui, enum view_action action)
-{
-    ui->action_counts[action]++;
-}
-
 void ui_dump(struct ui *ui, const char *path)
 {
     ui->dump_path = path;
@@ -39,15 +34,14 @@ static void replace_dump(const struct ui *ui, const struct imgui_item *items, ui
     for (uint32_t i = 0; i < count; i++)
         fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].rect.x, (double)items[i].rect.y,
                 (double)items[i].rect.width, (double)items[i].rect.height, items[i].label);
-    for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_INPUT_COUNT; a++)
-        fprintf(file, "0 0 0 0 done %u: %s\n", ui->action_counts[a], key_bindings[a].label);
     if (fclose(file) == 0)
         (void)!rename(path, ui->dump_path);
 }
 
 /* 32-bit FNV-1a hash */
-static uint32_t hash_more(uint32_t hash, const void *bytes, size_t size)
+static uint32_t hash_of(const void *bytes, size_t size)
 {
+    uint32_t hash = 2166136261u;
     for (size_t i = 0; i < size; i++)
         hash = (hash ^ ((const uint8_t *)bytes)[i]) * 16777619u;
     return hash;
@@ -57,8 +51,7 @@ static void write_dump(struct ui *ui)
 {
     uint32_t count;
     const struct imgui_item *items = imgui_items(ui->imgui, &count);
-    const uint32_t shown = hash_more(2166136261u, items, count * sizeof(*items));
-    const uint32_t hash = hash_more(shown, ui->action_counts, sizeof(ui->action_counts));
+    const uint32_t hash = hash_of(items, count * sizeof(*items));
     if (ui->dump_path && hash != ui->dump_hash)
         replace_dump(ui, items, count);
     ui->dump_hash = hash;
@@ -126,8 +119,6 @@ void ui_destroy(struct ui *ui)
 {
     if (!ui)
         return;
-    if (ui->dump_path)
-        write_dump(ui); /* also lists actions counted while hidden */
     gpu_image_destroy(ui->gpu, &ui->font);
     imgui_destroy(ui->imgui);
     free(ui);
@@ -287,7 +278,6 @@ static bool handle_key(struct ui *ui, const struct window_event *event)
         !function && (event->control ? imgui_wants_text(ui->imgui) && is_for_text(event)
                                      : ui->focus_wait_frames || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
-        ui_count_action(ui, VIEW_PANEL_KEYS);
         ui->focus_panel = true;
         ui->focused_search = false;
         ui->focus_wait_frames = FOCUS_FRAMES;
@@ -310,7 +300,6 @@ static bool handle_character(struct ui *ui, const struct window_event *event)
         return true;
     }
     if (event->code == '/') {
-        ui_count_action(ui, VIEW_SEARCH);
         ui->focus_search = ui->focused_search = true;
         ui->focus_wait_frames = FOCUS_FRAMES;
         return true;

@@ -8,7 +8,6 @@
 #include "src/view/panels/ui_frame_bottleneck.h"
 #include "src/view/pixel_inspector.h"
 #include "src/view/session/undo_stack.h"
-#include "src/view/slow_change_log.h"
 #include "src/view/view_renderers.h"
 #include "src/view/window/overlay_draw_list.h"
 #include "src/view/window/presenter.h"
@@ -42,9 +41,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
 /* Sets the path of a text file that scripts read. Each visible widget has a line: left, top, width
- * and height in pixels, then the label. Each action has a line "0 0 0 0" and its count. */
+ * and height in pixels, then the label. */
 void ui_dump(struct ui *ui, const char *path);
-void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
 float ui_scale(const struct ui *ui);
 
@@ -59,7 +57,6 @@ struct ui_view {
     double now;                  /* seconds */
     VkExtent2D size;             /* size of the window, pixels */
     const struct undo_stack *undo_stack;
-    const struct rebuild_log *rebuild_log;
     const struct window_layout *layout; /* layout of the window */
     const struct pixel_inspector *inspector;
     struct pixel_inspector_choice inspector_choice;

@@ -48,11 +48,10 @@ struct ui {
     bool is_full;                      /* vertex limit exceeded, logged once */
     char filter[64];
     char message[600];
-    bool is_failure;                          /* `message` is a failure */
-    char error[512];                          /* persistent error, or "" */
-    const char *dump_path;                    /* ui_dump() file, or NULL */
-    uint32_t dump_hash;                       /* hash of its current contents */
-    uint32_t action_counts[VIEW_INPUT_COUNT]; /* number of executions of each action */
+    bool is_failure;       /* `message` is a failure */
+    char error[512];       /* persistent error, or "" */
+    const char *dump_path; /* ui_dump() file, or NULL */
+    uint32_t dump_hash;    /* hash of its current contents */
 };
 
 /* Draws the panels. Drawing functions must be called between imgui_begin() and imgui_end(). */

@@ -192,11 +192,10 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     imgui_scroll_end();
 }
 
-/* Shows the memory use of the render-graph plan, and a log of slow changes with their causes. */
-static void show_costs(const struct ui_view *view)
+/* Shows the memory use of the render-graph plan. */
+static void show_memory(const struct ui_view *view)
 {
     const struct renderer *renderer = viewport_renderer(view->viewport, false);
-    const char *message = rebuild_log_at(view->rebuild_log, 0);
     char text[128];
     if (renderer) {
         const struct rg_plan *plan = renderer_frame(renderer);
@@ -205,17 +204,12 @@ static void show_costs(const struct ui_view *view)
         imgui_text_wrapped(text);
         imgui_tooltip("device memory of the plan's images and buffers");
     }
-    imgui_text_dim(message ? "slow changes:" : "no slow changes");
-    imgui_tooltip("changes that took longer than a frame, newest first; a setting's tooltip says "
-                  "what the setting rebuilds");
-    for (uint32_t i = 0; (message = rebuild_log_at(view->rebuild_log, i)); i++)
-        imgui_text_wrapped(message);
 }
 
 static void times_tab(const struct ui *ui, const struct ui_view *view)
 {
     imgui_scroll_begin("times");
-    show_costs(view);
+    show_memory(view);
     ui_pass_times_panel("frame", &ui->frame_times);
     if (view->viewport->right_renderer)
         ui_pass_times_panel("side B", &ui->right_times);
