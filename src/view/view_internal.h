@@ -49,7 +49,6 @@ struct view {
     double now;                     /* time of this iteration, seconds */
     double elapsed;                 /* scene time since motion.time, seconds */
     float drawn_time;               /* scene time last drawn, seconds */
-    double next_frame_at;           /* earliest start, seconds */
     bool paused, changed, quit;
     bool recovered;             /* the lost device was already reopened */
     uint32_t message_count;     /* validation messages of a lost device */

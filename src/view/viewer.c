@@ -137,15 +137,10 @@ static bool wait_for_frame(struct view *v, VkExtent2D size)
     const bool idle =
         v->paused && !v->changed && !counted && !ui_is_busy(v->ui) && !(v->resize_at > 0.0);
     const double rest = view_progressive_wait(v);
-    if (size.width != 0 && !idle && v->now >= v->next_frame_at)
+    if (size.width != 0 && !idle)
         return true;
-    if (size.width == 0 || idle) {
-        window_wait(&v->window, rest > 0.0 && rest < idle_seconds ? rest : idle_seconds);
-        view_frame_stats_pause(&v->frame_stats);
-    } else {
-        window_wait(&v->window, v->next_frame_at - v->now);
-        view_frame_stats_limit(&v->frame_stats, v->now);
-    }
+    window_wait(&v->window, rest > 0.0 && rest < idle_seconds ? rest : idle_seconds);
+    view_frame_stats_pause(&v->frame_stats);
     return false;
 }
 
@@ -317,7 +312,7 @@ static void count_frame(struct view *v)
         (v->redrawn || v->progressive.has_full_draft || v->progressive.shown_count == 1))
         view_frame_stats_image(c, v->redrawn);
     if (v->redrawn && p->is_progressive && !p->draft.is_off && c->last.frame > 0.0)
-        dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame - c->last.limit,
+        dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame,
                                viewport_pass_seconds(p));
     if (c->frame_count == 1) {
         remember(v);
@@ -328,8 +323,6 @@ static void count_frame(struct view *v)
     }
     if (o->time_step > 0.0 && !v->paused)
         v->elapsed += o->time_step;
-    if (o->fps_limit)
-        v->next_frame_at = v->now + 1.0 / o->fps_limit;
     v->quit = v->quit || (o->frame_count && c->frame_count >= o->frame_count);
 }
 

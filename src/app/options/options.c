@@ -116,8 +116,6 @@ static const struct option options[] = {
       "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
       "present mode: fifo, mailbox, immediate (default: fifo)" },
-    { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(window.fps_limit),
-      "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
       "panels beside the image (default: on; off with --frames or --screenshot)" },
     { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, VIEW(option_ui_scale),

@@ -161,8 +161,8 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
     imgui_name(pace);
     snprintf(text, sizeof(text),
              "%.1f frames per second, limited by %s: device time %.1f ms; the host waits %.1f ms "
-             "for the screen and %.1f ms for --fps-limit",
+             "for the screen",
              ui->pace.frame > 0.0 ? 1.0 / ui->pace.frame : 0.0, ui_frame_pacing_limit(&ui->pace),
-             ui->pace.device * 1e3, ui->pace.screen * 1e3, ui->pace.limit * 1e3);
+             ui->pace.device * 1e3, ui->pace.screen * 1e3);
     imgui_tooltip(text);
 }
