@@ -168,9 +168,9 @@ class Panels(PanelsCase):
 
     def test_lists_choose_rungs_and_materials(self):
         second = self.names('rungs')[1]
-        material = self.names('materials')[-1]
+        material, ior = 'diamond', 'refract.ior=2.417 '
         window = self.start_with_panels(plain=PLAIN)
-        self.wait_for_command(window, f' --material {material} ',
+        self.wait_for_command(window, ior,
                               act=lambda: self.click(window, material))
         for group, row, shown in (('Material', material, False),
                                   ('Inside', 'cracks.count', False),

@@ -60,6 +60,8 @@ static void set_colors(const theme &t)
         { ImGuiCol_HeaderHovered, t.hover },
         { ImGuiCol_HeaderActive, t.pressed },
         { ImGuiCol_Separator, t.border },
+        { ImGuiCol_PlotHistogram, t.accent },
+        { ImGuiCol_PlotHistogramHovered, t.changed },
         { ImGuiCol_TextSelectedBg, t.pressed },
         { ImGuiCol_NavHighlight, t.accent },
     };

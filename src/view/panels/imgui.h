@@ -117,7 +117,6 @@ void imgui_gap_end(void);
 
 void imgui_scroll_begin(const char *name);
 void imgui_scroll_end(void);
-void imgui_scroll_to_here(void);           /* scrolls to the last item */
 void imgui_focus_panel(const char *title); /* NULL clears the keyboard focus */
 bool imgui_is_active(void);                /* true while an item is used */
 float imgui_scale(void);                   /* scale set by imgui_rescale() */
@@ -146,9 +145,8 @@ void imgui_name(const char *text);                     /* lists the last item in
 void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
 void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
 void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
-void imgui_align(void);               /* aligns text with buttons */
-void imgui_warning(const char *text); /* red, wrapped */
-void imgui_separator(void);
+void imgui_align(void);                    /* aligns text with buttons */
+void imgui_warning(const char *text);      /* red, wrapped */
 void imgui_text_wrapped(const char *text); /* wrapped; listed in imgui_items() */
 bool imgui_button(const char *label);
 bool imgui_small_button(const char *label);
@@ -162,7 +160,6 @@ bool imgui_collapsing_header(const char *label,
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
-bool imgui_is_enter_pressed(void); /* Enter finished the last text field */
 
 struct imgui_slider_range {
     float min, max;
@@ -198,6 +195,11 @@ uint32_t imgui_gesture(const struct imgui *ui);
 
 #define IMGUI_RGBA(r, g, b, a) \
     ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(g) << 8 | (uint32_t)(r))
+
+/* Draws a ring of values, the oldest at index `first`, as bars as wide as the panel. `most` is the
+ * value at the top. A tooltip shows the value at the cursor. */
+void imgui_histogram(const char *label, const float *values, uint32_t count, uint32_t first,
+                     float most, float height);
 
 /* Reserves an area of the panel for drawing, and returns its position. */
 struct imgui_rect imgui_reserve(float width, float height);

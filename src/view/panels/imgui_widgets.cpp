@@ -63,11 +63,6 @@ void imgui_scroll_end(void)
     ImGui::EndChild();
 }
 
-void imgui_scroll_to_here(void)
-{
-    ImGui::SetScrollHereY();
-}
-
 /* Records the last widget for imgui_items(). Its name is the part of `label` before "##". If that
  * part has at most 2 characters, its name is the part after "##". */
 static void note(const char *label)
@@ -294,11 +289,6 @@ void imgui_text_wrapped(const char *text)
     note(text);
 }
 
-void imgui_separator(void)
-{
-    ImGui::Separator();
-}
-
 bool imgui_button(const char *label)
 {
     const bool pressed = ImGui::Button(label);
@@ -372,11 +362,6 @@ bool imgui_text_field(const char *label, const char *hint, char *text, size_t si
     return changed;
 }
 
-bool imgui_is_enter_pressed(void)
-{
-    return ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-}
-
 static ImGuiSliderFlags slider_flags(const struct imgui_slider_range *slide)
 {
     return ImGuiSliderFlags_AlwaysClamp |
@@ -411,6 +396,13 @@ bool imgui_number_field(const char *label, uint32_t *value)
 }
 
 /* ---- drawing ---- */
+
+void imgui_histogram(const char *label, const float *values, uint32_t count, uint32_t first,
+                     float most, float height)
+{
+    ImGui::PlotHistogram(label, values, static_cast<int>(count), static_cast<int>(first), nullptr,
+                         0.0f, most, ImVec2(ImGui::GetContentRegionAvail().x, height));
+}
 
 struct imgui_rect imgui_reserve(float width, float height)
 {

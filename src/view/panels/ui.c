@@ -24,9 +24,11 @@ void ui_dump(struct ui *ui, const char *path)
 }
 
 /* Writes a new dump file, then renames it, so that scripts never read an incomplete one. */
-static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
+static void write_dump(const struct ui *ui)
 {
     char path[SYSTEM_FONT_PATH_SIZE];
+    uint32_t count;
+    const struct imgui_item *items = imgui_items(ui->imgui, &count);
     const int length = snprintf(path, sizeof(path), "%s.new", ui->dump_path);
     FILE *file = length > 0 && length < SYSTEM_FONT_PATH_SIZE ? fopen(path, "w") : NULL;
     if (!file)
@@ -36,25 +38,6 @@ static void replace_dump(const struct ui *ui, const struct imgui_item *items, ui
                 (double)items[i].rect.width, (double)items[i].rect.height, items[i].label);
     if (fclose(file) == 0)
         (void)!rename(path, ui->dump_path);
-}
-
-/* 32-bit FNV-1a hash */
-static uint32_t hash_of(const void *bytes, size_t size)
-{
-    uint32_t hash = 2166136261u;
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ ((const uint8_t *)bytes)[i]) * 16777619u;
-    return hash;
-}
-
-static void write_dump(struct ui *ui)
-{
-    uint32_t count;
-    const struct imgui_item *items = imgui_items(ui->imgui, &count);
-    const uint32_t hash = hash_of(items, count * sizeof(*items));
-    if (ui->dump_path && hash != ui->dump_hash)
-        replace_dump(ui, items, count);
-    ui->dump_hash = hash;
 }
 
 /* ---- lifecycle ---- */
@@ -403,7 +386,8 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *requ
     imgui_end(ui->imgui);
     request->inspects = ui->tab == UI_INSPECT;
     request->gesture = imgui_gesture(ui->imgui);
-    write_dump(ui);
+    if (ui->dump_path)
+        write_dump(ui);
 }
 
 /* Returns true if a draw command's bounding box lies outside the image area. */

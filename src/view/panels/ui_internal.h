@@ -51,7 +51,6 @@ struct ui {
     bool is_failure;       /* `message` is a failure */
     char error[512];       /* persistent error, or "" */
     const char *dump_path; /* ui_dump() file, or NULL */
-    uint32_t dump_hash;    /* hash of its current contents */
 };
 
 /* Draws the panels. Drawing functions must be called between imgui_begin() and imgui_end(). */
