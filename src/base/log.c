@@ -35,23 +35,12 @@ void log_sanitize(char *text)
     *end = '\0';
 }
 
-static log_listen_fn *listener;
-static void *listener_user;
-
-void log_set_listener(log_listen_fn *function, void *user)
-{
-    listener = function;
-    listener_user = user;
-}
-
 static void write_line(const char *prefix, const char *format, va_list *arguments)
 {
     char line[2048];
     vsnprintf(line, sizeof(line), format, *arguments);
     log_sanitize(line);
     fprintf(stderr, "firn: %s%s\n", prefix, line);
-    if (listener && !*prefix)
-        listener(listener_user, line);
 }
 
 void log_error(const char *format, ...)

@@ -20,12 +20,6 @@ void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Writes an informative message: "firn: note: ", the formatted and sanitised text, a newline. */
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-typedef void log_listen_fn(void *user, const char *message);
-
-/* Sets a function that receives each error message, but no warnings and notes, from the thread that
- * logs it. NULL removes it. Call this while no other thread logs. */
-void log_set_listener(log_listen_fn *function, void *user);
-
 /* Logs "WHAT: out of memory" and returns STATUS_TRY_AGAIN. If `what` is NULL, logs "out of memory".
  * The definition is inline, because static analysers must see that the result is not STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)

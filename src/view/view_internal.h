@@ -3,7 +3,6 @@
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
 #include <pthread.h>
-#include "src/base/log.h"
 #include "src/base/signals.h"
 #include "src/view/compare/view_compare.h"
 #include "src/view/panels/ui.h"
@@ -25,6 +24,7 @@ struct view {
     struct setup_image initial_state; /* from the options */
     struct session_file session;      /* from --session; .scene NULL once restored */
     struct signals signals;
+    FILE *original_stderr; /* NULL while errors are not captured */
     pthread_mutex_t error_lock;
     char error[512]; /* last logged error, protected by the lock; or "" */
     struct window window;
@@ -74,7 +74,10 @@ void view_seek(struct view *view, float time);            /* sets the scene time
 void view_set_title(struct view *view, const char *what); /* sets the window title */
 void view_show_name(struct view *view);
 
-log_listen_fn view_keep_error;             /* keeps an error for view_fail() */
+/* Captures errors written to stderr, which are still printed, for view_fail(). All threads may log
+ * until view_release_errors(). */
+void view_capture_errors(struct view *view);
+void view_release_errors(struct view *view);
 void view_clear_errors(struct view *view); /* forgets the last logged error */
 /* Shows `what` and the last logged error, if there is one, in the status bar. */
 void view_fail(struct view *view, const char *what);

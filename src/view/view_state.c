@@ -1,6 +1,9 @@
 /* view_state.c: title, messages, scene time, layout, camera and current settings of the viewer. */
+#define _GNU_SOURCE /* for fopencookie */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+#include <unistd.h>
 #include "src/render/frame/pass_list.h"
 #include "src/settings/scene_settings.h"
 #include "src/view/view_internal.h"
@@ -12,17 +15,53 @@ void view_set_title(struct view *v, const char *what)
     window_title(&v->window, title);
 }
 
-void view_keep_error(void *user, const char *message)
+static bool begins(const char *text, size_t size, const char *prefix)
 {
+    return size >= strlen(prefix) && !memcmp(text, prefix, strlen(prefix));
+}
+
+/* Writes to the original stderr and keeps error messages, but not warnings and notes. */
+static ssize_t capture(void *user, const char *text, size_t size)
+{
+    static const char prefix[] = "firn: ";
     struct view *v = user;
-    pthread_mutex_lock(&v->error_lock);
-    snprintf(v->error, sizeof(v->error), "%s", message);
-    pthread_mutex_unlock(&v->error_lock);
+    if (begins(text, size, prefix) && !begins(text, size, "firn: warning: ") &&
+        !begins(text, size, "firn: note: ")) {
+        pthread_mutex_lock(&v->error_lock);
+        snprintf(v->error, sizeof(v->error), "%.*s", (int)(size - strlen(prefix)),
+                 text + strlen(prefix));
+        v->error[strcspn(v->error, "\n")] = '\0';
+        pthread_mutex_unlock(&v->error_lock);
+    }
+    return write(STDERR_FILENO, text, size);
+}
+
+void view_capture_errors(struct view *v)
+{
+    FILE *stream = fopencookie(v, "w", (cookie_io_functions_t){ .write = capture });
+    pthread_mutex_init(&v->error_lock, NULL);
+    if (!stream)
+        return;
+    setvbuf(stream, NULL, _IONBF, 0); /* unbuffered like stderr, so that messages appear at once */
+    v->original_stderr = stderr;
+    stderr = stream;
+}
+
+void view_release_errors(struct view *v)
+{
+    FILE *stream = stderr;
+    if (v->original_stderr) {
+        stderr = v->original_stderr;
+        (void)fclose(stream);
+    }
+    pthread_mutex_destroy(&v->error_lock);
 }
 
 void view_clear_errors(struct view *v)
 {
-    view_keep_error(v, "");
+    pthread_mutex_lock(&v->error_lock);
+    *v->error = '\0';
+    pthread_mutex_unlock(&v->error_lock);
 }
 
 void view_fail(struct view *v, const char *what)

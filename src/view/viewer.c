@@ -461,18 +461,16 @@ enum status viewer_run(const struct viewer_params *options)
     v->paused = !options->window->frame_count && !(options->window->time_step > 0.0);
     if (status == STATUS_OK)
         status = signals_begin(&v->signals);
-    pthread_mutex_init(&v->error_lock, NULL);
-    log_set_listener(view_keep_error, v);
+    view_capture_errors(v);
     if (status == STATUS_OK)
         status = run(v);
     if (status == STATUS_OK && !options->quiet)
         view_frame_stats_print(&v->frame_stats, stderr);
     finish(v);
-    log_set_listener(NULL, NULL);
+    view_release_errors(v);
     if (status == STATUS_OK && v->message_count)
         status = STATUS_FAILED; /* the validation layer has logged the reason */
     signals_end(&v->signals);
-    pthread_mutex_destroy(&v->error_lock);
     free(v);
     return status;
 }

@@ -7,8 +7,9 @@ there for.
 
 FIRN_RANDOM_SECONDS=3600 goes on for an hour, FIRN_RANDOM_ROUNDS=100 until each has been pressed so
 often; then it says how much memory there was in each quarter, which must not grow in all of them,
-and by how much it grew in the last half: the slope of the least squares, with its standard error. With -Db_sanitize=address it finds what is used after it is gone. FIRN_RANDOM_VALIDATE=off
-leaves out the validation layer, which keeps memory of its own.
+and by how much it grew in the last half: the slope of the least squares, with its standard error.
+With -Db_sanitize=address it finds what is used after it is gone. FIRN_RANDOM_VALIDATE=off leaves
+out the validation layer, which keeps memory of its own.
 """
 import math
 import os

@@ -126,7 +126,7 @@ static void material_buttons(struct ui_request *request)
         if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
             chosen = count;
     }
-    if (ui_named_buttons("Material preset", names, count, &chosen,
+    if (ui_named_buttons("Preset", names, count, &chosen,
                          "sets the refractive index of a material: --material")) {
         settings_set_value(&request->settings, ior, (double)material_presets[chosen].ior);
         request->changed = true;

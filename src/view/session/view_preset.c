@@ -1,4 +1,4 @@
-/* view_preset.c: loads and saves presets, files of settings. Saves texts as new files of the user. */
+/* view_preset.c: loads and saves presets, and writes new files in the user's folders. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/file/atomic_file.h"
