@@ -92,7 +92,6 @@ struct setup_outputs {
 /* Options of the interactive window. */
 struct setup_window {
     uint32_t frame_count; /* frames to show; 0: no limit */
-    uint32_t fps_limit;   /* frames per second; 0: no limit */
     double time_step;     /* scene seconds; 0: real time */
     const char *watch;    /* shader folder to watch, or NULL */
     VkPresentModeKHR present;

@@ -19,14 +19,6 @@ enum view_action {
     VIEW_SIDE,
     VIEW_TOP,
     VIEW_ORTHOGRAPHIC,
-    VIEW_GO_1, /* go to a stored camera */
-    VIEW_GO_2,
-    VIEW_GO_3,
-    VIEW_GO_4,
-    VIEW_STORE_1,
-    VIEW_STORE_2,
-    VIEW_STORE_3,
-    VIEW_STORE_4,
     VIEW_BRIGHTER,
     VIEW_DARKER,
     VIEW_PAUSE,
@@ -48,10 +40,8 @@ enum view_action {
     VIEW_ERROR_MAP,
     VIEW_DIVIDER_LEFT,
     VIEW_DIVIDER_RIGHT,
-    VIEW_SCREENSHOT_WINDOW,
     VIEW_HIDE,
     VIEW_TIMES,
-    VIEW_PLAN,
     VIEW_INSPECT,
     VIEW_NEXT_LAYER,
     VIEW_PREVIOUS_LAYER,
@@ -78,6 +68,15 @@ enum view_action {
     VIEW_INPUT_COUNT,
 };
 
+struct key_binding {
+    const char *keys;  /* shortcuts or mouse gesture, separated by ", " */
+    const char *label; /* a few words, for the F1 list and the palette */
+    const char *help;  /* a sentence without full stop; NULL for the label alone */
+    bool repeats;      /* auto-repeat while the key is held */
+};
+
+extern const struct key_binding key_bindings[VIEW_INPUT_COUNT]; /* from VIEW_ACTION_NONE + 1 on */
+
 /* Key press as reported by GLFW. */
 struct key_press {
     int key;            /* GLFW key code, or 0 */
@@ -88,13 +87,7 @@ struct key_press {
 
 enum view_action key_bindings_find(const struct key_press *press);
 
-const char *key_bindings_name(enum view_action action);   /* display name, or NULL */
-const char *key_bindings_label(enum view_action action);  /* a few words */
-const char *key_bindings_help(enum view_action action);   /* one sentence without full stop */
-const char *key_bindings_button(enum view_action action); /* one word if possible */
-
-/* Finds shortcut i of the F1 list and its description. Returns false after the last shortcut. */
-bool key_bindings_row(uint32_t i, const char **name, const char **help);
+const char *key_bindings_help(enum view_action action); /* the help text or the label */
 
 /* Prints one line for each shortcut and mouse gesture. docs/view.md contains the same list. */
 void key_bindings_print(FILE *out);

@@ -82,24 +82,7 @@ static void change_projection(struct view *v)
     view_use_camera(v, &camera);
 }
 
-static void use_bookmark(struct view *v, uint32_t i, bool store)
-{
-    char text[64];
-    if (store) {
-        v->bookmarks[i] = v->viewport->camera;
-        v->bookmarked[i] = true;
-        snprintf(text, sizeof(text), "stored camera %u: recall it with Ctrl %u", i + 1, i + 1);
-    } else if (v->bookmarked[i]) {
-        view_use_camera(v, &v->bookmarks[i]);
-        snprintf(text, sizeof(text), "camera %u", i + 1);
-    } else {
-        snprintf(text, sizeof(text), "camera %u is empty: store one with Ctrl Shift %u", i + 1,
-                 i + 1);
-    }
-    ui_show_message(v->ui, text);
-}
-
-/* Handles view directions, projection and stored cameras. Returns false for other actions. */
+/* Handles view directions and projection. Returns false for other actions. */
 static bool set_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->viewport->camera;
@@ -111,10 +94,6 @@ static bool set_camera(struct view *v, enum view_action action)
         orbit_camera_look_from(camera, 0.0f, 90.0f);
     else if (action == VIEW_ORTHOGRAPHIC)
         change_projection(v);
-    else if (action >= VIEW_GO_1 && action <= VIEW_GO_4)
-        use_bookmark(v, action - VIEW_GO_1, false);
-    else if (action >= VIEW_STORE_1 && action <= VIEW_STORE_4)
-        use_bookmark(v, action - VIEW_STORE_1, true);
     else
         return false;
     return true;
@@ -152,8 +131,8 @@ static bool change_window(struct view *v, enum view_action action)
         window_toggle_fullscreen(&v->window);
     else if (action == VIEW_HIDE)
         view_show_ui(v, !ui_is_shown(v->ui));
-    else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PLAN ||
-             action == VIEW_PALETTE || action == VIEW_INSPECT)
+    else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PALETTE ||
+             action == VIEW_INSPECT)
         open_panel(v, action);
     else if (action == VIEW_LARGER || action == VIEW_SMALLER)
         resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));
@@ -205,10 +184,9 @@ static void step_time(struct view *v, float frames)
 /* Handles saving and copying. Returns true if `action` is one of these. */
 static bool save(struct view *v, enum view_action action)
 {
-    if (action == VIEW_SCREENSHOT || action == VIEW_SCREENSHOT_WINDOW) {
+    if (action == VIEW_SCREENSHOT)
         v->wants_screenshot = true;
-        v->screenshot_with_panels = action == VIEW_SCREENSHOT_WINDOW;
-    } else if (action == VIEW_COPY_IMAGE)
+    else if (action == VIEW_COPY_IMAGE)
         v->wants_screenshot = v->screenshot_to_clipboard = true;
     else if (action == VIEW_COPY)
         copy_command(v);
@@ -281,7 +259,6 @@ static bool compare(struct view *v, enum view_action action)
 void view_execute(struct view *v, enum view_action action)
 {
     v->changed = true;
-    ui_count_action(v->ui, action);
     if (!compare(v, action) && !move_camera(v, action) && !set_camera(v, action) &&
         !change_window(v, action))
         change_viewport(v, action);

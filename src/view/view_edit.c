@@ -177,8 +177,6 @@ bool view_edit(struct view *v, const struct view_state *requested, uint32_t gest
     undo_stack_describe(since, &now, name, sizeof(name)); /* describes the whole gesture */
     print_cost(&before, &now, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s%s", name, cost);
-    if (*cost)
-        rebuild_log_add(&v->rebuild_log, words);
     ui_show_message(v->ui, words);
     return true;
 }
@@ -205,7 +203,5 @@ void view_undo_redo(struct view *v, bool again)
         snprintf(name, sizeof(name), "back to %s", v->viewport->state.scene.name);
     print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
-    if (*cost)
-        rebuild_log_add(&v->rebuild_log, words);
     ui_show_message(v->ui, words);
 }

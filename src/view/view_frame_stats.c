@@ -10,11 +10,6 @@ void view_frame_stats_exclude(struct view_frame_stats *c, double start)
     c->idle += clock_seconds() - start;
 }
 
-void view_frame_stats_limit(struct view_frame_stats *c, double start)
-{
-    c->limit += clock_seconds() - start;
-}
-
 void view_frame_stats_pause(struct view_frame_stats *c)
 {
     c->last_end = 0.0;
@@ -45,17 +40,15 @@ void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *tim
         .frame = counts ? whole : 0.0,
         .device = fmax(passes, slots),
         .screen = presentation,
-        .limit = c->limit,
     };
     if (counts) {
         c->summed_count++;
-        c->frames += whole - c->limit;
+        c->frames += whole;
         c->passes += passes;
-        c->host +=
-            whole - c->limit - slots - presentation; /* `slots` belongs to an earlier frame */
+        c->host += whole - slots - presentation; /* `slots` belongs to an earlier frame */
     }
     c->frame_count++;
-    c->idle = c->limit = 0.0;
+    c->idle = 0.0;
     c->last_end = end;
 }
 
@@ -75,7 +68,7 @@ void view_frame_stats_input(struct view_frame_stats *c, double moved, double rel
 void view_frame_stats_image(struct view_frame_stats *c, bool is_moving)
 {
     if (is_moving && c->last.frame > 0.0)
-        add(&c->interactive_frames, c->last.frame - c->last.limit);
+        add(&c->interactive_frames, c->last.frame);
     if (is_moving && c->dragged_at > 0.0)
         add(&c->drag_latency, c->last_end - c->dragged_at);
     if (!is_moving && c->released_at > 0.0)

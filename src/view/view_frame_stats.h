@@ -2,7 +2,6 @@
  * view_frame_stats.h: statistics of frame times and input latency.
  *
  *     view_frame_stats_exclude()  excludes time outside frames: loading, changed settings, pauses
- *     view_frame_stats_limit()    excludes time spent waiting for --fps-limit
  *     view_frame_stats_end()      ends a frame, after it was presented
  *
  * A frame lasts from the end of the previous one to its own end. Its time minus GPU passes and host
@@ -31,7 +30,7 @@ struct view_time_ring {
 struct view_frame_stats {
     uint32_t frame_count;
     double last_end;                          /* 0 if there is none */
-    double idle, limit;                       /* idle and limiter time since `last_end` */
+    double idle;                              /* idle time since `last_end` */
     struct ui_frame_pacing last;              /* newest; .frame 0 if not measured */
     uint32_t summed_count;                    /* frames in the sums below */
     double frames, passes;                    /* passes: GPU time */
@@ -44,8 +43,6 @@ struct view_frame_stats {
 
 /* Excludes the time since `start` from the frame time. */
 void view_frame_stats_exclude(struct view_frame_stats *c, double start);
-/* Counts the time since `start` as waiting for --fps-limit. */
-void view_frame_stats_limit(struct view_frame_stats *c, double start);
 
 /* Excludes the time until the next frame, since nothing was drawn for a while. */
 void view_frame_stats_pause(struct view_frame_stats *c);

@@ -174,23 +174,3 @@ enum status viewport_save(struct viewport *p, float time, const char *const *pat
     output_finish(&d.whole);
     return status;
 }
-
-enum status viewport_save_drawn(struct viewport *p, float time, const char *path,
-                                const struct render_result *drawn, VkExtent2D size,
-                                struct signals *stop)
-{
-    struct setup_image state = p->state;
-    struct output output = {
-        .image = &state,
-        .scene = &p->scene,
-        .shot = { .camera = p->camera, .time = time },
-    };
-    state.samples = 1; /* `drawn` has one sample per pixel */
-    state.width = size.width;
-    state.height = size.height;
-    enum status status = output_describe(&output);
-    if (status == STATUS_OK)
-        status = write_file(p, &output, path, drawn, stop);
-    output_finish(&output);
-    return status;
-}

@@ -2,6 +2,7 @@
 #ifndef FIRN_VIEW_VIEW_INTERNAL_H
 #define FIRN_VIEW_VIEW_INTERNAL_H
 
+#include <pthread.h>
 #include "src/base/signals.h"
 #include "src/view/compare/view_compare.h"
 #include "src/view/panels/ui.h"
@@ -9,18 +10,12 @@
 #include "src/view/session/session_file.h"
 #include "src/view/session/undo_scenes.h"
 #include "src/view/session/undo_stack.h"
-#include "src/view/slow_change_log.h"
-#include "src/view/stderr_capture.h"
 #include "src/view/view_frame_stats.h"
 #include "src/view/view_progressive.h"
 #include "src/view/view_renderers.h"
 #include "src/view/viewer.h"
 #include "src/view/window/presenter.h"
 #include "src/view/window/window.h"
-
-enum {
-    VIEW_BOOKMARK_COUNT = 4,
-};
 
 #define VIEW_HOLD 0x80000000u /* gesture-number bit that marks a drag of the light */
 
@@ -29,7 +24,9 @@ struct view {
     struct setup_image initial_state; /* from the options */
     struct session_file session;      /* from --session; .scene NULL once restored */
     struct signals signals;
-    struct stderr_capture stderr_capture;
+    FILE *original_stderr; /* NULL while errors are not captured */
+    pthread_mutex_t error_lock;
+    char error[512]; /* last logged error, protected by the lock; or "" */
     struct window window;
     struct gpu_window_system system;
     struct gpu gpu;
@@ -38,9 +35,8 @@ struct view {
     struct viewport *viewport;
     struct shader_reload *shader_reload; /* NULL without --watch */
     struct ui *ui;
-    struct ui_thumbnails thumbnails; /* thumbnails for `ui` */
-    float ui_scale;                  /* scale of text and panels; 0 if not known yet */
-    uint32_t theme;                  /* index for theme_at() */
+    float ui_scale; /* scale of text and panels; 0 if not known yet */
+    uint32_t theme; /* index for theme_at() */
     struct window_layout layout;
     struct present_area image_area; /* image position in the last frame */
     VkExtent2D requested_size;      /* image size after the next resize */
@@ -48,16 +44,11 @@ struct view {
     struct undo_stack undo_stack;
     struct undo_scene *undo_scenes; /* scenes that undo can return to */
     uint32_t scene, scene_count;    /* current number; number opened */
-    struct rebuild_log rebuild_log;
-    struct camera bookmarks[VIEW_BOOKMARK_COUNT];
-    bool bookmarked[VIEW_BOOKMARK_COUNT];
-    bool has_orbited;                                 /* the user orbited the camera */
-    uint32_t press_count;                             /* number of mouse button presses */
-    uint32_t counted_presses[VIEW_WHEEL - VIEW_DRAG]; /* last press counted for each gesture */
-    double now;                                       /* time of this iteration, seconds */
-    double elapsed;                                   /* scene time since motion.time, seconds */
-    float drawn_time;                                 /* scene time last drawn, seconds */
-    double next_frame_at;                             /* earliest start, seconds */
+    bool has_orbited;               /* the user orbited the camera */
+    uint32_t press_count;           /* number of mouse button presses */
+    double now;                     /* time of this iteration, seconds */
+    double elapsed;                 /* scene time since motion.time, seconds */
+    float drawn_time;               /* scene time last drawn, seconds */
     bool paused, changed, quit;
     bool recovered;             /* the lost device was already reopened */
     uint32_t message_count;     /* validation messages of a lost device */
@@ -68,7 +59,6 @@ struct view {
     bool recenters;             /* centre the camera on the surface at (recenter_x, recenter_y) */
     double recenter_x, recenter_y; /* position in the window, pixels */
     bool screenshot_to_clipboard;  /* copy instead of saving */
-    bool screenshot_with_panels;   /* include the panels when saving */
     uint32_t screenshot_number;    /* number of the last screenshot */
     struct view_frame_stats frame_stats;
     struct view_progressive progressive;
@@ -84,14 +74,15 @@ void view_seek(struct view *view, float time);            /* sets the scene time
 void view_set_title(struct view *view, const char *what); /* sets the window title */
 void view_show_name(struct view *view);
 
+/* Captures errors written to stderr, which are still printed, for view_fail(). All threads may log
+ * until view_release_errors(). */
+void view_capture_errors(struct view *view);
+void view_release_errors(struct view *view);
 void view_clear_errors(struct view *view); /* forgets the last logged error */
 /* Shows `what` and the last logged error, if there is one, in the status bar. */
 void view_fail(struct view *view, const char *what);
 void view_show_ui(struct view *view, bool shown);
 void view_update_layout(struct view *view, VkExtent2D size); /* `size` of the window, pixels */
-
-/* Returns the frame data of the window. `list` is the user interface's draw list (may be NULL). */
-struct window_frame view_window(const struct view *view, const struct overlay_draw_list *list);
 
 /* ---- view_actions.c: actions ---- */
 
@@ -120,6 +111,13 @@ void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` 
 /* Loads settings from a preset file. */
 void view_load_preset(struct view *view, const char *path);
 void view_save_preset(struct view *view); /* to a new file */
+
+typedef void view_print_fn(const struct view *view, FILE *out);
+
+/* Saves what `print` prints as a new file in the user's folder of presets or sessions, and shows
+ * its path. `what` is "preset" or "session". `omitted` names what the file lacks, or is NULL. */
+void view_save_text(struct view *view, const char *what, const char *extension,
+                    view_print_fn *print, const char *omitted);
 
 /* Opens a model, environment, preset, session or image. The kind of file is detected. */
 void view_open(struct view *view, const char *path);
@@ -216,7 +214,7 @@ void view_inspect(struct view *view);
 /* Saves the image or copies it to the clipboard, as requested. Failures are only logged. */
 void view_take_screenshot(struct view *view);
 
-/* Writes the files of --screenshot at exit. With --overlay on, PNG files include the panels. */
+/* Writes the files of --screenshot at exit. */
 MUST_USE enum status view_write_outputs(struct view *view);
 
 #endif

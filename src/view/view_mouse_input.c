@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
-#include "src/tech/output/tonemap.h"
 #include "src/view/orbit_camera.h"
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
@@ -12,29 +11,6 @@ static const float drag_rotation_deg = 180.0f; /* degrees per drag over the whol
 static bool has_moved(const struct window_drag *drag)
 {
     return drag->x != 0.0 || drag->y != 0.0;
-}
-
-/* Counts a mouse drag as one action, even if the mouse moves many times until it is released. */
-static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
-{
-    uint32_t *hold = &v->counted_presses[gesture - VIEW_DRAG];
-    if (!has_moved(drag) || *hold == v->press_count)
-        return;
-    *hold = v->press_count;
-    ui_count_action(v->ui, gesture);
-}
-
-static void count_gestures(struct view *v, const struct window_input *input)
-{
-    v->press_count += input->pressed;
-    count_drag(v, &input->orbit, VIEW_DRAG);
-    count_drag(v, &input->pan, VIEW_PAN);
-    count_drag(v, &input->light, VIEW_ROTATE_LIGHT);
-    count_drag(v, &input->sun, VIEW_MOVE_SUN);
-    if (input->wheel != 0.0)
-        ui_count_action(v->ui, VIEW_WHEEL);
-    if (input->double_clicked)
-        ui_count_action(v->ui, VIEW_CENTRE);
 }
 
 /* Applies mouse input to camera and divider. */
@@ -78,10 +54,8 @@ static void drag_light(struct view *v, const struct window_input *input)
 static void open_dropped(struct view *v)
 {
     char *path = window_take_dropped(&v->window);
-    if (path) {
-        ui_count_action(v->ui, VIEW_DROP);
+    if (path)
         view_open(v, path);
-    }
     free(path);
 }
 
@@ -104,7 +78,7 @@ static void take_shaders(struct view *v)
 void view_handle_input(struct view *v)
 {
     const struct window_input input = window_take_input(&v->window);
-    count_gestures(v, &input);
+    v->press_count += input.pressed;
     drag(v, &input);
     drag_light(v, &input);
     for (uint32_t i = 0; i < input.action_count; i++)
@@ -115,13 +89,6 @@ void view_handle_input(struct view *v)
         viewport_is_split(v->viewport) && !v->viewport->flipped && !v->compare.wants_error_map;
     v->window.divider = divided ? v->viewport->divider : -1.0;
     v->quit = v->quit || window_is_closed(&v->window);
-}
-
-/* Returns the noise scaled by the exposure, as it appears on the display. */
-static double noise_of(const struct view *v)
-{
-    const struct settings *settings = &v->viewport->state.scene.settings;
-    return noise_estimate_now(&v->progressive.noise) * (double)tonemap_params_of(settings).gain;
 }
 
 static void use_request(struct view *v, const struct ui_request *request)
@@ -170,12 +137,10 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .time = view_time(v),
         .sample_count = v->progressive.shown_count,
         .sample_goal = v->progressive.target_count,
-        .noise = noise_of(v),
         .seconds_left = view_progressive_seconds_left(v),
         .shows_hint = !v->has_orbited,
         .layout = &v->layout,
         .undo_stack = &v->undo_stack,
-        .rebuild_log = &v->rebuild_log,
         .inspector = &v->inspector,
         .inspector_choice = v->inspector_choice,
         .image_area = &v->image_area,

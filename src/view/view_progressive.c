@@ -184,8 +184,6 @@ static enum status draw_sample(struct view *v)
     enum status status = r->count ? STATUS_OK : presenter_wait(&v->presenter);
     if (status == STATUS_OK)
         status = viewport_refine(v->viewport, &shot, r->count);
-    if (status == STATUS_OK)
-        noise_estimate_add(&r->noise, renderer_sums(v->viewport->renderer), r->count);
     r->begun_at = r->count ? r->begun_at : start;
     r->count++;
     r->sample_seconds = clock_seconds() - start;

@@ -7,7 +7,6 @@
 #include "src/scene/camera.h"
 #include "src/settings/settings.h"
 #include "src/view/dynamic_resolution.h"
-#include "src/view/noise_estimate.h"
 
 enum {
     VIEW_SAMPLE_COUNT = 64, /* default of --samples */
@@ -26,7 +25,6 @@ struct view_progressive {
     bool has_identity;
     uint32_t count, target_count; /* samples drawn; samples to draw */
     uint32_t shown_count;         /* displayed samples; 0 during interaction */
-    struct noise_estimate noise;  /* noise estimate of the left image */
     bool has_full_draft;          /* a full-size draft was drawn */
     double begun_at;              /* start of sample 0, seconds */
     double sample_seconds;        /* last duration, seconds; 0 if none */

@@ -150,11 +150,6 @@ struct signals;
 MUST_USE enum status viewport_save(struct viewport *p, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes drawn->rgba, an image with one sample per pixel, to a PNG file with firn's metadata. */
-MUST_USE enum status viewport_save_drawn(struct viewport *p, float time, const char *path,
-                                         const struct render_result *drawn, VkExtent2D size,
-                                         struct signals *stop);
-
 /* Logs and returns STATUS_USAGE if a split view cannot be saved to one of the paths. */
 MUST_USE enum status viewport_can_save(bool is_split, const char *const *paths,
                                        uint32_t path_count);

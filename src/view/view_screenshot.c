@@ -1,11 +1,8 @@
-/* view_screenshot.c: saves screenshots and images, and copies the image to the clipboard. */
+/* view_screenshot.c: saves the image, and copies it to the clipboard. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 #include "src/base/clock.h"
-#include "src/base/path.h"
-#include "src/setup/image_output.h"
-#include "src/view/panels/ui_offscreen_capture.h"
 #include "src/view/view_internal.h"
 #include "src/view/window/clipboard_copy_png.h"
 
@@ -13,18 +10,6 @@ enum {
     NAME_SIZE = 32,
     FOLDER_SIZE = 512,
 };
-
-static enum status save_window(struct view *v, const char *path)
-{
-    struct render_result drawn = { 0 };
-    const struct window_frame window = view_window(v, NULL);
-    enum status status = ui_screenshot(&v->presenter, v->viewport, &window, v->ui, &drawn.rgba);
-    if (status == STATUS_OK)
-        status = viewport_save_drawn(v->viewport, v->drawn_time, path, &drawn,
-                                     v->presenter.swapchain.extent, &v->signals);
-    render_result_finish(&drawn);
-    return status;
-}
 
 static bool is_taken(uint32_t number)
 {
@@ -90,10 +75,9 @@ void view_take_screenshot(struct view *v)
     char words[NAME_SIZE + 16];
     const char *const paths[] = { png, exr };
     const double start = clock_seconds();
-    const bool all = v->screenshot_with_panels;
     view_clear_errors(v);
     const bool copies = v->screenshot_to_clipboard;
-    v->wants_screenshot = v->screenshot_with_panels = v->screenshot_to_clipboard = false;
+    v->wants_screenshot = v->screenshot_to_clipboard = false;
     if (copies) {
         copy_image_to_clipboard(v);
         view_frame_stats_exclude(&v->frame_stats, start);
@@ -103,7 +87,7 @@ void view_take_screenshot(struct view *v)
         continue;
     snprintf(png, sizeof(png), "firn-%04u.png", v->screenshot_number);
     snprintf(exr, sizeof(exr), "firn-%04u.exr", v->screenshot_number);
-    const enum status status = all ? save_window(v, png) : save_screenshot(v, paths, 2);
+    const enum status status = save_screenshot(v, paths, 2);
     snprintf(words, sizeof(words), status == STATUS_OK ? "saved %s" : "%s was not saved", png);
     if (status == STATUS_OK)
         ui_show_message(v->ui, words);
@@ -115,14 +99,5 @@ void view_take_screenshot(struct view *v)
 enum status view_write_outputs(struct view *v)
 {
     const struct setup_outputs *outputs = v->options->outputs;
-    enum status status = STATUS_OK;
-    if (v->options->window->overlay != SETUP_OVERLAY_ON)
-        return viewport_save(v->viewport, v->drawn_time, outputs->paths, outputs->count,
-                             &v->signals);
-    for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++)
-        status =
-            path_ends_in(outputs->paths[i], ".png")
-                ? save_window(v, outputs->paths[i])
-                : viewport_save(v->viewport, v->drawn_time, &outputs->paths[i], 1, &v->signals);
-    return status;
+    return viewport_save(v->viewport, v->drawn_time, outputs->paths, outputs->count, &v->signals);
 }

@@ -1,6 +1,9 @@
 /* view_state.c: title, messages, scene time, layout, camera and current settings of the viewer. */
+#define _GNU_SOURCE /* for fopencookie */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+#include <unistd.h>
 #include "src/render/frame/pass_list.h"
 #include "src/settings/scene_settings.h"
 #include "src/view/view_internal.h"
@@ -12,18 +15,62 @@ void view_set_title(struct view *v, const char *what)
     window_title(&v->window, title);
 }
 
+static bool begins(const char *text, size_t size, const char *prefix)
+{
+    return size >= strlen(prefix) && !memcmp(text, prefix, strlen(prefix));
+}
+
+/* Writes to the original stderr and keeps error messages, but not warnings and notes. */
+static ssize_t capture(void *user, const char *text, size_t size)
+{
+    static const char prefix[] = "firn: ";
+    struct view *v = user;
+    if (begins(text, size, prefix) && !begins(text, size, "firn: warning: ") &&
+        !begins(text, size, "firn: note: ")) {
+        pthread_mutex_lock(&v->error_lock);
+        snprintf(v->error, sizeof(v->error), "%.*s", (int)(size - strlen(prefix)),
+                 text + strlen(prefix));
+        v->error[strcspn(v->error, "\n")] = '\0';
+        pthread_mutex_unlock(&v->error_lock);
+    }
+    return write(STDERR_FILENO, text, size);
+}
+
+void view_capture_errors(struct view *v)
+{
+    FILE *stream = fopencookie(v, "w", (cookie_io_functions_t){ .write = capture });
+    pthread_mutex_init(&v->error_lock, NULL);
+    if (!stream)
+        return;
+    setvbuf(stream, NULL, _IONBF, 0); /* unbuffered like stderr, so that messages appear at once */
+    v->original_stderr = stderr;
+    stderr = stream;
+}
+
+void view_release_errors(struct view *v)
+{
+    FILE *stream = stderr;
+    if (v->original_stderr) {
+        stderr = v->original_stderr;
+        (void)fclose(stream);
+    }
+    pthread_mutex_destroy(&v->error_lock);
+}
+
 void view_clear_errors(struct view *v)
 {
-    char line[STDERR_CAPTURE_SIZE];
-    (void)stderr_capture_take(&v->stderr_capture, line);
+    pthread_mutex_lock(&v->error_lock);
+    *v->error = '\0';
+    pthread_mutex_unlock(&v->error_lock);
 }
 
 void view_fail(struct view *v, const char *what)
 {
-    char why[STDERR_CAPTURE_SIZE];
-    char words[STDERR_CAPTURE_SIZE + 64];
-    const bool known = stderr_capture_take(&v->stderr_capture, why);
-    snprintf(words, sizeof(words), "%s%s%s", what, known ? ": " : "", why);
+    char words[sizeof(v->error) + 64];
+    pthread_mutex_lock(&v->error_lock);
+    snprintf(words, sizeof(words), "%s%s%s", what, *v->error ? ": " : "", v->error);
+    *v->error = '\0';
+    pthread_mutex_unlock(&v->error_lock);
     ui_show_failure(v->ui, words);
 }
 
@@ -67,15 +114,6 @@ void view_seek(struct view *v, float time)
 {
     v->elapsed += fmax((double)time, 0.0) - (double)view_time(v);
     v->changed = true;
-}
-
-struct window_frame view_window(const struct view *v, const struct overlay_draw_list *list)
-{
-    return (struct window_frame){
-        .present = v->image_area,
-        .layout = v->layout,
-        .overlay = list,
-    };
 }
 
 /* Sets the camera. If the projection changes, replaces the renderers. */

@@ -71,8 +71,6 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->viewport)
         return viewport_upload(v->viewport);
-    if (shows_panels(v->options) || !v->options->window->frame_count)
-        ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
     return viewport_create(&v->viewport, &v->gpu, &v->initial_state, v->shader_reload,
                            v->options->quiet, !v->options->window->frame_count);
 }
@@ -81,7 +79,7 @@ static enum status open_ui(struct view *v)
 {
     const struct viewer_params *o = v->options;
     const enum status status =
-        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->thumbnails, o->quiet);
+        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), o->quiet);
     if (status != STATUS_OK)
         return status;
     window_set_listener(&v->window, ui_handle_event, v->ui);
@@ -116,11 +114,9 @@ static void leave_device(struct view *v)
 static void finish(struct view *v)
 {
     leave_device(v);
-    noise_estimate_finish(&v->progressive.noise);
     flip_error_map_finish(&v->compare.flip_map);
     image_finish(&v->compare.file.linear);
     session_file_finish(&v->session);
-    ui_thumbnails_finish(&v->thumbnails);
     viewport_destroy(v->viewport);
     undo_scenes_prune(&v->undo_scenes, NULL);
     shader_reload_destroy(v->shader_reload);
@@ -141,15 +137,10 @@ static bool wait_for_frame(struct view *v, VkExtent2D size)
     const bool idle =
         v->paused && !v->changed && !counted && !ui_is_busy(v->ui) && !(v->resize_at > 0.0);
     const double rest = view_progressive_wait(v);
-    if (size.width != 0 && !idle && v->now >= v->next_frame_at)
+    if (size.width != 0 && !idle)
         return true;
-    if (size.width == 0 || idle) {
-        window_wait(&v->window, rest > 0.0 && rest < idle_seconds ? rest : idle_seconds);
-        view_frame_stats_pause(&v->frame_stats);
-    } else {
-        window_wait(&v->window, v->next_frame_at - v->now);
-        view_frame_stats_limit(&v->frame_stats, v->now);
-    }
+    window_wait(&v->window, rest > 0.0 && rest < idle_seconds ? rest : idle_seconds);
+    view_frame_stats_pause(&v->frame_stats);
     return false;
 }
 
@@ -165,7 +156,6 @@ static enum status fit_image(struct view *v, bool window_changed)
 {
     const struct viewport *p = v->viewport;
     const VkExtent2D room = v->layout.image.extent;
-    char words[REBUILD_LOG_SIZE];
     const bool waits = window_changed && p->renderer && !v->options->window->frame_count;
     if (p->renderer && p->state.width == room.width && p->state.height == room.height) {
         v->resize_at = 0.0;
@@ -182,12 +172,7 @@ static enum status fit_image(struct view *v, bool window_changed)
     presenter_disconnect(&v->presenter);
     if (!p->renderer)
         return resize(v);
-    const double start = clock_seconds();
-    const enum status status = worker_run(&v->window, resize, v);
-    snprintf(words, sizeof(words), "image size %ux%u (plan recompiled in %.0f ms)", room.width,
-             room.height, (clock_seconds() - start) * 1e3);
-    rebuild_log_add(&v->rebuild_log, words);
-    return status;
+    return worker_run(&v->window, resize, v);
 }
 
 /* Resizes swapchain, layout and renderer to the window. *ready is false if nothing can be drawn. */
@@ -282,7 +267,11 @@ static enum status draw(struct view *v, bool *ready)
     const bool divided = viewport_is_split(p) && !p->flipped && !v->compare.wants_error_map;
     v->image_area = present_fit(v->layout.image, viewport_extent(p), divided ? p->divider : -1.0);
     v->image_area.surround = theme_at(v->theme)->surround;
-    const struct window_frame window = view_window(v, list);
+    const struct window_frame window = {
+        .present = v->image_area,
+        .layout = v->layout,
+        .overlay = list,
+    };
     return presenter_end(&v->presenter, &window);
 }
 
@@ -323,7 +312,7 @@ static void count_frame(struct view *v)
         (v->redrawn || v->progressive.has_full_draft || v->progressive.shown_count == 1))
         view_frame_stats_image(c, v->redrawn);
     if (v->redrawn && p->is_progressive && !p->draft.is_off && c->last.frame > 0.0)
-        dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame - c->last.limit,
+        dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame,
                                viewport_pass_seconds(p));
     if (c->frame_count == 1) {
         remember(v);
@@ -334,8 +323,6 @@ static void count_frame(struct view *v)
     }
     if (o->time_step > 0.0 && !v->paused)
         v->elapsed += o->time_step;
-    if (o->fps_limit)
-        v->next_frame_at = v->now + 1.0 / o->fps_limit;
     v->quit = v->quit || (o->frame_count && c->frame_count >= o->frame_count);
 }
 
@@ -474,13 +461,13 @@ enum status viewer_run(const struct viewer_params *options)
     v->paused = !options->window->frame_count && !(options->window->time_step > 0.0);
     if (status == STATUS_OK)
         status = signals_begin(&v->signals);
-    stderr_capture_begin(&v->stderr_capture);
+    view_capture_errors(v);
     if (status == STATUS_OK)
         status = run(v);
-    stderr_capture_end(&v->stderr_capture);
     if (status == STATUS_OK && !options->quiet)
         view_frame_stats_print(&v->frame_stats, stderr);
     finish(v);
+    view_release_errors(v);
     if (status == STATUS_OK && v->message_count)
         status = STATUS_FAILED; /* the validation layer has logged the reason */
     signals_end(&v->signals);

@@ -7,7 +7,6 @@ import collections
 import importlib
 import json
 import pathlib
-import shlex
 import shutil
 import statistics
 import struct
@@ -21,7 +20,6 @@ from case import (  # noqa: E402
     DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, long, main)
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
-from png_file import Png  # noqa: E402
 
 ASSETS = pathlib.Path(__file__).parents[2] / 'assets'
 sys.path.append(str(ASSETS / 'generate'))
@@ -64,41 +62,6 @@ class Generators(Case):
         text = (ASSETS / 'README.md').read_text(encoding='utf-8')
         for name in FILES:
             self.assertRegex(text, rf'(?m)^\| `{name}` \| .* \| made by `generate/\w+\.(py|c)` ')
-
-
-class Sheets(Case):
-    """Pictures for the window's buttons, of all materials and rungs."""
-
-    def text(self, name, key):
-        """Of its metadata."""
-        text = Png((ASSETS / f'{name}.png').read_bytes()).chunks['tEXt']
-        return text.partition(f'firn/{key}\0'.encode())[2].partition(b'firn/')[0].decode()
-
-    def words(self, name):
-        """Of the command that drew it; the last one is the path of its file."""
-        return shlex.split(self.text(name, 'command'))
-
-    def test_they_show_all_there_is(self):
-        text = (ASSETS / 'README.md').read_text(encoding='utf-8')
-        for name, topic, what in (('materials', 'materials', 'material'),
-                                  ('rungs', 'refractions', 'refraction')):
-            rows = json.loads(self.succeed('list', topic, '--json').stdout)[topic]
-            names = [row['name'] for row in rows]
-            names = [rung for rung in names if rung != 'reference']  # which no window draws with
-            words = [f'{what}={",".join(names)}' if word.startswith(f'{what}=') else word
-                     for word in self.words(name)[:-1]] + [f'assets/{name}.png']
-            labels = self.text(name, 'labels').split(',')
-            self.assertEqual([value for value in names if f'{what}={value}' not in labels], [],
-                             f'{name}.png lacks these; redraw it: build/{shlex.join(words)}')
-            self.assertRegex(text, rf'(?m)^\| `{name}.png` \| .* \| rendered by '
-                                   r'`firn sheet`; MIT \|$')
-
-    @long
-    def test_their_commands_draw_them(self):
-        for name in ('materials', 'rungs'):
-            self.succeed(*self.words(name)[1:-1], f'{name}.png')
-            done = self.succeed('diff', ASSETS / f'{name}.png', f'{name}.png', '--json')
-            self.assertLess(json.loads(done.stdout)['flip']['mean'], 0.005, name)
 
 
 class Shells(Case):

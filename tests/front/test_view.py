@@ -179,7 +179,7 @@ class Hands(WindowCase):
         rows = [tuple(cell.strip() for cell in line.split('|')[1:3])
                 for line in table.splitlines()[2:]]
         lines = self.printed().splitlines()[:len(rows)]
-        self.assertEqual(rows, [(line[2:18].strip(), line[19:]) for line in lines])
+        self.assertEqual(rows, [(line[2:22].strip(), line[23:]) for line in lines])
 
     def test_closed_while_it_loads(self):
         window = self.start('teapot', title='loading .*', plain=())
@@ -313,8 +313,7 @@ class Automatic(WindowCase):
 
     def test_every_present_mode(self):
         for mode in ('fifo', 'mailbox', 'immediate'):
-            done = self.view('sphere', *CHECKED, *SMALL, '--frames', 8, '--present', mode,
-                             '--fps-limit', 200)
+            done = self.view('sphere', *CHECKED, *SMALL, '--frames', 8, '--present', mode)
             self.assertRegex(done.stderr.decode(), r'\A8 frames, .* ms presentation\n\Z')
 
     def test_quiet(self):
@@ -373,7 +372,7 @@ class NoWindow(Case):
 
     def test_help_needs_no_display(self):
         text = self.succeed('view', '--help').stdout.decode()
-        for option in ('--frames', '--time-step', '--screenshot', '--present', '--fps-limit',
+        for option in ('--frames', '--time-step', '--screenshot', '--present',
                        '--overlay'):
             self.assertIn(option, text)
         self.assertNotIn('--resume', text)
@@ -383,7 +382,7 @@ class NoWindow(Case):
         self.refuse(USAGE, 'view')
         for option, value in (('--frames', '0'), ('--frames', '1-5'), ('--time-step', '-1'),
                               ('--time-step', 'nan'), ('--present', 'relaxed'),
-                              ('--fps-limit', '0'), ('--screenshot', 'a.gif'),
+                              ('--screenshot', 'a.gif'),
                               ('--overlay', 'maybe')):
             self.refuse(USAGE, 'view', 'sphere', option, value, names=[option, value])
 

@@ -168,11 +168,11 @@ class Panels(PanelsCase):
 
     def test_lists_choose_rungs_and_materials(self):
         second = self.names('rungs')[1]
-        material = self.names('materials')[-1]
+        material, ior = 'diamond', 'refract.ior=2.417 '
         window = self.start_with_panels(plain=PLAIN)
-        self.wait_for_command(window, f' --material {material} ',
-                              act=lambda: self.choose(window, 'Material preset', material))
-        for group, row, shown in (('Material', 'Material preset', False),
+        self.wait_for_command(window, ior,
+                              act=lambda: self.click(window, material))
+        for group, row, shown in (('Material', material, False),
                                   ('Inside', 'cracks.count', False),
                                   ('Quality', 'Refraction model', True)):
             self.fold(window, group, row, shown)
@@ -181,41 +181,16 @@ class Panels(PanelsCase):
         self.find(rf'sphere, {second} \| paper, paused', act=lambda: self.choose_side_b(window))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.press_for(window, 'w', 'sphere, paused')
-        self.pictures(window)
         self.close(window)
 
-    def pictures(self, window):
-        """In a higher panel rungs have one each, of its own, as materials have."""
-        self.desktop.do('windowsize', '--sync', window, 305, 340)
-        rungs = [name for name in self.names('rungs') if name != 'reference']
-        wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
-        self.assertGreater(self.control('paper')[3], 25)  # rows of pixels; a line of text has 15
-
-        def each_has_its_own():  # they come one by one
-            shown = self.desktop.pixels(window)
-            parts = {self.picture_of(shown, 305, left + 4, top + 4, width - 8, 16)  # above its name
-                     for left, top, width, _ in map(self.control, rungs)}
-            return len(parts) == len(rungs)
-        wait_until('a picture of each rung', each_has_its_own, self.words)
-        self.wait_for_command(window, ' --refraction wyman ',
-                              act=lambda: self.click(window, 'wyman'))
-        self.fold(window, 'Quality', 'Refraction model', False)
-        self.fold(window, 'Material', 'Material preset', True)
-        self.wait_for_command(window, ' --material diamond ',
-                              act=lambda: self.click(window, 'diamond'))
-
     @unsanitized
-    def test_only_some_screenshots_have_panels(self):
+    def test_files_have_no_panels(self):
         copied = self.xclip()
         window = self.start_with_panels()
         alone = self.shoot(window, 1)
         self.press_until(window, 'ctrl+c', 'a copy', copied.exists)
         self.assertEqual(copied.read_bytes(), alone.read_bytes())
-        path = self.folder / 'firn-0002.png'
-        self.press_until(window, 'P', 'the screenshot of all', path.exists)
-        self.assertNotIn('firn-0002.exr', self.files())
-        self.assertNotEqual(png_pixels(path), png_pixels(alone))
-        self.assertEqual((png_size(alone), png_size(path)), (self.PICTURE, self.WINDOW))
+        self.assertEqual(png_size(alone), self.PICTURE)
         self.press_until(window, 'h', 'no panels', lambda: self.desktop.pixels(window) ==
                          png_pixels(self.shoot_next(window)))
         hidden = self.desktop.pixels(window)
@@ -239,18 +214,11 @@ class Panels(PanelsCase):
 
     def test_all_panels_by_key(self):
         window = self.start_with_panels()
-        for key, gone in (('b', 'search'), ('g', 'search')):
-            self.press_until(window, key, f'the panel of {key}', lambda: not self.control(gone))
-            self.press_until(window, key, 'the settings', lambda: self.control(gone))
+        self.press_until(window, 'b', 'the passes', lambda: not self.control('search'))
+        self.press_until(window, 'b', 'the settings', lambda: self.control('search'))
         shown = {self.desktop.pixels(window)}
         self.press_until(window, 'b', 'what costs', lambda: self.label('the last '))
         self.assertTrue(self.said(r'[\d.]+ MiB of memory, [\d.]+ without aliasing'))
-        self.press(window, 'b')
-        self.wait_for_command(window, 'cracks.count=', act=lambda: self.drag_row(
-            window, 'cracks.count', 0.2, 0.7))
-        self.press(window, 'Escape')
-        self.press_until(window, 'b', 'why a change took long', lambda: len(self.said(
-            r'Cracks \d+ -> \d+ \(scene rebuilt.*')) > 1)  # and below
         for key in ('F1', 'ctrl+t', 'ctrl+plus'):
             self.press_until(window, key, key, lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))
@@ -326,7 +294,6 @@ class Panels(PanelsCase):
         window = self.start_with_panels()
         self.wait_for_command(window, 'refract.ior=1.5 ',
                               act=lambda: self.find_and_choose(window, 'material glass'))
-        self.misspelt(window)
         self.wait_for_command(window, without='refract.ior',
                               act=lambda: self.press(window, 'ctrl+z'))
         self.wait_for_command(window, 'refract.ior',
@@ -342,7 +309,6 @@ class Panels(PanelsCase):
                               act=lambda: self.click(window, 'Reset all'))
         self.wait_for_command(window, 'refract.ior=1.5 ', 'bump.strength=0', act=lambda:
                               self.find_and_choose(window, 'preset preset-0001.txt'))
-        self.bookmarks(window)
         self.keys_fit(window)
         seen = self.desktop.pixels(window)
         self.press_until(window, 'o', 'another projection',
@@ -352,32 +318,6 @@ class Panels(PanelsCase):
         last = scenes[scenes.index('room') - 1]
         self.press_for(window, 'Prior', f'{last}, paused')
         self.close(window)
-
-    def misspelt(self, window):
-        """The palette finds what some letters, or a wrong one, or another word, are for."""
-        self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        for typed, found in (('wtr ampl', 'First octave amplitude (water.amplitude)'),
-                             ('anisotrpoy', 'Anisotropic filtering (texture.anisotropy)'),
-                             ('spin', 'Turntable (motion.ice)')):
-            self.assertIsNone(self.control(found))  # no panel shows it
-            wait_until(found, lambda found=found: self.control(found) and not self.control(
-                'open pool'), self.words, act=lambda typed=typed: self.desktop.do(
-                    'windowfocus', '--sync', window, 'key', 'ctrl+a', 'type', typed))
-        self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
-
-    def bookmarks(self, window):
-        """A camera that was stored is gone back to."""
-        front = self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
-        self.press_until(window, 'ctrl+shift+2', 'a stored camera',
-                         lambda: self.label('stored camera 2'))
-        side = self.wait_for_command(window, '--eye', without=self.eye(front),
-                                     act=lambda: self.press(window, '3'))
-        self.assertNotEqual(self.eye(side), self.eye(front))
-        self.wait_for_command(window, self.eye(front), act=lambda: self.press(window, 'ctrl+2'))
-
-    @staticmethod
-    def eye(command):
-        return '--eye ' + command.partition('--eye ')[2].split()[0]
 
     @unsanitized
     def test_what_a_scene_brings_goes_with_it(self):
@@ -441,7 +381,7 @@ class Panels(PanelsCase):
     def test_words_about_what_is_below_the_mouse(self):
         window = self.start_with_panels()
         shown = [self.desktop.pixels(window)]
-        for label in ('Play', 'Plan', 'refract.ior'):
+        for label in ('Play', 'Passes', 'refract.ior'):
             shown.append(self.desktop.pixels(window))
             wait_until(f'words at {label}', lambda: self.desktop.pixels(window) not in shown,
                        act=lambda label=label: self.desktop.do('mousemove', '--window', window,
@@ -522,13 +462,6 @@ class Panels(PanelsCase):
             return set(self.folder.glob('firn-*.png')) - before
         return wait_until('a screenshot', look, self.words,
                           act=lambda: self.press(window, 'p')).pop()
-
-    def test_panels_in_files_if_asked_for(self):
-        words = ('sphere', *CHECKED, *PLAIN, '--time-step', 1, '--frames', 3)
-        self.view(*words, '--screenshot', 'a.png')
-        self.view(*words, '--overlay', 'on', '--screenshot', 'b.png', '--screenshot', 'b.exr')
-        self.assertEqual(png_size(self.folder / 'a.png'), (200, 150))
-        self.assertEqual(png_size(self.folder / 'b.png'), (400, 150 + 36 + 26))
 
 
 if __name__ == '__main__':

@@ -3,14 +3,13 @@
 All keys of the table in docs/view.md are pressed equally often, one at a time, and the mouse does
 all that is in it equally often between them, by a seed that FIRN_RANDOM_SEED changes. Where a line
 of text or a panel has the keys, Esc mostly gives them back before: else few would do what they are
-there for. The window counts what was done (--ui-dump).
+there for.
 
 FIRN_RANDOM_SECONDS=3600 goes on for an hour, FIRN_RANDOM_ROUNDS=100 until each has been pressed so
-often; then it says how often each action was done and how much memory there was in each quarter,
-which must not grow in all of them, and by how much it grew in the last half: the slope of the least
-squares, with its standard error. After an hour no action may have been done less than a hundred
-times. With -Db_sanitize=address it finds what is used after it is gone. FIRN_RANDOM_VALIDATE=off
-leaves out the validation layer, which keeps memory of its own.
+often; then it says how much memory there was in each quarter, which must not grow in all of them,
+and by how much it grew in the last half: the slope of the least squares, with its standard error.
+With -Db_sanitize=address it finds what is used after it is gone. FIRN_RANDOM_VALIDATE=off leaves
+out the validation layer, which keeps memory of its own.
 """
 import math
 import os
@@ -33,7 +32,6 @@ SEED = int(os.environ.get('FIRN_RANDOM_SEED', 1))
 ROUNDS = int(os.environ.get('FIRN_RANDOM_ROUNDS', 1))  # of all keys, at least
 TYPED = 0.2  # of the keys go where they happen to
 LONG = 1200  # seconds; before, caches fill
-HOUR, OFTEN = 3600, 100  # then each action was done so often
 PAUSE = 0.04  # seconds between two things that a hand does, in a long run
 MORE = 2048  # KiB in a quarter
 SIGNS = {'+': 'plus', '-': 'minus', '[': 'bracketleft', ']': 'bracketright', '/': 'slash',
@@ -54,13 +52,8 @@ def keys():
         if name in NO_KEYS:
             continue
         for word in name.split(', '):
-            first, _, last = word.partition('-')
-            for one in [first[:-1] + str(i) for i in range(1, int(last) + 1)] if last else [word]:
-                if one in LAST:
-                    continue
-                *held, key = [one] if one in SIGNS else one.replace('+', ' ').split() or ['+']
-                if one.endswith(' +'):
-                    held, key = ['Ctrl'], '+'
+            if word not in LAST:
+                *held, key = [word] if word in SIGNS else word.split()
                 key = SIGNS.get(key, key.lower() if len(key) == 1 else key)
                 found.append('+'.join([*map(str.lower, held), key]))
     return found
@@ -118,18 +111,10 @@ class Random(PanelsCase):
             self.fail(f'seed {SEED}\n{self.words()}')
         return int(found[1])
 
-    def done(self):
-        """How often each action was, but for the one that ends it all."""
-        found = (re.fullmatch(r'0 0 0 0 done (\d+): (.*)', line)
-                 for line in (self.folder / 'ui').read_text().splitlines())
-        counts = {line[2]: int(line[1]) for line in found if line}
-        self.assertEqual(counts.pop('close the window'), 1)
-        return counts
-
     def test_anything(self):
         table, rng, gestures = keys(), random.Random(SEED), []
         self.assertGreater(len(table), 40)
-        self.assertIn('ctrl+shift+4', table)
+        self.assertIn('ctrl+shift+z', table)
         self.write_files()
         window = self.start_with_panels('--samples', 2, plain=('--plain', '--set',
                                                                'env_cube.size=64'))
@@ -157,20 +142,19 @@ class Random(PanelsCase):
         self.desktop.do('keyup', 'shift', 'keyup', 'ctrl', 'key', 'Escape', 'key', 'Escape')
         self.press_to_end(window, 'ctrl+q')
         self.assertNotIn('ERROR', self.words())
-        done = self.done()
-        self.assertGreater(sum(done.values()), len(table) / 2, done)
+        for action in ('firn render ', 'drop a file'):  # of C and F1
+            self.assertIn(action, self.printed())
+        self.assertGreater(self.words().count('firn-'), 0)  # of P
         if SECONDS or ROUNDS > 1:
             end = sizes[-1][0]
             most = [max(size for when, size in sizes if q - 1 <= 4 * when / end <= q)
                     for q in (1, 2, 3, 4)]
-            print(f'{rounds} times each of {len(table)} keys, in {end:.0f} s: {done}')
+            print(f'{rounds} times each of {len(table)} keys, in {end:.0f} s')
             print(f'{most} KiB in each quarter')
             rise, error = slope([(when / 60, size) for when, size in sizes if when > end / 2])
             print(f'in the last half {rise:.0f} +- {error:.0f} KiB more a minute')
             if end >= LONG:
                 self.assertLess(min(b - a for a, b in zip(most, most[1:])), MORE)
-            if end >= HOUR:
-                self.assertGreaterEqual(min(done.values()), OFTEN, done)
 
 
 if __name__ == '__main__':

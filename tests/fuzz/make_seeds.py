@@ -21,9 +21,8 @@ TEXTS = {
     'camera': ('eye 1,2,3\ntarget 0,0,0\nfov 45\nsize 64x48', 'orbit 10,-20,5e3\ntarget 1,1,1'),
     'frame_range': ('1-9x2,-4--2,20',),
     'model_pipe': (),
-    'session': ('scene=a%20b.glb\nenv=alps\nenv-rotate=-35.5\nrung=bounce\nb=stored\n'
-                'b.rung=trace\ntime=3.25\ncamera=1,2,3,0,0.5,0,0,1,0,40,0,0\n'
-                'camera-4=0,0,9,0,0,0,0,0,0,45,2,30\ncracks.count=5\nb.cracks.count=7',),
+    'session': ('scene=a%20b.glb\nenv=alps\nenv-rotate=-35.5\nrung=bounce\n'
+                'time=3.25\ncamera=1,2,3,0,0.5,0,0,1,0,40,0,0\ncracks.count=5',),
     'settings': ('tonemap.curve=neutral', 'refract_paper.back_weight=0.5'),
 }
 

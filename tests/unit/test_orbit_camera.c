@@ -85,9 +85,9 @@ static void every_action_has_words(void **state)
 {
     (void)state;
     for (enum view_action a = VIEW_LEFT; a < VIEW_ACTION_COUNT; a++) {
-        assert_non_null(key_bindings_label(a));
-        assert_true(strlen(key_bindings_label(a)) <= 32); /* has room in F1 */
-        assert_true(strlen(key_bindings_help(a)) >= strlen(key_bindings_button(a)));
+        assert_non_null(key_bindings[a].keys);
+        assert_true(strlen(key_bindings[a].label) <= 32); /* has room in F1 */
+        assert_true(strlen(key_bindings_help(a)) >= strlen(key_bindings[a].label));
     }
 }
 
@@ -195,6 +195,14 @@ static void every_key_has_one_meaning(void **state)
     /* GLFW names letters by their capitals: those come as characters */
     assert_int_equal(find(GLFW_KEY_Q, 0, false), VIEW_ACTION_NONE);
     assert_int_equal(find(0, 0, false), VIEW_ACTION_NONE);
+    /* Shift counts where it has a meaning of its own */
+    assert_int_equal(find(0, 'e', true), VIEW_BRIGHTER);
+    assert_int_equal(find(0, 'E', true), VIEW_DARKER);
+    assert_int_equal(find(0, 'P', false), VIEW_SCREENSHOT);
+    assert_int_equal(find(0, ',', true), VIEW_PREVIOUS_FRAME);
+    assert_int_equal(find(0, 'd', false), VIEW_ERROR_MAP); /* not "drag" */
+    const struct key_press shifted = { .key = GLFW_KEY_LEFT, .shift = true };
+    assert_int_equal(key_bindings_find(&shifted), VIEW_LEFT);
 }
 
 int main(void)

@@ -119,13 +119,6 @@ static void test_index_of_refraction(void **state)
 {
     (void)state;
     struct fixture f;
-    static const char plain[] = " --set air.count=0 --set bubbles.count=0 --set cracks.count=0 "
-                                "--set bump.strength=0 -o firn.png";
-    char words[256], expected[256];
-    snprintf(words, sizeof(words), "sphere --set refract.ior=2.417%s", plain);
-    snprintf(expected, sizeof(expected),
-             "firn render sphere --size 320x240 --samples 1 --material diamond%s", plain);
-    check(words, expected);
     check("sphere --set refract.ior=2.417", /* --material would take the cracks off */
           "firn render sphere --size 320x240 --samples 1 --set refract.ior=2.417 -o firn.png");
     check("a.obj --material ice", "firn render a.obj --size 320x240 --samples 1 --material ice -o "

@@ -81,11 +81,11 @@ static void presets_are_where_xdg_says(void **state)
     assert_non_null(mkdtemp(folder));
     unsetenv("XDG_DATA_HOME");
     unsetenv("HOME");
-    assert_null(user_files_presets(true));
+    assert_null(user_files_data("preset", true));
     setenv("XDG_DATA_HOME", "relative", 1);
-    assert_null(user_files_presets(true));
+    assert_null(user_files_data("preset", true));
     setenv("HOME", folder, 1);
-    char *path = user_files_presets(true);
+    char *path = user_files_data("preset", true);
     snprintf(wanted, sizeof(wanted), "%s/.local/share/firn/presets", folder);
     assert_string_equal(path, wanted);
     char *first = user_files_new(path, "preset", ".txt");

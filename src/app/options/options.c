@@ -124,8 +124,6 @@ static const struct option options[] = {
       .max = SETUP_OUTPUT_COUNT, .words = image_endings, .unit = ", or -" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
       "present mode: fifo, mailbox, immediate (default: fifo)" },
-    { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(window.fps_limit),
-      "maximum frames per second, 1 to 1000 (default: no limit)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW,
       AT(enum setup_overlay, window.overlay, option_word),
       "panels beside the image (default: on; off with --frames or --screenshot)", .min = 1,

@@ -14,12 +14,6 @@ void comparison_image_leave_device(struct comparison_image *s, struct gpu *gpu)
     s->is_current = false;
 }
 
-void comparison_image_finish(struct comparison_image *s, struct gpu *gpu)
-{
-    comparison_image_leave_device(s, gpu);
-    image_finish(&s->linear);
-}
-
 static uint8_t to_byte(float x)
 {
     return (uint8_t)lrintf(glm_clamp(x, 0.0f, 1.0f) * 255.0f);

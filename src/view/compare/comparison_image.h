@@ -25,6 +25,5 @@ MUST_USE enum status comparison_image_upload(struct comparison_image *s, struct 
                                              const uint8_t *rgba, VkExtent2D size);
 
 void comparison_image_leave_device(struct comparison_image *s, struct gpu *gpu);
-void comparison_image_finish(struct comparison_image *s, struct gpu *gpu); /* {0} is fine */
 
 #endif

@@ -49,7 +49,6 @@ enum imgui_key {
 enum {
     IMGUI_BUTTON_COUNT = 3,     /* left, right, middle mouse button */
     IMGUI_CHARACTER_COUNT = 16, /* maximum typed characters per frame */
-    IMGUI_THUMBNAIL_MAX = 64,
 };
 
 /* State of the input devices at the start of a frame. */
@@ -71,24 +70,14 @@ struct imgui;
  * built-in bitmap font is used. Returns NULL if out of memory. */
 struct imgui *imgui_create(const struct system_font *font);
 
-/* Thumbnails for imgui_thumbnail_button() buttons. */
-struct imgui_thumbnails {
-    const uint8_t *rgba;    /* sRGB-encoded RGBA, top row first */
-    uint32_t width, height; /* size of each image, texels */
-    uint32_t count;         /* at most IMGUI_THUMBNAIL_MAX */
-};
-
-/* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
-void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails);
-
 /* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Must not be
  * called within a frame. If the font cannot be read, uses the built-in font and returns false. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
 void imgui_destroy(struct imgui *ui);                              /* may be NULL */
 
-/* Returns the font atlas as RGBA pixels. Letters are white, with coverage in alpha. Thumbnails are
- * opaque. The pixels are valid until imgui_rescale() or imgui_destroy(). */
+/* Returns the font atlas as RGBA pixels. Letters are white, with coverage in alpha. The
+ * pixels are valid until imgui_rescale() or imgui_destroy(). */
 const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
 
 void imgui_begin(struct imgui *ui, const struct imgui_input *input);
@@ -128,7 +117,6 @@ void imgui_gap_end(void);
 
 void imgui_scroll_begin(const char *name);
 void imgui_scroll_end(void);
-void imgui_scroll_to_here(void);           /* scrolls to the last item */
 void imgui_focus_panel(const char *title); /* NULL clears the keyboard focus */
 bool imgui_is_active(void);                /* true while an item is used */
 float imgui_scale(void);                   /* scale set by imgui_rescale() */
@@ -157,18 +145,14 @@ void imgui_name(const char *text);                     /* lists the last item in
 void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
 void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
 void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
-void imgui_align(void);               /* aligns text with buttons */
-void imgui_warning(const char *text); /* red, wrapped */
-void imgui_separator(void);
+void imgui_align(void);                    /* aligns text with buttons */
+void imgui_warning(const char *text);      /* red, wrapped */
 void imgui_text_wrapped(const char *text); /* wrapped; listed in imgui_items() */
 bool imgui_button(const char *label);
 bool imgui_small_button(const char *label);
 bool imgui_choice_button(const char *label, bool chosen); /* one of exclusive buttons */
 bool imgui_selectable(const char *label, bool chosen);    /* row as wide as the panel */
 
-/* Draws one of several exclusive buttons, `width` pixels wide. A thumbnail is above the label. If
- * the index `thumbnail` is out of range, draws only the label. */
-bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen);
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 
@@ -176,7 +160,6 @@ bool imgui_collapsing_header(const char *label,
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
-bool imgui_is_enter_pressed(void); /* Enter finished the last text field */
 
 struct imgui_slider_range {
     float min, max;
@@ -212,6 +195,11 @@ uint32_t imgui_gesture(const struct imgui *ui);
 
 #define IMGUI_RGBA(r, g, b, a) \
     ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(g) << 8 | (uint32_t)(r))
+
+/* Draws a ring of values, the oldest at index `first`, as bars as wide as the panel. `most` is the
+ * value at the top. A tooltip shows the value at the cursor. */
+void imgui_histogram(const char *label, const float *values, uint32_t count, uint32_t first,
+                     float most, float height);
 
 /* Reserves an area of the panel for drawing, and returns its position. */
 struct imgui_rect imgui_reserve(float width, float height);

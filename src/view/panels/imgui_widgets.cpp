@@ -6,8 +6,6 @@
 namespace
 {
 
-constexpr float thumbnail_width = 64.0f; /* pixels at scale 1 */
-
 ImVec2 position(const imgui_rect &area)
 {
     return { area.x, area.y };
@@ -63,11 +61,6 @@ void imgui_scroll_begin(const char *name)
 void imgui_scroll_end(void)
 {
     ImGui::EndChild();
-}
-
-void imgui_scroll_to_here(void)
-{
-    ImGui::SetScrollHereY();
 }
 
 /* Records the last widget for imgui_items(). Its name is the part of `label` before "##". If that
@@ -296,11 +289,6 @@ void imgui_text_wrapped(const char *text)
     note(text);
 }
 
-void imgui_separator(void)
-{
-    ImGui::Separator();
-}
-
 bool imgui_button(const char *label)
 {
     const bool pressed = ImGui::Button(label);
@@ -322,51 +310,6 @@ bool imgui_choice_button(const char *label, bool chosen)
                           imgui_state_color(chosen ? colors->pressed : colors->raised));
     const bool pressed = imgui_button(label);
     ImGui::PopStyleColor();
-    return pressed;
-}
-
-/* Draws a thumbnail centred at the top of the last button. */
-static void draw_thumbnail(const imgui *ui, uint32_t thumbnail, const ImVec2 &size)
-{
-    const ImFontAtlas *fonts = ImGui::GetIO().Fonts;
-    const float padding = ImGui::GetStyle().FramePadding.y;
-    const ImVec2 corner = ImGui::GetItemRectMin();
-    const float left = corner.x + (ImGui::GetItemRectSize().x - size.x) / 2.0f;
-    ImVec2 from;
-    ImVec2 to;
-    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->rects[thumbnail]], &from, &to);
-    ImGui::GetWindowDrawList()->AddImage(fonts->TexID, ImVec2(left, corner.y + padding),
-                                         ImVec2(left + size.x, corner.y + padding + size.y), from,
-                                         to);
-}
-
-bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen)
-{
-    const imgui *ui = static_cast<const imgui *>(ImGui::GetIO().UserData);
-    const theme *colors = imgui_theme();
-    const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    const imgui_thumbnails &all = ui->thumbnails;
-    const float across = ImMin(thumbnail_width * ui->scale, width - 2.0f * padding.x);
-    const ImVec2 size(across,
-                      across * static_cast<float>(all.height) / static_cast<float>(all.width));
-    const ImVec2 whole(width, size.y + 3.0f * padding.y + ImGui::GetTextLineHeight());
-    ImGui::PushID(label);
-    ImGui::PushStyleColor(ImGuiCol_Button,
-                          imgui_state_color(chosen ? colors->pressed : colors->raised));
-    const bool pressed = ImGui::Button("##thumbnail", whole);
-    ImGui::PopStyleColor();
-    ImGui::PopID();
-    note(label);
-    if (thumbnail < all.count)
-        draw_thumbnail(ui, thumbnail, size);
-    const ImVec2 corner = ImGui::GetItemRectMin();
-    const ImVec2 end = ImGui::GetItemRectMax();
-    const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);
-    ImGui::RenderTextClipped(from, ImVec2(end.x - 1.0f, end.y), label, nullptr, nullptr,
-                             ImVec2(0.5f, 0.0f));
-    if (chosen) /* the outline shows the choice without relying on colour */
-        ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(colors->accent),
-                                            ImGui::GetStyle().FrameRounding, 0, 2.0f * ui->scale);
     return pressed;
 }
 
@@ -419,11 +362,6 @@ bool imgui_text_field(const char *label, const char *hint, char *text, size_t si
     return changed;
 }
 
-bool imgui_is_enter_pressed(void)
-{
-    return ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-}
-
 static ImGuiSliderFlags slider_flags(const struct imgui_slider_range *slide)
 {
     return ImGuiSliderFlags_AlwaysClamp |
@@ -458,6 +396,13 @@ bool imgui_number_field(const char *label, uint32_t *value)
 }
 
 /* ---- drawing ---- */
+
+void imgui_histogram(const char *label, const float *values, uint32_t count, uint32_t first,
+                     float most, float height)
+{
+    ImGui::PlotHistogram(label, values, static_cast<int>(count), static_cast<int>(first), nullptr,
+                         0.0f, most, ImVec2(ImGui::GetContentRegionAvail().x, height));
+}
 
 struct imgui_rect imgui_reserve(float width, float height)
 {

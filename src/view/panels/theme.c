@@ -1,6 +1,5 @@
 /* theme.c: the dark and the light colour theme. */
 #include "src/view/panels/theme.h"
-#include <math.h>
 #include <stddef.h>
 
 static const struct theme themes[] = {
@@ -37,23 +36,4 @@ static const struct theme themes[] = {
 const struct theme *theme_at(uint32_t i)
 {
     return i < sizeof(themes) / sizeof(themes[0]) ? &themes[i] : NULL;
-}
-
-static double linear(uint32_t channel)
-{
-    const double c = (double)channel / 255.0;
-    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
-}
-
-static double luminance(uint32_t color)
-{
-    return 0.2126 * linear(color >> 16 & 255) + 0.7152 * linear(color >> 8 & 255) +
-           0.0722 * linear(color & 255);
-}
-
-double theme_contrast(uint32_t a, uint32_t b)
-{
-    const double x = luminance(a);
-    const double y = luminance(b);
-    return (fmax(x, y) + 0.05) / (fmin(x, y) + 0.05);
 }

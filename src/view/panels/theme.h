@@ -20,7 +20,4 @@ struct theme {
 /* Returns theme i; NULL after the last. The first is the default. */
 const struct theme *theme_at(uint32_t i);
 
-/* Returns the WCAG contrast ratio of two colours, 1 to 21. */
-double theme_contrast(uint32_t a, uint32_t b);
-
 #endif

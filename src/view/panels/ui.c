@@ -18,20 +18,17 @@ static const float click_reach = 3.0f;   /* pixels; longer mouse movements are d
 
 /* ---- dump for scripts ---- */
 
-void ui_count_action(struct ui *ui, enum view_action action)
-{
-    ui->action_counts[action]++;
-}
-
 void ui_dump(struct ui *ui, const char *path)
 {
     ui->dump_path = path;
 }
 
 /* Writes a new dump file, then renames it, so that scripts never read an incomplete one. */
-static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
+static void write_dump(const struct ui *ui)
 {
     char path[SYSTEM_FONT_PATH_SIZE];
+    uint32_t count;
+    const struct imgui_item *items = imgui_items(ui->imgui, &count);
     const int length = snprintf(path, sizeof(path), "%s.new", ui->dump_path);
     FILE *file = length > 0 && length < SYSTEM_FONT_PATH_SIZE ? fopen(path, "w") : NULL;
     if (!file)
@@ -39,29 +36,8 @@ static void replace_dump(const struct ui *ui, const struct imgui_item *items, ui
     for (uint32_t i = 0; i < count; i++)
         fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].rect.x, (double)items[i].rect.y,
                 (double)items[i].rect.width, (double)items[i].rect.height, items[i].label);
-    for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_INPUT_COUNT; a++)
-        fprintf(file, "0 0 0 0 done %u: %s\n", ui->action_counts[a], key_bindings_label(a));
     if (fclose(file) == 0)
         (void)!rename(path, ui->dump_path);
-}
-
-/* 32-bit FNV-1a hash */
-static uint32_t hash_more(uint32_t hash, const void *bytes, size_t size)
-{
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ ((const uint8_t *)bytes)[i]) * 16777619u;
-    return hash;
-}
-
-static void write_dump(struct ui *ui)
-{
-    uint32_t count;
-    const struct imgui_item *items = imgui_items(ui->imgui, &count);
-    const uint32_t shown = hash_more(2166136261u, items, count * sizeof(*items));
-    const uint32_t hash = hash_more(shown, ui->action_counts, sizeof(ui->action_counts));
-    if (ui->dump_path && hash != ui->dump_hash)
-        replace_dump(ui, items, count);
-    ui->dump_hash = hash;
 }
 
 /* ---- lifecycle ---- */
@@ -78,7 +54,7 @@ static enum status make_font(struct ui *ui)
 }
 
 enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct theme *theme,
-                      const struct ui_thumbnails *thumbnails, bool quiet)
+                      bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
     struct system_font font;
@@ -87,14 +63,12 @@ enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct
     if (u) {
         u->gpu = gpu;
         u->theme = theme;
-        u->thumbnails = thumbnails;
         u->open[UI_MATERIAL] = u->open[UI_INSIDE] = true;
     }
     if (u)
         u->imgui = imgui_create(&font);
     if (!u || !u->imgui)
         return log_out_of_memory(NULL);
-    imgui_set_thumbnails(u->imgui, &thumbnails->list);
     const enum status status = ui_rescale(u, scale);
     if (!u->has_font && !quiet)
         log_warning("%s%s: using the built-in bitmap font",
@@ -128,8 +102,6 @@ void ui_destroy(struct ui *ui)
 {
     if (!ui)
         return;
-    if (ui->dump_path)
-        write_dump(ui); /* also lists actions counted while hidden */
     gpu_image_destroy(ui->gpu, &ui->font);
     imgui_destroy(ui->imgui);
     free(ui);
@@ -205,9 +177,7 @@ void ui_set_error(struct ui *ui, const char *message)
 
 bool ui_toggle(struct ui *ui, enum view_action action)
 {
-    const enum ui_tab tab = action == VIEW_TIMES     ? UI_TIMES
-                            : action == VIEW_INSPECT ? UI_INSPECT
-                                                     : UI_PLAN;
+    const enum ui_tab tab = action == VIEW_TIMES ? UI_TIMES : UI_INSPECT;
     if (action == VIEW_HELP) {
         ui->keys_open = !ui->keys_open || !ui->shown;
     } else if (action == VIEW_PALETTE) {
@@ -291,7 +261,6 @@ static bool handle_key(struct ui *ui, const struct window_event *event)
         !function && (event->control ? imgui_wants_text(ui->imgui) && is_for_text(event)
                                      : ui->focus_wait_frames || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
-        ui_count_action(ui, VIEW_PANEL_KEYS);
         ui->focus_panel = true;
         ui->focused_search = false;
         ui->focus_wait_frames = FOCUS_FRAMES;
@@ -314,7 +283,6 @@ static bool handle_character(struct ui *ui, const struct window_event *event)
         return true;
     }
     if (event->code == '/') {
-        ui_count_action(ui, VIEW_SEARCH);
         ui->focus_search = ui->focused_search = true;
         ui->focus_wait_frames = FOCUS_FRAMES;
         return true;
@@ -418,7 +386,8 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *requ
     imgui_end(ui->imgui);
     request->inspects = ui->tab == UI_INSPECT;
     request->gesture = imgui_gesture(ui->imgui);
-    write_dump(ui);
+    if (ui->dump_path)
+        write_dump(ui);
 }
 
 /* Returns true if a draw command's bounding box lies outside the image area. */

@@ -1,15 +1,13 @@
-/* ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
+/* ui.h: user interface of the viewer: panels for settings, inspection, pass times and
  * shortcuts. Input events must go to ui_handle_event() first, which consumes events for panels.
  * Hidden panels cost no time and consume no events. */
 #ifndef FIRN_VIEW_PANELS_UI_H
 #define FIRN_VIEW_PANELS_UI_H
 
 #include "src/view/panels/theme.h"
-#include "src/view/panels/ui_choice_thumbnails.h"
 #include "src/view/panels/ui_frame_bottleneck.h"
 #include "src/view/pixel_inspector.h"
 #include "src/view/session/undo_stack.h"
-#include "src/view/slow_change_log.h"
 #include "src/view/view_renderers.h"
 #include "src/view/window/overlay_draw_list.h"
 #include "src/view/window/presenter.h"
@@ -18,11 +16,10 @@
 
 struct ui;
 
-/* Creates the user interface. `scale` multiplies all sizes. `thumbnails` must outlive the ui. Logs
- * errors. If only the built-in font is available, logs this unless `quiet`. */
+/* Creates the user interface. `scale` multiplies all sizes. Logs errors. If only the built-in font
+ * is available, logs this unless `quiet`. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
-                               const struct theme *theme, const struct ui_thumbnails *thumbnails,
-                               bool quiet);
+                               const struct theme *theme, bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
 window_listen_fn ui_handle_event; /* `user` is the ui */
@@ -44,9 +41,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
 /* Sets the path of a text file that scripts read. Each visible widget has a line: left, top, width
- * and height in pixels, then the label. Each action has a line "0 0 0 0" and its count. */
+ * and height in pixels, then the label. */
 void ui_dump(struct ui *ui, const char *path);
-void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
 float ui_scale(const struct ui *ui);
 
@@ -61,7 +57,6 @@ struct ui_view {
     double now;                  /* seconds */
     VkExtent2D size;             /* size of the window, pixels */
     const struct undo_stack *undo_stack;
-    const struct rebuild_log *rebuild_log;
     const struct window_layout *layout; /* layout of the window */
     const struct pixel_inspector *inspector;
     struct pixel_inspector_choice inspector_choice;
@@ -73,7 +68,6 @@ struct ui_view {
     bool paused;
     float time;                         /* scene time, seconds */
     uint32_t sample_count, sample_goal; /* 0 during interaction */
-    double noise;                       /* negative if not known */
     double seconds_left;                /* 0 if done or unknown */
     bool shows_hint;                    /* the camera was never orbited */
 };

@@ -1,4 +1,4 @@
-/* ui_command_palette.c: command palette: fuzzy search of actions, settings and files. */
+/* ui_command_palette.c: command palette: search of actions, settings and files. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,9 +7,7 @@
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
 #include "src/tech/refract/refract.h"
-#include "src/view/panels/ui_fuzzy_match.h"
 #include "src/view/panels/ui_internal.h"
-#include "src/view/panels/ui_search_synonyms.h"
 #include "src/view/panels/ui_settings.h"
 #include "src/view/session/recent_files.h"
 #include "src/view/session/xdg_folders.h"
@@ -18,22 +16,23 @@ enum {
     ENTRIES_MAX = 400,
     SHOWN_MAX = 12, /* visible rows */
     LABEL_SIZE = 96,
-    SYNONYM = 500,   /* distance if only a synonym matches */
-    IN_HELP = 1000,  /* match distance if only a setting's help text matches */
-    MISSPELT = 2000, /* minimum distance with a wrong letter */
 };
 
 enum entry_kind {
     ENTRY_ACTION,
     ENTRY_MATERIAL,
-    ENTRY_SCENE,
-    ENTRY_ENVIRONMENT,
-    ENTRY_PRESET,
-    ENTRY_SESSION,
-    ENTRY_RECENT,
+    ENTRY_OPEN,
     ENTRY_SHOT,
     ENTRY_OTHER,
     ENTRY_SETTING,
+};
+
+/* Quality of a match, best first. */
+enum rank {
+    RANK_WORD,  /* words of the label begin with the typed ones */
+    RANK_LABEL, /* the label contains the typed words */
+    RANK_HELP,  /* a setting's texts contain them */
+    RANK_NONE,
 };
 
 /* An entry of the palette. */
@@ -42,74 +41,87 @@ struct entry {
     uint32_t index;  /* index in its kind's table */
     VkExtent2D size; /* size of a saved image */
     const struct setting *row;
+    char *open;      /* file, scene or environment to open, malloc'd; NULL for other kinds */
+    const char *key; /* keyboard shortcut, or NULL */
+    enum rank rank;
     char label[LABEL_SIZE];
-    const char *key;   /* keyboard shortcut, or NULL */
-    uint32_t distance; /* match distance */
 };
 
 struct palette {
     struct entry entries[ENTRIES_MAX];
-    const struct entry *order[ENTRIES_MAX]; /* entries sorted by distance */
+    const struct entry *order[ENTRIES_MAX]; /* entries sorted by rank */
     uint32_t count;
     const char *query;
 };
 
-static const char *const presets[] = { ".txt", NULL };
-static const char *const sessions[] = { ".firn", NULL };
-
-static uint32_t distance_of(const struct palette *p, const struct entry *e)
+static enum rank rank_of(const struct palette *p, const struct entry *e)
 {
-    uint32_t distance = ui_fuzzy_match_distance(p->query, e->label, false);
-    if (distance != UI_FUZZY_MATCH_NONE)
-        return distance;
-    const char *const texts[] = { e->label, ui_search_synonyms(e->row ? e->row->name : e->label) };
-    if (ui_fuzzy_match_contains(p->query, texts, 2))
-        return SYNONYM;
-    if (e->row && ui_settings_match(e->row, p->query))
-        return IN_HELP;
-    distance = ui_fuzzy_match_distance(p->query, e->label, true);
-    return distance == UI_FUZZY_MATCH_NONE ? distance : MISSPELT + distance;
+    const char *const label = e->label;
+    if (ui_settings_contain(&label, 1, p->query, true))
+        return RANK_WORD;
+    if (ui_settings_contain(&label, 1, p->query, false))
+        return RANK_LABEL;
+    return e->row && ui_settings_match(e->row, p->query) ? RANK_HELP : RANK_NONE;
 }
 
+/* Adds an entry if it matches the query. Takes ownership of entry->open. */
 __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const struct entry *entry,
                                                       const char *format, ...)
 {
-    struct entry *e = &p->entries[p->count];
+    struct entry e = *entry;
     va_list arguments;
-    if (p->count == ENTRIES_MAX)
-        return;
-    *e = *entry;
     va_start(arguments, format);
-    vsnprintf(e->label, sizeof(e->label), format, arguments);
+    vsnprintf(e.label, sizeof(e.label), format, arguments);
     va_end(arguments);
-    e->distance = distance_of(p, e);
-    /* an entry that does not match is overwritten by the next one */
-    p->count += e->distance != UI_FUZZY_MATCH_NONE;
+    e.rank = rank_of(p, &e);
+    if (p->count < ENTRIES_MAX && e.rank != RANK_NONE)
+        p->entries[p->count++] = e;
+    else
+        free(e.open);
 }
 
-/* Orders palette entries by match distance. Entries of equal distance keep their order. */
-static int compare(const void *a, const void *b)
-{
-    const struct entry *x = *(const struct entry *const *)a;
-    const struct entry *y = *(const struct entry *const *)b;
-    return x->distance != y->distance ? (x->distance > y->distance) - (x->distance < y->distance)
-                                      : (x > y) - (x < y);
-}
-
+/* Sorts the entries by rank. Entries of equal rank keep their order. */
 static void sort(struct palette *p)
 {
-    for (uint32_t i = 0; i < p->count; i++)
-        p->order[i] = &p->entries[i];
-    qsort(p->order, p->count, sizeof(p->order[0]), compare);
+    uint32_t count = 0;
+    for (enum rank rank = RANK_WORD; rank < RANK_NONE; rank++) {
+        for (uint32_t i = 0; i < p->count; i++) {
+            if (p->entries[i].rank == rank)
+                p->order[count++] = &p->entries[i];
+        }
+    }
 }
 
+/* Adds a file, scene or environment. Takes ownership of `path`. */
+static void add_file(struct palette *p, const char *what, char *path)
+{
+    const char *slash = strrchr(path, '/');
+    add(p, &(struct entry){ ENTRY_OPEN, .open = path }, "%s %s", what, slash ? slash + 1 : path);
+}
+
+/* Adds the user's presets or sessions. */
+static void add_folder(struct palette *p, const char *what, const char *extension)
+{
+    const char *const extensions[] = { extension, NULL };
+    char *folder = user_files_data(what, false);
+    char *path;
+    for (uint32_t i = 0; folder && (path = user_files_at(folder, extensions, i)); i++)
+        add_file(p, what, path);
+    free(folder);
+}
+
+/* Adds scenes, environments and the user's files. */
 static void collect_files(struct palette *p)
 {
     char *path;
-    for (uint32_t i = 0; (path = recent_files_at(i)); i++) {
-        add(p, &(struct entry){ ENTRY_RECENT, i }, "recent %s", strrchr(path, '/') + 1);
-        free(path);
-    }
+    for (uint32_t i = 0; scene_name(i) && (path = strdup(scene_name(i))); i++)
+        add_file(p, "open", path);
+    for (uint32_t i = 0; ui_environment(i) && (path = strdup(ui_environment(i))); i++)
+        add_file(p, "environment", path);
+    add_folder(p, "preset", ".txt");
+    add_folder(p, "session", ".firn");
+    for (uint32_t i = 0; (path = recent_files_at(i)); i++)
+        add_file(p, "recent", path);
 }
 
 /* Adds entries that save the image in a common size or in a size that the user typed. */
@@ -132,33 +144,16 @@ static void collect(struct palette *p)
 {
     const struct setting *row;
     p->count = 0;
-    for (enum view_action a = VIEW_ACTION_NONE; a < VIEW_ACTION_COUNT; a++) {
-        if (key_bindings_label(a) && a != VIEW_PALETTE)
-            add(p, &(struct entry){ ENTRY_ACTION, a, .key = key_bindings_name(a) }, "%s",
-                key_bindings_label(a));
+    for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_ACTION_COUNT; a++) {
+        if (a != VIEW_PALETTE)
+            add(p, &(struct entry){ ENTRY_ACTION, a, .key = key_bindings[a].keys }, "%s",
+                key_bindings[a].label);
     }
     for (uint32_t i = 0; material_presets[i].name; i++)
         add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
-    for (uint32_t i = 0; scene_name(i); i++)
-        add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_name(i));
-    for (uint32_t i = 0; ui_environment(i); i++)
-        add(p, &(struct entry){ ENTRY_ENVIRONMENT, i }, "environment %s", ui_environment(i));
     for (uint32_t i = 0; techniques_refraction(i); i++)
         add(p, &(struct entry){ ENTRY_OTHER, i }, "compare with %s",
             techniques_refraction(i)->refraction.name);
-    char *folder = user_files_presets(false);
-    char *path;
-    for (uint32_t i = 0; folder && (path = user_files_at(folder, presets, i)); i++) {
-        add(p, &(struct entry){ ENTRY_PRESET, i }, "preset %s", strrchr(path, '/') + 1);
-        free(path);
-    }
-    free(folder);
-    folder = user_files_sessions(false);
-    for (uint32_t i = 0; folder && (path = user_files_at(folder, sessions, i)); i++) {
-        add(p, &(struct entry){ ENTRY_SESSION, i }, "session %s", strrchr(path, '/') + 1);
-        free(path);
-    }
-    free(folder);
     collect_files(p);
     collect_sizes(p);
     for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
@@ -171,9 +166,6 @@ static void collect(struct palette *p)
 
 static void choose(struct ui *ui, const struct entry *e, struct ui_request *request)
 {
-    char *folder = e->kind == ENTRY_PRESET    ? user_files_presets(false)
-                   : e->kind == ENTRY_SESSION ? user_files_sessions(false)
-                                              : NULL;
     switch (e->kind) {
     case ENTRY_ACTION:
         request->action = (enum view_action)e->index;
@@ -184,20 +176,9 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_request *requ
                            (double)material_presets[e->index].ior);
         request->changed = true;
         break;
-    case ENTRY_SCENE:
-        request->open = strdup(scene_name(e->index));
-        break;
-    case ENTRY_ENVIRONMENT:
-        request->open = strdup(ui_environment(e->index));
-        break;
-    case ENTRY_PRESET:
-        request->open = folder ? user_files_at(folder, presets, e->index) : NULL;
-        break;
-    case ENTRY_SESSION:
-        request->open = folder ? user_files_at(folder, sessions, e->index) : NULL;
-        break;
-    case ENTRY_RECENT:
-        request->open = recent_files_at(e->index);
+    case ENTRY_OPEN:
+        free(request->open);
+        request->open = strdup(e->open);
         break;
     case ENTRY_SHOT:
         request->screenshot_size = e->size;
@@ -211,7 +192,6 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_request *requ
         ui->tab = UI_SETTINGS;
         break;
     }
-    free(folder);
     ui->palette_open = false;
     ui->release = true;
 }
@@ -270,5 +250,7 @@ void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_req
     imgui_panel_end();
     ui->focus_palette = false;
     ui->palette_entered = ui->palette_entered && !entered;
+    for (uint32_t i = 0; i < p->count; i++)
+        free(p->entries[i].open);
     free(p);
 }

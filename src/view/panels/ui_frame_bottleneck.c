@@ -18,7 +18,6 @@ void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pac
     mix(&pace->frame, sample->frame, by);
     mix(&pace->device, sample->device, by);
     mix(&pace->screen, sample->screen, by);
-    mix(&pace->limit, sample->limit, by);
 }
 
 /* Checks the device first, because a slow device also prolongs the wait for the screen. */
@@ -26,7 +25,5 @@ const char *ui_frame_pacing_limit(const struct ui_frame_pacing *pace)
 {
     if (pace->device > busy * pace->frame)
         return "the device";
-    if (pace->limit > waits * pace->frame)
-        return "--fps-limit";
     return pace->screen > waits * pace->frame ? "the screen" : "the host";
 }

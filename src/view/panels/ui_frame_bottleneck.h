@@ -7,7 +7,6 @@ struct ui_frame_pacing {
     double frame;  /* between the starts of two frames */
     double device; /* device time, or waiting for it */
     double screen; /* acquiring or presenting an image */
-    double limit;  /* the host waited because of --fps-limit */
 };
 
 /* Adds a sample to the running means. Ignores samples with frame time 0. */

@@ -42,73 +42,52 @@ static enum imgui_key find_key(const struct imgui_input *now, const struct windo
     return IMGUI_KEY_COUNT;
 }
 
-/* Input changes that the current frame already contains. */
-struct changes {
-    bool moved, button, key, character;
-    bool buttons[IMGUI_BUTTON_COUNT];
-    bool keys[IMGUI_KEY_COUNT];
-};
-
-static void apply_key(struct imgui_input *now, const struct window_event *event,
-                      struct changes *changes)
+static void apply_key(struct imgui_input *now, const struct window_event *event)
 {
     const enum imgui_key key = find_key(now, event);
     now->control = event->control;
     now->shift = event->shift;
     now->alt = event->alt;
-    if (key == IMGUI_KEY_COUNT)
-        return;
-    now->keys[key] = event->down;
-    changes->key = changes->keys[key] = true;
+    if (key != IMGUI_KEY_COUNT)
+        now->keys[key] = event->down;
 }
 
-static void apply(struct imgui_input *now, const struct window_event *event,
-                  struct changes *changes)
+static void apply(struct imgui_input *now, const struct window_event *event)
 {
     switch (event->kind) {
     case WINDOW_CURSOR:
         now->x = (float)event->x;
         now->y = (float)event->y;
-        changes->moved = true;
         break;
     case WINDOW_BUTTON:
-        if (event->code < IMGUI_BUTTON_COUNT) {
+        if (event->code < IMGUI_BUTTON_COUNT)
             now->buttons[event->code] = event->down;
-            changes->button = changes->buttons[event->code] = true;
-        }
         break;
     case WINDOW_WHEEL:
         now->wheel += (float)event->y;
         break;
     case WINDOW_KEY:
-        apply_key(now, event, changes);
+        apply_key(now, event);
         break;
     case WINDOW_CHARACTER:
         if (now->character_count < IMGUI_CHARACTER_COUNT)
             now->characters[now->character_count++] = (unsigned)event->code;
-        changes->character = true;
         break;
     }
 }
 
-/* Returns true if an event must wait for the next frame because of earlier events in this frame. */
-static bool must_wait(const struct imgui_input *now, const struct window_event *event,
-                      const struct changes *changes)
+static bool is_motion(const struct window_event *event)
 {
-    const enum imgui_key key = find_key(now, event);
-    switch (event->kind) {
-    case WINDOW_CURSOR:
-    case WINDOW_WHEEL:
-        return changes->button;
-    case WINDOW_BUTTON:
-        return event->code < IMGUI_BUTTON_COUNT &&
-               (changes->buttons[event->code] || changes->moved);
-    case WINDOW_KEY:
-        return key != IMGUI_KEY_COUNT && (changes->character || changes->keys[key]);
-    case WINDOW_CHARACTER:
-        return changes->key || now->character_count == IMGUI_CHARACTER_COUNT;
-    }
-    return false;
+    return event->kind == WINDOW_CURSOR || event->kind == WINDOW_WHEEL;
+}
+
+/* Returns true if a frame that has the event `first` can have `event`, too. */
+static bool fits(const struct imgui_input *now, const struct window_event *first,
+                 const struct window_event *event)
+{
+    if (first->kind == WINDOW_CHARACTER && event->kind == WINDOW_CHARACTER)
+        return now->character_count < IMGUI_CHARACTER_COUNT;
+    return is_motion(first) && is_motion(event);
 }
 
 static void forget(struct ui_input_queue *input, uint32_t count)
@@ -125,8 +104,7 @@ void ui_input_queue_add(struct ui_input_queue *input, const struct window_event 
         return;
     }
     if (input->event_count == UI_INPUT_QUEUE_COUNT) {
-        struct changes changes = { 0 };
-        apply(&input->now, &input->events[0], &changes);
+        apply(&input->now, &input->events[0]);
         forget(input, 1);
     }
     input->events[input->event_count++] = *event;
@@ -134,11 +112,18 @@ void ui_input_queue_add(struct ui_input_queue *input, const struct window_event 
 
 void ui_input_queue_step(struct ui_input_queue *input)
 {
-    struct changes changes = { 0 };
+    const struct window_event *first = NULL;
     uint32_t count = 0;
     input->now.wheel = 0.0f;
     input->now.character_count = 0;
-    while (count < input->event_count && !must_wait(&input->now, &input->events[count], &changes))
-        apply(&input->now, &input->events[count++], &changes);
+    for (; count < input->event_count; count++) {
+        const struct window_event *event = &input->events[count];
+        const bool is_known =
+            event->kind != WINDOW_KEY || find_key(&input->now, event) != IMGUI_KEY_COUNT;
+        if (is_known && first && !fits(&input->now, first, event))
+            break;
+        first = is_known && !first ? event : first;
+        apply(&input->now, event);
+    }
     forget(input, count);
 }

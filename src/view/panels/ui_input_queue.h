@@ -1,8 +1,7 @@
 /* ui_input_queue.h: distributes input events over the frames of the panels. Dear ImGui reads the
  * input state once per frame, so a press and release between two frames would be lost, and a drag
- * would start where it ended. Events are therefore spread over several frames: no frame contains
- * two changes of a button, a cursor movement after a button change, or a press directly after a
- * movement (Dear ImGui would assign it to the item hovered before). */
+ * would start where it ended. Events are therefore spread over several frames: a frame has
+ * movements of cursor and wheel, or typed characters, or one change of a button or key. */
 #ifndef FIRN_VIEW_PANELS_UI_INPUT_QUEUE_H
 #define FIRN_VIEW_PANELS_UI_INPUT_QUEUE_H
 

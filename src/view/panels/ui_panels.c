@@ -9,7 +9,6 @@
 #include "src/tech/refract/refract.h"
 #include "src/view/panels/ui_internal.h"
 #include "src/view/panels/ui_pixel_inspector.h"
-#include "src/view/panels/ui_plan_chart.h"
 #include "src/view/panels/ui_settings.h"
 
 enum {
@@ -20,7 +19,7 @@ enum {
 };
 
 static const char panel[] = "settings";
-static const float gallery_panel = 440.0f; /* panel height for thumbnails, scale 1 */
+static const double mebi = 1024.0 * 1024.0;
 
 /* Lists the names of all refraction models. Returns the index of the current one. */
 static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX], uint32_t *count,
@@ -100,33 +99,12 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-/* Returns `thumbnails`, or NULL if none is loaded or the panel is not high enough for them. */
-static const uint32_t *thumbnails_if_high(const struct ui *ui, const struct ui_view *view,
-                                          const uint32_t *thumbnails)
-{
-    const float height = (float)view->layout->panel.extent.height;
-    const bool is_high = height >= gallery_panel * ui->scale;
-    return is_high && ui->thumbnails->list.count ? thumbnails : NULL;
-}
-
-static void refraction_lists(const struct ui *ui, const struct ui_view *view,
-                             struct ui_request *request)
+static void refraction_lists(const struct ui_view *view, struct ui_request *request)
 {
     const char *names[REFRACTION_MAX + 1 + OTHER_COUNT] = { "none" };
-    const char *tips[REFRACTION_MAX];
     uint32_t count;
     uint32_t left = name_refraction_models(&names[1], &count, request->refraction);
-    for (uint32_t i = 0; i < count; i++)
-        tips[i] = techniques_refraction(i)->help;
-    const struct ui_gallery gallery = {
-        .name = "Refraction model",
-        .heading = "Refraction model",
-        .names = &names[1],
-        .tooltips = tips,
-        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->models),
-        .count = count,
-    };
-    if (ui_gallery(&gallery, &left)) {
+    if (ui_named_list("Refraction model", &names[1], count, &left, request->refraction->help)) {
         request->refraction = techniques_refraction(left);
         request->changed = true;
     }
@@ -134,48 +112,38 @@ static void refraction_lists(const struct ui *ui, const struct ui_view *view,
 }
 
 /* Draws buttons for material presets. The preset with the current refractive index is selected. */
-static void material_buttons(const struct ui *ui, const struct ui_view *view,
-                             struct ui_request *request)
+static void material_buttons(struct ui_request *request)
 {
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const double is = settings_get(&request->settings, ior);
     const char *names[MATERIAL_MAX];
-    const char *tips[MATERIAL_MAX];
     uint32_t count = 0;
     uint32_t chosen = UINT32_MAX;
     for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
         const double difference = (double)material_presets[count].ior - is;
         names[count] = material_presets[count].name;
-        tips[count] = material_presets[count].help;
         if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
             chosen = count;
     }
-    const struct ui_gallery gallery = {
-        .name = "Material preset",
-        .heading = "Material",
-        .names = names,
-        .tooltips = tips,
-        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->materials),
-        .count = count,
-    };
-    if (ui_gallery(&gallery, &chosen)) {
+    if (ui_named_buttons("Preset", names, count, &chosen,
+                         "sets the refractive index of a material: --material")) {
         settings_set_value(&request->settings, ior, (double)material_presets[chosen].ior);
         request->changed = true;
     }
 }
 
 /* Draws a group's lists of presets, environments and refraction models. */
-static void lists(const struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
+static void lists(enum ui_setting_group group, const struct ui_view *view,
                   struct ui_request *request)
 {
     if (group == UI_MATERIAL)
-        material_buttons(ui, view, request);
+        material_buttons(request);
     if (group == UI_LIGHT)
         environment_buttons(view, request);
     if (group == UI_QUALITY) {
         quality_list(request);
-        refraction_lists(ui, view, request);
+        refraction_lists(view, request);
     }
 }
 
@@ -186,7 +154,7 @@ static void groups(struct ui *ui, const struct ui_view *view, const struct ui_se
         imgui_id_begin(ui_setting_groups_name(g));
         request->changed = ui_settings_heading(settings, g, &ui->open[g]) || request->changed;
         if (ui->open[g]) {
-            lists(ui, g, view, request);
+            lists(g, view, request);
             request->changed =
                 ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
         }
@@ -224,37 +192,28 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     imgui_scroll_end();
 }
 
-/* Shows the memory use of the render-graph plan, and a log of slow changes with their causes. */
-static void show_costs(const struct ui_view *view)
+/* Shows the memory use of the render-graph plan. */
+static void show_memory(const struct ui_view *view)
 {
     const struct renderer *renderer = viewport_renderer(view->viewport, false);
-    const char *message = rebuild_log_at(view->rebuild_log, 0);
-    if (renderer)
-        ui_plan_chart_memory(renderer_frame(renderer));
-    imgui_text_dim(message ? "slow changes:" : "no slow changes");
-    imgui_tooltip("changes that took longer than a frame, newest first; a setting's tooltip says "
-                  "what the setting rebuilds");
-    for (uint32_t i = 0; (message = rebuild_log_at(view->rebuild_log, i)); i++)
-        imgui_text_wrapped(message);
+    char text[128];
+    if (renderer) {
+        const struct rg_plan *plan = renderer_frame(renderer);
+        snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f without aliasing",
+                 (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
+        imgui_text_wrapped(text);
+        imgui_tooltip("device memory of the plan's images and buffers");
+    }
 }
 
 static void times_tab(const struct ui *ui, const struct ui_view *view)
 {
     imgui_scroll_begin("times");
-    show_costs(view);
+    show_memory(view);
     ui_pass_times_panel("frame", &ui->frame_times);
     if (view->viewport->right_renderer)
         ui_pass_times_panel("side B", &ui->right_times);
     ui_pass_times_panel("window", &ui->window_times);
-    imgui_scroll_end();
-}
-
-static void plan_tab(const struct ui_view *view)
-{
-    imgui_scroll_begin("plan");
-    const struct renderer *renderer = viewport_renderer(view->viewport, false);
-    if (renderer)
-        ui_plan_chart_panel(renderer_frame(renderer));
     imgui_scroll_end();
 }
 
@@ -265,7 +224,6 @@ static void tabs(struct ui *ui)
     } rows[] = {
         [UI_SETTINGS] = { "Settings", "settings of scene and rendering" },
         [UI_TIMES] = { "Passes", "time of each pass (B)" },
-        [UI_PLAN] = { "Plan", "compiled render graph of the frame (G)" },
         [UI_INSPECT] = { "Inspect", "layers, histogram, values below the cursor (I)" },
     };
 
@@ -289,10 +247,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
         settings_tab(ui, view, request);
     else if (ui->tab == UI_TIMES)
         times_tab(ui, view);
-    else if (ui->tab == UI_INSPECT)
-        ui_pixel_inspector_panel(ui, view, request);
     else
-        plan_tab(view);
+        ui_pixel_inspector_panel(ui, view, request);
     ui->focus_search = false;
 }
 
@@ -300,11 +256,7 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_requ
  * of two. In low windows, its rows are closer together. If it still does not fit, it scrolls. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
-    const char *name;
-    const char *help;
-    uint32_t count = 0;
-    while (key_bindings_row(count, &name, &help))
-        count++;
+    const uint32_t count = VIEW_INPUT_COUNT - 1;
     const float scale = ui->scale;
     const float width = fminf(728.0f * scale, (float)view->size.width);
     const uint32_t columns = width < 600.0f * scale ? 1 : 2;
@@ -321,14 +273,15 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_scroll_begin("##keys");
     const float column = imgui_available_width() / (float)columns;
     for (uint32_t i = 0; i < rows; i++) {
-        for (uint32_t c = 0; c < columns && key_bindings_row(i + c * rows, &name, &help); c++) {
+        for (uint32_t c = 0; c < columns && i + c * rows < count; c++) {
+            const struct key_binding *binding = &key_bindings[i + c * rows + 1];
             const float x = 8.0f * scale + (float)c * column;
             if (c)
                 imgui_same_line(x);
-            imgui_text_in(name, ui->theme->accent);
-            imgui_name(name);
-            imgui_same_line(x + 112.0f * scale);
-            imgui_text_elided(help, column - 122.0f * scale);
+            imgui_text_in(binding->keys, ui->theme->accent);
+            imgui_name(binding->keys);
+            imgui_same_line(x + 132.0f * scale);
+            imgui_text_elided(binding->label, column - 142.0f * scale);
         }
     }
     imgui_scroll_end();

@@ -24,24 +24,20 @@ static uint32_t name_layers(const char *names[static NAMES_MAX])
     return count;
 }
 
-static void choose_layer(struct pixel_inspector_choice *c)
-{
-    const char *names[NAMES_MAX];
-    const uint32_t count = name_layers(names);
-    const struct frame_layer *now = pixel_inspector_layer(c->layer);
-    if (ui_named_list("Layer", names, count, &c->layer,
-                      now ? now->help : "image or layer to show (L)"))
-        c->channel = 0;
-}
-
 void ui_pixel_inspector_layer_list(const char *label, struct pixel_inspector_choice *c)
 {
     const char *names[NAMES_MAX];
     const uint32_t count = name_layers(names);
     const struct frame_layer *now = pixel_inspector_layer(c->layer);
-    if (imgui_combo(label, names, count, &c->layer))
+    const char *tip = now ? now->help : "image or layer to show (L)";
+    bool changed;
+    if (label) {
+        changed = imgui_combo(label, names, count, &c->layer);
+        imgui_tooltip(tip);
+    } else
+        changed = ui_named_list("Layer", names, count, &c->layer, tip);
+    if (changed)
         c->channel = 0;
-    imgui_tooltip(now ? now->help : "image or layer to show (L)");
 }
 
 static void choose_channel(struct pixel_inspector_choice *c)
@@ -61,7 +57,7 @@ static void choose_channel(struct pixel_inspector_choice *c)
 static void choose(struct pixel_inspector_choice *c)
 {
     const struct imgui_slider_range stops = { -8.0f, 8.0f, "%.2f stops", false };
-    choose_layer(c);
+    ui_pixel_inspector_layer_list(NULL, c);
     choose_channel(c);
     imgui_align();
     imgui_text("Gain");
@@ -78,23 +74,18 @@ static void choose(struct pixel_inspector_choice *c)
     imgui_tooltip("show the unmodified image");
 }
 
-static void histogram(const struct pixel_inspector *inspector, const struct theme *theme)
+/* Draws the histogram. Bar heights are square roots, so that small bins are visible. */
+static void histogram(const struct pixel_inspector *inspector)
 {
     char text[96];
-    const float scale = imgui_scale();
-    const float width = imgui_available_width();
-    const struct imgui_rect all = imgui_reserve(width, histogram_height * scale);
-    const float step = all.width / PIXEL_INSPECTOR_BIN_COUNT;
-    uint32_t most = 1;
-    for (uint32_t b = 0; b < PIXEL_INSPECTOR_BIN_COUNT; b++)
-        most = inspector->bins[b] > most ? inspector->bins[b] : most;
-    imgui_rectangle(all, imgui_rgba(theme->raised));
+    float bars[PIXEL_INSPECTOR_BIN_COUNT];
+    float most = 1.0f;
     for (uint32_t b = 0; b < PIXEL_INSPECTOR_BIN_COUNT; b++) {
-        const float height = all.height * sqrtf((float)inspector->bins[b] / (float)most);
-        imgui_rectangle((struct imgui_rect){ all.x + (float)b * step, all.y + all.height - height,
-                                             step, height },
-                        imgui_rgba(theme->accent));
+        bars[b] = sqrtf((float)inspector->bins[b]);
+        most = fmaxf(most, bars[b]);
     }
+    imgui_histogram("##histogram", bars, PIXEL_INSPECTOR_BIN_COUNT, 0, most,
+                    histogram_height * imgui_scale());
     snprintf(text, sizeof(text),
              inspector->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops relative to 1",
              (double)inspector->min, (double)inspector->max);
@@ -213,7 +204,7 @@ void ui_pixel_inspector_panel(struct ui *ui, const struct ui_view *view, struct 
         imgui_scroll_end();
         return;
     }
-    histogram(view->inspector, ui->theme);
+    histogram(view->inspector);
     if (!ui->pinned && find_pixel(ui, view, &ui->inspected_x, &ui->inspected_y))
         ui->has_inspected = true;
     if (ui->has_inspected && pixel_inspector_values(view->inspector, view->viewport,

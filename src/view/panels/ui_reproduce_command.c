@@ -102,19 +102,6 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Returns true if an ice-only effect is on by default. --material would disable the effect. */
-static bool has_default_inclusions(const struct settings *settings)
-{
-    const struct settings defaults = settings_default();
-    for (const struct technique *const *t = techniques; *t; t++) {
-        const struct setting *row = (*t)->is_ice_only ? &(*t)->settings->rows[0] : NULL;
-        if (row && (*t)->is_on(settings) &&
-            !differ(settings_get(settings, row), settings_get(&defaults, row)))
-            return true;
-    }
-    return false;
-}
-
 /* Prints options for the refractive index if it differs from the scene's own index. For model
  * files, always prints a given --material, because it also selects the model's refractive parts. */
 static void print_ior(FILE *out, const struct ui_render_command *c)
@@ -129,20 +116,9 @@ static void print_ior(FILE *out, const struct ui_render_command *c)
     if (material && !scene_find_builtin(c->image->scene.name)) {
         print_name(out, "material", material);
         own = (double)material_preset_find(material)->ior;
-        if (differ(ior, own))
-            print_setting(out, &c->image->scene.settings, row);
-        return;
     }
-    if (!differ(ior, own))
-        return;
-    const struct material_preset *m = material_presets;
-    for (; m->name && !has_default_inclusions(&c->image->scene.settings); m++) {
-        if (!differ((double)m->ior, ior)) {
-            print_name(out, "material", m->name);
-            return;
-        }
-    }
-    print_setting(out, &c->image->scene.settings, row);
+    if (differ(ior, own))
+        print_setting(out, &c->image->scene.settings, row);
 }
 
 static void print_settings(FILE *out, const struct ui_render_command *c)

@@ -3,9 +3,8 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 #include "src/view/panels/imgui.h"
-#include "src/view/panels/ui_fuzzy_match.h"
-#include "src/view/panels/ui_search_synonyms.h"
 
 enum {
     ROWS_FIRST = 8, /* rows shown per group before "more" */
@@ -203,12 +202,35 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
     return changed;
 }
 
+static bool contains_word(const char *text, const char *word, size_t length, bool at_start)
+{
+    for (const char *at = text; *at; at++) {
+        const bool inside = at > text && isalnum((unsigned char)at[-1]);
+        if (!strncasecmp(at, word, length) && !(at_start && inside))
+            return true;
+    }
+    return false;
+}
+
+bool ui_settings_contain(const char *const *texts, size_t count, const char *query, bool at_start)
+{
+    for (query += strspn(query, " "); *query; query += strspn(query, " ")) {
+        const size_t length = strcspn(query, " ");
+        size_t i = 0;
+        while (i < count && !contains_word(texts[i], query, length, at_start))
+            i++;
+        if (i == count)
+            return false;
+        query += length;
+    }
+    return true;
+}
+
 bool ui_settings_match(const struct setting *row, const char *query)
 {
     const char *const texts[] = { row->name, row->label, row->help,
-                                  ui_setting_groups_name(ui_setting_groups_of(row)),
-                                  ui_search_synonyms(row->name) };
-    return ui_fuzzy_match_contains(query, texts, sizeof(texts) / sizeof(texts[0]));
+                                  ui_setting_groups_name(ui_setting_groups_of(row)) };
+    return ui_settings_contain(texts, sizeof(texts) / sizeof(texts[0]), query, false);
 }
 
 static bool reset_button(const struct ui_settings *settings, enum ui_setting_group group, float x)
@@ -253,33 +275,17 @@ bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group
     return changed;
 }
 
-/* Quality of the match between the searched words and a setting. */
-enum fit {
-    MATCH_NAME,
-    MATCH_HELP,
-    MATCH_LETTERS, /* fuzzy match in the name */
-    MATCH_NONE,
-};
-
-static enum fit match_of(const struct setting *row, const char *query)
-{
-    const char *const names[] = { row->name, row->label };
-    if (ui_fuzzy_match_contains(query, names, 2))
-        return MATCH_NAME;
-    if (ui_settings_match(row, query))
-        return MATCH_HELP;
-    return ui_fuzzy_match_distance(query, row->name, true) != UI_FUZZY_MATCH_NONE ? MATCH_LETTERS
-                                                                                  : MATCH_NONE;
-}
-
-static uint32_t show_found(const struct ui_settings *settings, const char *query, enum fit fit,
+/* Draws the settings whose name or label contains the query or, if not `named`, other matches. */
+static uint32_t show_found(const struct ui_settings *settings, const char *query, bool named,
                            bool *changed)
 {
     const struct setting *row;
     uint32_t count = 0;
     for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         for (uint32_t i = 0; (row = ui_setting_groups_row(g, i)); i++) {
-            if (match_of(row, query) != fit)
+            const char *const names[] = { row->name, row->label };
+            if (ui_settings_contain(names, 2, query, false) != named ||
+                !ui_settings_match(row, query))
                 continue;
             *changed = ui_settings_row(settings, row) || *changed;
             count++;
@@ -291,9 +297,9 @@ static uint32_t show_found(const struct ui_settings *settings, const char *query
 bool ui_settings_matches(const struct ui_settings *settings, const char *query)
 {
     bool changed = false;
-    uint32_t count = show_found(settings, query, MATCH_NAME, &changed);
-    count += show_found(settings, query, MATCH_HELP, &changed);
-    if (!count && !show_found(settings, query, MATCH_LETTERS, &changed))
+    uint32_t count = show_found(settings, query, true, &changed);
+    count += show_found(settings, query, false, &changed);
+    if (!count)
         imgui_text_dim("no matching setting");
     return changed;
 }

@@ -33,7 +33,11 @@ bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_gro
 /* Draws a group's settings, including less useful ones if *more is true. A button toggles *more. */
 bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
-/* Returns true if each word of `query` occurs in the setting's name, texts, group or synonyms. */
+/* Returns true if each word of `query` occurs in one of the texts, ignoring case. If `at_start`,
+ * words of the texts must begin with them. */
+bool ui_settings_contain(const char *const *texts, size_t count, const char *query, bool at_start);
+
+/* Returns true if each word of `query` occurs in the setting's name, label, help or group. */
 bool ui_settings_match(const struct setting *row, const char *query);
 
 /* Draws the settings of all groups that match `query`. */

@@ -4,14 +4,18 @@
 #include "src/view/panels/ui_internal.h"
 #include "src/view/panels/ui_pixel_inspector.h"
 
-enum {
-    BUTTON_COUNT = 9,
+/* Buttons from left to right; in narrow windows the last ones are omitted. */
+static const struct button {
+    enum view_action action;
+    const char *label;
+} buttons[] = {
+    { VIEW_PAUSE, "Pause" }, { VIEW_PALETTE, "Find" },  { VIEW_HELP, "Keys" },
+    { VIEW_UNDO, "Undo" },   { VIEW_REDO, "Redo" },     { VIEW_SCREENSHOT, "Save" },
+    { VIEW_COPY, "Copy" },   { VIEW_SPLIT, "Compare" }, { VIEW_RESET, "Camera" },
 };
 
-/* Buttons from left to right; in narrow windows the last ones are omitted. */
-static const enum view_action buttons[BUTTON_COUNT] = {
-    VIEW_PAUSE,      VIEW_PALETTE, VIEW_HELP,  VIEW_UNDO,  VIEW_REDO,
-    VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
+enum {
+    BUTTON_COUNT = sizeof(buttons) / sizeof(buttons[0]),
 };
 
 static const float slot_width = 130.0f;   /* width of slider and layer list, pixels at scale 1 */
@@ -24,19 +28,15 @@ struct imgui_rect ui_rect_of(VkRect2D r)
                                 (float)r.extent.height };
 }
 
-static const char *label_of(const struct ui_view *view, enum view_action action)
+static const char *label_of(const struct ui_view *view, const struct button *button)
 {
-    return action == VIEW_PAUSE && view->paused ? "Play" : key_bindings_button(action);
+    return button->action == VIEW_PAUSE && view->paused ? "Play" : button->label;
 }
 
 static void tip(enum view_action action)
 {
     char text[320];
-    if (key_bindings_name(action))
-        snprintf(text, sizeof(text), "%s (%s)", key_bindings_help(action),
-                 key_bindings_name(action));
-    else
-        snprintf(text, sizeof(text), "%s", key_bindings_help(action));
+    snprintf(text, sizeof(text), "%s (%s)", key_bindings_help(action), key_bindings[action].keys);
     imgui_tooltip(text);
 }
 
@@ -70,7 +70,7 @@ void ui_toolbar(const struct ui_view *view, struct ui_request *request)
     float width = 0.0f;
     uint32_t count = 0;
     while (count < BUTTON_COUNT) {
-        const float more = imgui_width(label_of(view, buttons[count])) + gap;
+        const float more = imgui_width(label_of(view, &buttons[count])) + gap;
         if (width + more + min_width > room)
             break;
         width += more;
@@ -94,12 +94,12 @@ void ui_toolbar(const struct ui_view *view, struct ui_request *request)
         exposure(slot - gap, request);
     }
     for (uint32_t i = 0; i < count; i++) {
-        const enum view_action action = buttons[i];
+        const enum view_action action = buttons[i].action;
+        const char *label = label_of(view, &buttons[i]);
         imgui_same_line(i ? 0.0f : room - width + gap);
         imgui_disabled_begin(is_disabled(view, action));
-        if (action == VIEW_SPLIT
-                ? imgui_choice_button(label_of(view, action), view->side_b != VIEW_SIDE_B_NONE)
-                : imgui_button(label_of(view, action)))
+        if (action == VIEW_SPLIT ? imgui_choice_button(label, view->side_b != VIEW_SIDE_B_NONE)
+                                 : imgui_button(label))
             request->action = action;
         imgui_disabled_end();
         tip(action);
@@ -111,15 +111,12 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
     const struct setup_image *p = &view->viewport->state;
     const double frame = ui->pace.frame;
     const VkExtent2D drawn = view->viewport->extent;
-    char noise[32] = "";
     char left[32] = "";
-    if (view->noise >= 0.0)
-        snprintf(noise, sizeof(noise), " \xc2\xb1%.2g", view->noise);
     if (view->seconds_left >= 0.5)
         snprintf(left, sizeof(left), ", %.0f s left", view->seconds_left);
     if (view->sample_count)
-        snprintf(text, size, "%u\xc3\x97%u  %u/%u%s%s", p->width, p->height, view->sample_count,
-                 view->sample_goal, noise, left);
+        snprintf(text, size, "%u\xc3\x97%u  %u/%u%s", p->width, p->height, view->sample_count,
+                 view->sample_goal, left);
     else if (frame > 0.0)
         snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", drawn.width, drawn.height, frame * 1e3,
                  ui_frame_pacing_limit(&ui->pace));
@@ -164,8 +161,8 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
     imgui_name(pace);
     snprintf(text, sizeof(text),
              "%.1f frames per second, limited by %s: device time %.1f ms; the host waits %.1f ms "
-             "for the screen and %.1f ms for --fps-limit",
+             "for the screen",
              ui->pace.frame > 0.0 ? 1.0 / ui->pace.frame : 0.0, ui_frame_pacing_limit(&ui->pace),
-             ui->pace.device * 1e3, ui->pace.screen * 1e3, ui->pace.limit * 1e3);
+             ui->pace.device * 1e3, ui->pace.screen * 1e3);
     imgui_tooltip(text);
 }

@@ -1,10 +1,9 @@
 /*
- * session_file.h: session file: everything that a window shows, to be opened again later.
+ * session_file.h: session file: scene, settings, camera and time of a window, to be opened again.
  *
- * It has one line NAME=VALUE per entry, like a preset: settings by name, those of side B with the
- * prefix "b.", and the entries of session_file.c's table. Non-ASCII bytes and '%' in names are
- * percent-encoded. A reader process splits the file into lines (preset_transfer.h); values are
- * checked here.
+ * It has one line NAME=VALUE per entry, like a preset: settings by name, and the entries of
+ * session_file.c. Non-ASCII bytes and '%' in names are percent-encoded. A reader process splits the
+ * file into lines (preset_transfer.h); values are checked here.
  */
 #ifndef FIRN_VIEW_SESSION_SESSION_FILE_H
 #define FIRN_VIEW_SESSION_SESSION_FILE_H
@@ -12,23 +11,20 @@
 #include <stdio.h>
 #include "src/file/preset_transfer.h"
 #include "src/scene/camera.h"
-#include "src/view/session/undo_stack.h"
+#include "src/settings/settings.h"
 
-enum {
-    SESSION_FILE_BOOKMARK_COUNT = 4,
-};
+struct technique;
 
 struct session_file {
     struct preset lines;     /* owns the strings */
     const char *scene;       /* name or file; NULL if missing */
     const char *environment; /* NULL to use the scene's own */
+    float env_rotate;        /* degrees */
     float env_exposure;      /* stops */
-    struct view_state state;
-    bool has_camera;
-    struct camera camera;
-    bool bookmarked[SESSION_FILE_BOOKMARK_COUNT];
-    struct camera bookmarks[SESSION_FILE_BOOKMARK_COUNT];
-    float time; /* scene time, seconds */
+    const struct technique *refraction;
+    struct settings settings;
+    struct camera camera; /* .fov_deg 0 if missing */
+    float time;           /* scene time, seconds */
 };
 
 /* Parses a session file and takes ownership of `lines`. `path` is the file name in messages. On

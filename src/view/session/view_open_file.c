@@ -29,7 +29,7 @@ static enum status open_file(void *user)
 static void load(struct view *v, struct opening *opening)
 {
     const double start = clock_seconds();
-    char words[REBUILD_LOG_SIZE];
+    char words[200];
     const struct view_state before = view_state_now(v);
     view_set_title(v, "loading");
     presenter_disconnect(&v->presenter);
@@ -43,7 +43,6 @@ static void load(struct view *v, struct opening *opening)
         snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
                  opening->kind == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
                  opening->path, (clock_seconds() - start) * 1e3);
-        rebuild_log_add(&v->rebuild_log, words);
         ui_show_message(v->ui, words);
         recent_files_add(opening->path);
     }

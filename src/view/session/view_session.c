@@ -5,16 +5,11 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/file/atomic_file.h"
 #include "src/scene/bundled_assets.h"
 #include "src/view/session/recent_files.h"
 #include "src/view/session/session_file.h"
-#include "src/view/session/xdg_folders.h"
 #include "src/view/view_internal.h"
 #include "src/view/window/worker_thread.h"
-
-_Static_assert((int)SESSION_FILE_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT,
-               "sessions keep all bookmarks");
 
 enum status view_read_session(struct session_file *session, const char *path,
                               const struct reader_params *reader)
@@ -32,9 +27,9 @@ void view_apply_session(const struct session_file *session, struct setup_image *
     struct setup_scene *scene = &state->scene;
     scene->name = session->scene;
     scene->environment = session->environment;
-    scene->env_rotate = session->environment ? session->state.env_rotate : 0.0f;
+    scene->env_rotate = session->environment ? session->env_rotate : 0.0f;
     scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
-    scene->settings = session->state.settings;
+    scene->settings = session->settings;
     settings_set_sources(&scene->settings, SETTING_USER); /* all come from the session */
     scene->user_settings = scene->settings;
     scene->has_default_environment = false;
@@ -42,7 +37,7 @@ void view_apply_session(const struct session_file *session, struct setup_image *
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
     scene->material_override_count = 0;
     scene->background.is_given = false;
-    state->refraction = session->state.refraction;
+    state->refraction = session->refraction;
     state->is_refraction_named = true;
     state->split = NULL;
     state->camera = NULL;
@@ -74,21 +69,14 @@ enum status view_resume_session(struct view *v, const struct session_file *sessi
     unmark_scene_settings(v);
     v->scene = ++v->scene_count;
     struct view_state state = view_state_now(v);
-    if (session->has_camera)
+    if (session->camera.fov_deg > 0.0f)
         view_use_camera(v, &session->camera);
-    memcpy(v->bookmarked, session->bookmarked, sizeof(v->bookmarked));
-    memcpy(v->bookmarks, session->bookmarks, sizeof(v->bookmarks));
     v->elapsed = 0.0;
     v->elapsed = (double)session->time - (double)view_time(v);
     v->undo_stack.count = v->undo_stack.at = 0;
     undo_scenes_prune(&v->undo_scenes, NULL);
-    state.side_b = session->state.side_b;
-    state.split = session->state.split;
-    state.right_settings = session->state.right_settings;
-    v->compare.has_stored = state.side_b == VIEW_SIDE_B_STATE;
-    v->compare.stored = state;
-    v->compare.stored.refraction = state.split;
-    v->compare.stored.settings = state.right_settings;
+    view_compare_choose(v, &state, VIEW_SIDE_B_NONE);
+    v->compare.has_stored = false;
     v->changed = true;
     return view_compare_use(v, &state);
 }
@@ -159,7 +147,7 @@ static const char *unsupported(const struct view *v)
         { s->animation, "--animation" },
         { s->material_override_count, "--material NODE=..." },
         { s->background.is_given, "--background" },
-        { v->compare.side_b == VIEW_SIDE_B_FILE, "the image on side B" },
+        { v->compare.side_b != VIEW_SIDE_B_NONE, "side B" },
     };
 
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++) {
@@ -169,52 +157,28 @@ static const char *unsupported(const struct view *v)
     return NULL;
 }
 
-static char *print(const struct view *v, const char *scene, const char *environment, size_t *size)
+static void print_session(const struct view *v, FILE *out)
 {
+    const struct setup_scene *s = &v->viewport->state.scene;
+    const struct view_state state = view_state_now(v);
+    char *scene = absolute_name(s->name);
+    char *environment = s->environment ? absolute_name(s->environment) : NULL;
     const struct session_file session = {
-        .scene = scene,
+        .scene = scene ? scene : s->name,
         .environment = environment,
-        .env_exposure = v->viewport->state.scene.env_exposure,
-        .state = view_state_now(v),
+        .env_rotate = state.env_rotate,
+        .env_exposure = s->env_exposure,
+        .refraction = state.refraction,
+        .settings = state.settings,
         .camera = v->viewport->camera,
         .time = view_time(v),
     };
-    struct session_file all = session;
-    char *text = NULL;
-    memcpy(all.bookmarked, v->bookmarked, sizeof(all.bookmarked));
-    memcpy(all.bookmarks, v->bookmarks, sizeof(all.bookmarks));
-    FILE *out = open_memstream(&text, size);
-    if (!out)
-        return NULL;
-    session_file_print(&all, out);
-    if (fclose(out) == 0)
-        return text;
-    free(text);
-    return NULL;
+    session_file_print(&session, out);
+    free(environment);
+    free(scene);
 }
 
 void view_save_session(struct view *v)
 {
-    const struct setup_scene *s = &v->viewport->state.scene;
-    char words[600];
-    size_t size = 0;
-    char *folder = user_files_sessions(true);
-    char *path = folder ? user_files_new(folder, "session", ".firn") : NULL;
-    char *scene = absolute_name(s->name);
-    char *environment = s->environment ? absolute_name(s->environment) : NULL;
-    char *text = path && scene ? print(v, scene, environment, &size) : NULL;
-    if (text && file_io_write(path, text, size) == STATUS_OK) {
-        const char *out = unsupported(v);
-        snprintf(words, sizeof(words), "saved %s%s%s", path, out ? " without " : "",
-                 out ? out : "");
-        ui_show_message(v->ui, words);
-    } else {
-        ui_show_failure(v->ui, "the session was not saved: set HOME or XDG_DATA_HOME to a writable "
-                               "folder");
-    }
-    free(text);
-    free(environment);
-    free(scene);
-    free(path);
-    free(folder);
+    view_save_text(v, "session", ".firn", print_session, unsupported(v));
 }

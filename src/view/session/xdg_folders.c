@@ -61,14 +61,12 @@ static char *firn_folder(const char *variable, const char *below_home, const cha
     return path;
 }
 
-char *user_files_presets(bool make)
+char *user_files_data(const char *what, bool make)
 {
-    return firn_folder("XDG_DATA_HOME", ".local/share", "firn/presets", make);
-}
-
-char *user_files_sessions(bool make)
-{
-    return firn_folder("XDG_DATA_HOME", ".local/share", "firn/sessions", make);
+    char *name = print("firn/%ss", what);
+    char *path = name ? firn_folder("XDG_DATA_HOME", ".local/share", name, make) : NULL;
+    free(name);
+    return path;
 }
 
 char *user_files_state(bool make)

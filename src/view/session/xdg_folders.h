@@ -5,11 +5,10 @@
 
 #include <stdbool.h>
 
-/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets". If `make`, creates the folder. On
- * failure, also if HOME is not set, returns NULL without logging. */
-char *user_files_presets(bool make);
-
-char *user_files_sessions(bool make); /* folder of session files, "$XDG_DATA_HOME/firn/sessions" */
+/* Returns the folder "$XDG_DATA_HOME/firn/presets" if `what` is "preset", or that of sessions if it
+ * is "session". If `make`, creates it. On failure, also if HOME is not set, returns NULL without
+ * logging. */
+char *user_files_data(const char *what, bool make);
 
 /* Returns the folder for state such as recent files, "$XDG_STATE_HOME/firn". */
 char *user_files_state(bool make);

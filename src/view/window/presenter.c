@@ -50,6 +50,16 @@ static uint32_t import_count(const struct presenter *s)
     return s->font ? IMPORT_COUNT : IMPORT_FONT;
 }
 
+static enum status report_faults(const struct rg_plan *plan)
+{
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char text[512];
+        rg_fault_text(&plan->faults[i], text, sizeof(text));
+        log_error("internal error: invalid render graph of the window: %s", text);
+    }
+    return plan->fault_count ? STATUS_FAILED : STATUS_OK;
+}
+
 static enum status compile(const struct presenter *s, const struct presenter_images *images,
                            const struct rg_device *device, struct rg_plan **plan)
 {
@@ -86,33 +96,13 @@ static enum status compile(const struct presenter *s, const struct presenter_ima
         log_error("out of memory while compiling the window's render graph");
         return STATUS_TRY_AGAIN;
     }
-    return presenter_report_faults(*plan);
-}
-
-enum status presenter_report_faults(const struct rg_plan *plan)
-{
-    for (uint32_t i = 0; i < plan->fault_count; i++) {
-        char text[512];
-        rg_fault_text(&plan->faults[i], text, sizeof(text));
-        log_error("internal error: invalid render graph of the window: %s", text);
-    }
-    return plan->fault_count ? STATUS_FAILED : STATUS_OK;
+    return report_faults(*plan);
 }
 
 static void log_exec(void *user, const char *what, VkResult result)
 {
     (void)user;
     (void)gpu_failed(what, result);
-}
-
-struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct rg_plan *plan)
-{
-    return (struct rg_exec_params){
-        .plan = plan,
-        GPU_EXEC_PARAMS(gpu),
-        .render_passes = gpu->validated, /* for older synchronization validation; see rg_exec.h */
-        .log = log_exec,
-    };
 }
 
 /* Creates an executor for the plan, or updates the existing one. */
@@ -132,14 +122,20 @@ static enum status realise(struct presenter *s, const struct presenter_images *i
     const VkSpecializationMapEntry entry = { PRESENT_ENCODES, 0, sizeof(encodes) };
     const VkSpecializationInfo constants = { 1, &entry, sizeof(encodes), &encodes };
     VkResult result;
-    struct rg_exec_params params = presenter_exec_params(s->gpu, plan);
-    params.constants = &constants;
-    params.frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT;
-    params.imports = objects;
-    params.import_count = import_count(s);
-    params.measured = true;
-    params.replace_shader = s->replace;
-    params.user = s->replace_user;
+    const struct rg_exec_params params = {
+        .plan = plan,
+        GPU_EXEC_PARAMS(s->gpu),
+        .render_passes =
+            s->gpu->validated, /* for older synchronization validation; see rg_exec.h */
+        .log = log_exec,
+        .constants = &constants,
+        .frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT,
+        .imports = objects,
+        .import_count = import_count(s),
+        .measured = true,
+        .replace_shader = s->replace,
+        .user = s->replace_user,
+    };
     if (s->exec)
         return gpu_status(rg_exec_update(s->exec, &params));
     s->exec = rg_exec_create(&params, &result);

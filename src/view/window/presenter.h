@@ -70,9 +70,4 @@ MUST_USE enum status presenter_end(struct presenter *s, const struct window_fram
 /* Waits until no frame reads the source images. */
 MUST_USE enum status presenter_wait(struct presenter *s);
 
-/* ---- shared with screenshots ---- */
-
-struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct rg_plan *plan);
-MUST_USE enum status presenter_report_faults(const struct rg_plan *plan); /* logs them */
-
 #endif
