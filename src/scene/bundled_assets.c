@@ -70,6 +70,18 @@ const struct asset assets[] = {
         .kind = ASSET_ENVIRONMENT,
         .help = "mountains around a lake, in the morning",
     },
+    {
+        .name = "materials",
+        .file = "materials.png",
+        .kind = ASSET_SHEET,
+        .help = "a glass ball of each material",
+    },
+    {
+        .name = "rungs",
+        .file = "rungs.png",
+        .kind = ASSET_SHEET,
+        .help = "an ice cube by each refraction model",
+    },
     { 0 },
 };
 

@@ -1,5 +1,5 @@
 /*
- * bundled_assets.h: finds the models and environments bundled with the program, by name.
+ * bundled_assets.h: finds the models, environments and images bundled with the program, by name.
  * Files are searched first in $FIRN_ASSETS, then in ../share/firn relative to the program's folder
  * (installation), and last in the folder `assets` beside the program (build tree).
  */
@@ -12,6 +12,7 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
+    ASSET_SHEET, /* sheet of preview images, made by `firn sheet` */
 };
 
 enum {

@@ -35,8 +35,9 @@ struct view {
     struct viewport *viewport;
     struct shader_reload *shader_reload; /* NULL without --watch */
     struct ui *ui;
-    float ui_scale; /* scale of text and panels; 0 if not known yet */
-    uint32_t theme; /* index for theme_at() */
+    struct ui_thumbnails thumbnails; /* thumbnails for `ui` */
+    float ui_scale;                  /* scale of text and panels; 0 if not known yet */
+    uint32_t theme;                  /* index for theme_at() */
     struct window_layout layout;
     struct present_area image_area; /* image position in the last frame */
     VkExtent2D requested_size;      /* image size after the next resize */

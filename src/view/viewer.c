@@ -71,6 +71,8 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->viewport)
         return viewport_upload(v->viewport);
+    if (shows_panels(v->options) || !v->options->window->frame_count)
+        ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
     return viewport_create(&v->viewport, &v->gpu, &v->initial_state, v->shader_reload,
                            v->options->quiet, !v->options->window->frame_count);
 }
@@ -79,7 +81,7 @@ static enum status open_ui(struct view *v)
 {
     const struct viewer_params *o = v->options;
     const enum status status =
-        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), o->quiet);
+        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->thumbnails, o->quiet);
     if (status != STATUS_OK)
         return status;
     window_set_listener(&v->window, ui_handle_event, v->ui);
@@ -117,6 +119,7 @@ static void finish(struct view *v)
     flip_error_map_finish(&v->compare.flip_map);
     image_finish(&v->compare.file.linear);
     session_file_finish(&v->session);
+    ui_thumbnails_finish(&v->thumbnails);
     viewport_destroy(v->viewport);
     undo_scenes_prune(&v->undo_scenes, NULL);
     shader_reload_destroy(v->shader_reload);

@@ -171,8 +171,8 @@ class Panels(PanelsCase):
         material, ior = 'diamond', 'refract.ior=2.417 '
         window = self.start_with_panels(plain=PLAIN)
         self.wait_for_command(window, ior,
-                              act=lambda: self.click(window, material))
-        for group, row, shown in (('Material', material, False),
+                              act=lambda: self.choose(window, 'Material preset', material))
+        for group, row, shown in (('Material', 'Material preset', False),
                                   ('Inside', 'cracks.count', False),
                                   ('Quality', 'Refraction model', True)):
             self.fold(window, group, row, shown)
@@ -181,7 +181,27 @@ class Panels(PanelsCase):
         self.find(rf'sphere, {second} \| paper, paused', act=lambda: self.choose_side_b(window))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.press_for(window, 'w', 'sphere, paused')
+        self.pictures(window, ior)
         self.close(window)
+
+    def pictures(self, window, ior):
+        """In a higher panel rungs have one each, of its own, as materials have."""
+        self.desktop.do('windowsize', '--sync', window, 305, 340)
+        rungs = [name for name in self.names('rungs') if name != 'reference']
+        wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
+        self.assertGreater(self.control('paper')[3], 25)  # rows of pixels; a line of text has 15
+
+        def each_has_its_own():  # they come one by one
+            shown = self.desktop.pixels(window)
+            parts = {self.picture_of(shown, 305, left + 4, top + 4, width - 8, 16)  # above its name
+                     for left, top, width, _ in map(self.control, rungs)}
+            return len(parts) == len(rungs)
+        wait_until('a picture of each rung', each_has_its_own, self.words)
+        self.wait_for_command(window, ' --refraction wyman ',
+                              act=lambda: self.click(window, 'wyman'))
+        self.fold(window, 'Quality', 'Refraction model', False)
+        self.fold(window, 'Material', 'Material preset', True)
+        self.wait_for_command(window, ior, act=lambda: self.click(window, 'diamond'))
 
     @unsanitized
     def test_files_have_no_panels(self):

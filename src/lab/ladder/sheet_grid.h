@@ -1,4 +1,4 @@
-/* sheet_grid.h: grid layout of the contact sheets of `firn sheet`. */
+/* sheet_grid.h: grid layout of `firn sheet`, used to write and to cut contact sheets. */
 #ifndef FIRN_LAB_LADDER_SHEET_GRID_H
 #define FIRN_LAB_LADDER_SHEET_GRID_H
 

@@ -117,14 +117,45 @@ static bool add_font(const imgui *ui)
            io.Fonts->Build();
 }
 
-static void add_bitmap_font(float scale)
+/* Reserves a rectangle for each thumbnail in the font atlas, before the atlas is built. */
+static void add_thumbnails(imgui *ui)
+{
+    const imgui_thumbnails &p = ui->thumbnails;
+    for (uint32_t i = 0; i < p.count; i++)
+        ui->rects[i] = ImGui::GetIO().Fonts->AddCustomRectRegular(static_cast<int>(p.width),
+                                                                  static_cast<int>(p.height));
+}
+
+static void add_bitmap_font(imgui *ui, float scale)
 {
     ImFontAtlas *fonts = ImGui::GetIO().Fonts;
     ImFontConfig config;
     fonts->Clear();
+    add_thumbnails(ui);
     config.SizePixels = static_cast<float>(static_cast<int>(bitmap_text_size * scale));
     fonts->AddFontDefault(&config);
     fonts->Build();
+}
+
+static void copy_thumbnails(const imgui *ui)
+{
+    ImFontAtlas *fonts = ImGui::GetIO().Fonts;
+    const imgui_thumbnails &p = ui->thumbnails;
+    const size_t row = 4 * static_cast<size_t>(p.width);
+    unsigned char *texels;
+    int width;
+    fonts->GetTexDataAsRGBA32(&texels, &width, nullptr);
+    for (uint32_t i = 0; i < p.count; i++) {
+        const ImFontAtlasCustomRect *rect = fonts->GetCustomRectByIndex(ui->rects[i]);
+        for (size_t y = 0; y < p.height; y++)
+            memcpy(&texels[4 * (static_cast<size_t>(width) * (rect->Y + y) + rect->X)],
+                   &p.rgba[row * (static_cast<size_t>(p.height) * i + y)], row);
+    }
+}
+
+void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails)
+{
+    ui->thumbnails = *thumbnails;
 }
 
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
@@ -133,9 +164,11 @@ bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
     ui->colors = theme;
     set_theme(scale, *theme);
     ImGui::GetIO().Fonts->Clear();
+    add_thumbnails(ui);
     const bool found = add_font(ui);
     if (!found)
-        add_bitmap_font(scale);
+        add_bitmap_font(ui, scale);
+    copy_thumbnails(ui);
     return found;
 }
 
@@ -155,7 +188,7 @@ struct imgui *imgui_create(const struct system_font *font)
         io.KeyMap[keys[k]] = k;
     io.UserData = ui;
     ui->font = *font;
-    add_bitmap_font(1.0f);
+    add_bitmap_font(ui, 1.0f);
     lose_first_focus();
     return ui;
 }

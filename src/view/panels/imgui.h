@@ -49,6 +49,7 @@ enum imgui_key {
 enum {
     IMGUI_BUTTON_COUNT = 3,     /* left, right, middle mouse button */
     IMGUI_CHARACTER_COUNT = 16, /* maximum typed characters per frame */
+    IMGUI_THUMBNAIL_MAX = 64,
 };
 
 /* State of the input devices at the start of a frame. */
@@ -70,14 +71,24 @@ struct imgui;
  * built-in bitmap font is used. Returns NULL if out of memory. */
 struct imgui *imgui_create(const struct system_font *font);
 
+/* Thumbnails for imgui_thumbnail_button() buttons. */
+struct imgui_thumbnails {
+    const uint8_t *rgba;    /* sRGB-encoded RGBA, top row first */
+    uint32_t width, height; /* size of each image, texels */
+    uint32_t count;         /* at most IMGUI_THUMBNAIL_MAX */
+};
+
+/* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
+void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails);
+
 /* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Must not be
  * called within a frame. If the font cannot be read, uses the built-in font and returns false. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
 void imgui_destroy(struct imgui *ui);                              /* may be NULL */
 
-/* Returns the font atlas as RGBA pixels. Letters are white, with coverage in alpha. The
- * pixels are valid until imgui_rescale() or imgui_destroy(). */
+/* Returns the font atlas as RGBA pixels. Letters are white, with coverage in alpha. Thumbnails are
+ * opaque. The pixels are valid until imgui_rescale() or imgui_destroy(). */
 const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
 
 void imgui_begin(struct imgui *ui, const struct imgui_input *input);
@@ -153,6 +164,9 @@ bool imgui_small_button(const char *label);
 bool imgui_choice_button(const char *label, bool chosen); /* one of exclusive buttons */
 bool imgui_selectable(const char *label, bool chosen);    /* row as wide as the panel */
 
+/* Draws one of several exclusive buttons, `width` pixels wide. A thumbnail is above the label. If
+ * the index `thumbnail` is out of range, draws only the label. */
+bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen);
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 

@@ -21,6 +21,8 @@ struct imgui {
     unsigned active; /* active item ID; 0 if none */
     uint32_t gesture;
     system_font font; /* path "" for the built-in one */
+    imgui_thumbnails thumbnails;
+    int rects[IMGUI_THUMBNAIL_MAX]; /* atlas rectangles of the thumbnails */
 };
 
 inline ImVec4 imgui_state_color(uint32_t rgb)

@@ -6,6 +6,8 @@
 namespace
 {
 
+constexpr float thumbnail_width = 64.0f; /* pixels at scale 1 */
+
 ImVec2 position(const imgui_rect &area)
 {
     return { area.x, area.y };
@@ -310,6 +312,51 @@ bool imgui_choice_button(const char *label, bool chosen)
                           imgui_state_color(chosen ? colors->pressed : colors->raised));
     const bool pressed = imgui_button(label);
     ImGui::PopStyleColor();
+    return pressed;
+}
+
+/* Draws a thumbnail centred at the top of the last button. */
+static void draw_thumbnail(const imgui *ui, uint32_t thumbnail, const ImVec2 &size)
+{
+    const ImFontAtlas *fonts = ImGui::GetIO().Fonts;
+    const float padding = ImGui::GetStyle().FramePadding.y;
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const float left = corner.x + (ImGui::GetItemRectSize().x - size.x) / 2.0f;
+    ImVec2 from;
+    ImVec2 to;
+    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->rects[thumbnail]], &from, &to);
+    ImGui::GetWindowDrawList()->AddImage(fonts->TexID, ImVec2(left, corner.y + padding),
+                                         ImVec2(left + size.x, corner.y + padding + size.y), from,
+                                         to);
+}
+
+bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen)
+{
+    const imgui *ui = static_cast<const imgui *>(ImGui::GetIO().UserData);
+    const theme *colors = imgui_theme();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const imgui_thumbnails &all = ui->thumbnails;
+    const float across = ImMin(thumbnail_width * ui->scale, width - 2.0f * padding.x);
+    const ImVec2 size(across,
+                      across * static_cast<float>(all.height) / static_cast<float>(all.width));
+    const ImVec2 whole(width, size.y + 3.0f * padding.y + ImGui::GetTextLineHeight());
+    ImGui::PushID(label);
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          imgui_state_color(chosen ? colors->pressed : colors->raised));
+    const bool pressed = ImGui::Button("##thumbnail", whole);
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+    note(label);
+    if (thumbnail < all.count)
+        draw_thumbnail(ui, thumbnail, size);
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const ImVec2 end = ImGui::GetItemRectMax();
+    const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);
+    ImGui::RenderTextClipped(from, ImVec2(end.x - 1.0f, end.y), label, nullptr, nullptr,
+                             ImVec2(0.5f, 0.0f));
+    if (chosen) /* the outline shows the choice without relying on colour */
+        ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(colors->accent),
+                                            ImGui::GetStyle().FrameRounding, 0, 2.0f * ui->scale);
     return pressed;
 }
 

@@ -54,7 +54,7 @@ static enum status make_font(struct ui *ui)
 }
 
 enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct theme *theme,
-                      bool quiet)
+                      const struct ui_thumbnails *thumbnails, bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
     struct system_font font;
@@ -63,12 +63,14 @@ enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct
     if (u) {
         u->gpu = gpu;
         u->theme = theme;
+        u->thumbnails = thumbnails;
         u->open[UI_MATERIAL] = u->open[UI_INSIDE] = true;
     }
     if (u)
         u->imgui = imgui_create(&font);
     if (!u || !u->imgui)
         return log_out_of_memory(NULL);
+    imgui_set_thumbnails(u->imgui, &thumbnails->list);
     const enum status status = ui_rescale(u, scale);
     if (!u->has_font && !quiet)
         log_warning("%s%s: using the built-in bitmap font",

@@ -5,6 +5,7 @@
 #define FIRN_VIEW_PANELS_UI_H
 
 #include "src/view/panels/theme.h"
+#include "src/view/panels/ui_choice_thumbnails.h"
 #include "src/view/panels/ui_frame_bottleneck.h"
 #include "src/view/pixel_inspector.h"
 #include "src/view/session/undo_stack.h"
@@ -16,10 +17,11 @@
 
 struct ui;
 
-/* Creates the user interface. `scale` multiplies all sizes. Logs errors. If only the built-in font
- * is available, logs this unless `quiet`. */
+/* Creates the user interface. `scale` multiplies all sizes. `thumbnails` must outlive the ui. Logs
+ * errors. If only the built-in font is available, logs this unless `quiet`. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
-                               const struct theme *theme, bool quiet);
+                               const struct theme *theme, const struct ui_thumbnails *thumbnails,
+                               bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
 window_listen_fn ui_handle_event; /* `user` is the ui */

@@ -1,7 +1,15 @@
-/* ui_choice_widgets.c: widgets that choose one of several values: list, buttons. */
+/* ui_choice_widgets.c: widgets that choose one of several values: list, buttons, thumbnails. */
+#include <math.h>
 #include <stdio.h>
 #include "src/scene/bundled_assets.h"
 #include "src/view/panels/ui_internal.h"
+
+enum {
+    BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
+};
+
+static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
+static const float cell_gap = 6.0f;
 
 /* Draws the label on the left of a control that starts at `x`. */
 static void head(const char *name, float x, const char *tip)
@@ -50,6 +58,37 @@ bool ui_named_buttons(const char *name, const char *const *names, uint32_t count
             *index = i;
         }
         imgui_tooltip(tip);
+    }
+    return changed;
+}
+
+bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
+{
+    const float scale = imgui_scale();
+    const float gap = cell_gap * scale;
+    const float margin = 8.0f * scale;
+    const float room = imgui_available_width() - margin;
+    const float fits = floorf((room + gap) / (cell_width * scale + gap));
+    const uint32_t columns = fits > 1.0f ? (uint32_t)fits : 1;
+    const float width = floorf((room + gap) / (float)columns - gap);
+    bool changed = false;
+    if (!g->thumbnails)
+        return g->count > BUTTON_MAX
+                   ? ui_named_list(g->name, g->names, g->count, index, g->heading)
+                   : ui_named_buttons(g->name, g->names, g->count, index, g->heading);
+    imgui_indent(margin);
+    imgui_text_elided(g->heading, room);
+    imgui_name(g->name);
+    for (uint32_t i = 0; i < g->count; i++) {
+        if (i % columns)
+            imgui_same_line(0.0f);
+        else
+            imgui_indent(margin);
+        if (imgui_thumbnail_button(g->names[i], g->thumbnails[i], width, i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+        imgui_tooltip(g->tooltips[i]);
     }
     return changed;
 }

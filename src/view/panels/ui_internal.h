@@ -33,6 +33,7 @@ struct ui {
     enum ui_tab tab;
     bool open[UI_GROUP_COUNT], shows_all[UI_GROUP_COUNT]; /* per group: open, all rows shown */
     const struct theme *theme;
+    const struct ui_thumbnails *thumbnails;
     bool focus_panel, focus_search;    /* focus requests for the next frame */
     bool focused_search;               /* focus request was for the search */
     bool releases_keys;                /* next frame's keys control the image */
@@ -64,6 +65,18 @@ void ui_status(const struct ui *ui, const struct ui_view *view);
 /* Draws a drop-down list with a label. Returns true if the choice has changed. */
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                    const char *tip);
+
+/* Exclusive choice shown as labelled thumbnails. */
+struct ui_gallery {
+    const char *name; /* name of what is chosen */
+    const char *heading;
+    const char *const *names;    /* labels of the values */
+    const char *const *tooltips; /* tooltips of the values */
+    const uint32_t *thumbnails;  /* thumbnails of the values; NULL for labels only */
+    uint32_t count;
+};
+
+bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 
 /* Draws a label and exclusive buttons on as many lines as needed. Returns true if one is chosen. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,

@@ -20,6 +20,7 @@ enum {
 
 static const char panel[] = "settings";
 static const double mebi = 1024.0 * 1024.0;
+static const float gallery_panel = 440.0f; /* panel height for thumbnails, scale 1 */
 
 /* Lists the names of all refraction models. Returns the index of the current one. */
 static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX], uint32_t *count,
@@ -99,12 +100,33 @@ static void list_side_b(const struct ui_view *view, struct ui_request *request, 
                                        : more[chosen - count].other;
 }
 
-static void refraction_lists(const struct ui_view *view, struct ui_request *request)
+/* Returns `thumbnails`, or NULL if none is loaded or the panel is not high enough for them. */
+static const uint32_t *thumbnails_if_high(const struct ui *ui, const struct ui_view *view,
+                                          const uint32_t *thumbnails)
+{
+    const float height = (float)view->layout->panel.extent.height;
+    const bool is_high = height >= gallery_panel * ui->scale;
+    return is_high && ui->thumbnails->list.count ? thumbnails : NULL;
+}
+
+static void refraction_lists(const struct ui *ui, const struct ui_view *view,
+                             struct ui_request *request)
 {
     const char *names[REFRACTION_MAX + 1 + OTHER_COUNT] = { "none" };
+    const char *tips[REFRACTION_MAX];
     uint32_t count;
     uint32_t left = name_refraction_models(&names[1], &count, request->refraction);
-    if (ui_named_list("Refraction model", &names[1], count, &left, request->refraction->help)) {
+    for (uint32_t i = 0; i < count; i++)
+        tips[i] = techniques_refraction(i)->help;
+    const struct ui_gallery gallery = {
+        .name = "Refraction model",
+        .heading = "Refraction model",
+        .names = &names[1],
+        .tooltips = tips,
+        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->models),
+        .count = count,
+    };
+    if (ui_gallery(&gallery, &left)) {
         request->refraction = techniques_refraction(left);
         request->changed = true;
     }
@@ -112,38 +134,48 @@ static void refraction_lists(const struct ui_view *view, struct ui_request *requ
 }
 
 /* Draws buttons for material presets. The preset with the current refractive index is selected. */
-static void material_buttons(struct ui_request *request)
+static void material_buttons(const struct ui *ui, const struct ui_view *view,
+                             struct ui_request *request)
 {
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const double is = settings_get(&request->settings, ior);
     const char *names[MATERIAL_MAX];
+    const char *tips[MATERIAL_MAX];
     uint32_t count = 0;
     uint32_t chosen = UINT32_MAX;
     for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
         const double difference = (double)material_presets[count].ior - is;
         names[count] = material_presets[count].name;
+        tips[count] = material_presets[count].help;
         if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
             chosen = count;
     }
-    if (ui_named_buttons("Preset", names, count, &chosen,
-                         "sets the refractive index of a material: --material")) {
+    const struct ui_gallery gallery = {
+        .name = "Material preset",
+        .heading = "Material",
+        .names = names,
+        .tooltips = tips,
+        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->materials),
+        .count = count,
+    };
+    if (ui_gallery(&gallery, &chosen)) {
         settings_set_value(&request->settings, ior, (double)material_presets[chosen].ior);
         request->changed = true;
     }
 }
 
 /* Draws a group's lists of presets, environments and refraction models. */
-static void lists(enum ui_setting_group group, const struct ui_view *view,
+static void lists(const struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
                   struct ui_request *request)
 {
     if (group == UI_MATERIAL)
-        material_buttons(request);
+        material_buttons(ui, view, request);
     if (group == UI_LIGHT)
         environment_buttons(view, request);
     if (group == UI_QUALITY) {
         quality_list(request);
-        refraction_lists(view, request);
+        refraction_lists(ui, view, request);
     }
 }
 
@@ -154,7 +186,7 @@ static void groups(struct ui *ui, const struct ui_view *view, const struct ui_se
         imgui_id_begin(ui_setting_groups_name(g));
         request->changed = ui_settings_heading(settings, g, &ui->open[g]) || request->changed;
         if (ui->open[g]) {
-            lists(g, view, request);
+            lists(ui, g, view, request);
             request->changed =
                 ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
         }

@@ -26,7 +26,7 @@ struct overlay_tables {
  * docked panels are cached. Otherwise each frame draws all panels. */
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies);
 
-extern const struct rg_image overlay_font;      /* font atlas */
+extern const struct rg_image overlay_font;      /* font atlas and thumbnails */
 extern const struct rg_buffer overlay_vertices; /* struct overlay_vertex */
 extern const struct rg_buffer overlay_indices;  /* uint32_t */
 extern const struct technique overlay;          /* draws over present_window */
