@@ -21,8 +21,8 @@
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
  *                After a failure only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
- *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
- *                rg_exec_submit_synced() and rg_exec_warm_up().
+ *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit()
+ *                and rg_exec_submit_synced().
  */
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
@@ -87,8 +87,6 @@ struct rg_exec_params {
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
     /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
     bool render_passes;
-    /* true to only warm up pipelines; needs no `imports`, and excludes `render_passes` */
-    bool warm_up_only;
     bool measured;   /* enables rg_profile.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
     /* values of specialization constants, read only during the call; NULL means the defaults */
@@ -171,14 +169,6 @@ RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *
 
 /* Returns the VkDeviceMemory of a block of the plan. Between frames, its content is undefined. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
-
-/* ---- pipeline warm-up ---- */
-
-/* Draws a pass without visible effect and waits, so that the driver compiles its pipeline. Skips
- * passes that do not draw, that have a descriptor set of the program's own, or whose condition is
- * false for `frame`. Typically called in another thread on an executor with `warm_up_only` on its
- * own device, which pays off if the driver's cache serves both devices. */
-RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
 
 /* ---- compiling for a device ---- */
 

@@ -102,12 +102,6 @@ static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint
     return NULL;
 }
 
-/* Returns true for imports, except with `warm_up_only`, where the executor creates them. */
-bool rg_exec_is_external(const struct rg_exec *exec, bool imported)
-{
-    return imported && !exec->params.warm_up_only;
-}
-
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image)
 {
     return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
@@ -158,7 +152,7 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
     uint64_t key = rg_exec_key(RG_NO_KEY, range, sizeof(*range));
     RG_KEY(key, image);
     RG_KEY(key, type);
-    if (rg_exec_is_external(exec, plan->imported))
+    if (plan->imported)
         key = RG_NO_KEY;
     RG_MAKE_KEYED(exec, plan->image->name, key, IMAGE_VIEW, CreateImageView, view,
                   &(VkImageViewCreateInfo){
@@ -180,7 +174,7 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
     const struct rg_exec_import *import = &own;
     VkImage image = VK_NULL_HANDLE;
     VkResult result = VK_SUCCESS;
-    if (rg_exec_is_external(exec, plan->imported))
+    if (plan->imported)
         import = find_import(exec, plan->import, plan->image->name);
     else
         result = rg_exec_make_image(exec, plan, 0, &image);
@@ -292,7 +286,7 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
             result = rg_exec_make_host_buffer(exec, &info, preferred, placement.name, slot, buffer);
         } else if (slot > 0) {
             *buffer = *rg_exec_buffer(exec, index, 0);
-        } else if (!rg_exec_is_external(exec, plan->imported)) {
+        } else if (!plan->imported) {
             result = make_device_buffer(exec, &info, &placement, &buffer->buffer);
             exec->has_content[exec->plan->image_count + index] = plan->persistent && exec->found;
             if (result == VK_SUCCESS && rg_exec_is_structure(plan))

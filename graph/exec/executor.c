@@ -78,7 +78,7 @@ static VkResult make_all(struct rg_exec *exec)
         rg_exec_check_features,   count_image_sets,       make_arrays,
         rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
         rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
+        rg_exec_make_time,        rg_exec_make_coverage,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
@@ -122,8 +122,6 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
     };
     start.slot = start.slot_count - 1;
-    if (params->warm_up_only)
-        start.params.import_count = 0;
     const char *wrong = params_problem(&start.params);
     const char *missing =
         wrong ? NULL : rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
@@ -166,7 +164,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     };
     next.params.plan = params->plan;
     next.params.imports = params->imports;
-    next.params.import_count = former.params.warm_up_only ? 0 : params->import_count;
+    next.params.import_count = params->import_count;
     next.params.max_anisotropy = params->max_anisotropy;
     next.params.constants = params->constants;
     next.params.replace_shader = params->replace_shader;
