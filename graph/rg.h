@@ -450,7 +450,6 @@ RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
 /* Write a plan, or its faults, to `out`. Equal tables give bit-identical output. I/O errors of
  * `out` are for the caller to check. docs/render-graph.md describes the formats. */
 RG_API void rg_dump(const struct rg_plan *plan, FILE *out);      /* text, one item per line */
-RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);  /* Graphviz digraph */
 RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out); /* one JSON object */
 RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out); /* one self-contained page */
 

@@ -80,14 +80,17 @@ class Browser:
 
     def open(self, path, width=1200, height=900, dark=False):
         """Loads a file from scratch, and forgets what was said before."""
-        self.call('Page.navigate', url='about:blank')
+        self.navigate('about:blank')
         if self.shape != (width, height, dark):
             self.shape = (width, height, dark)
             self.resize(width, height)
             scheme = {'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}
             self.call('Emulation.setEmulatedMedia', features=[scheme])
+        self.navigate(path.as_uri())
+
+    def navigate(self, url):
         self.events = []
-        self.call('Page.navigate', url=path.as_uri())
+        self.call('Page.navigate', url=url)
         while not self.named('Page.loadEventFired'):
             self.events.append(self.message())
 

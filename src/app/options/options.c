@@ -263,7 +263,6 @@ static const struct option options[] = {
       "PNG files show only the errors (default: both images, errors and scale)" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle (degrees); above it the exit code is 1" },
-    { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
     { "Format", "html", 0, NULL, APP_GRAPH, FORMAT,
       "HTML page of passes and memory instead of text" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM | APP_INFO, FORMAT,
