@@ -92,9 +92,9 @@ class Forms(unittest.TestCase):
             self.browser.run('document.querySelector("[data-pass]").focus()')
             self.assertRegex(self.browser.run('detail.textContent'), r'^pass 0 draw raster 64x48')
             lightness = self.browser.run(
-                'const light = colour => colour.match(/\\d+/g)'
-                '.reduce((sum, c) => sum + Number(c), 0) / 765; [...document.querySelectorAll("b")].map(box => [light('
-                'getComputedStyle(box).backgroundColor), light(getComputedStyle(box).color)])')
+                'const light = colour => colour.match(/\\d+/g).reduce((a, b) => a + +b, 0) / 765;'
+                '[...document.querySelectorAll("b")].map(box => getComputedStyle(box)).map('
+                'style => [light(style.backgroundColor), light(style.color)])')
             self.assertEqual(len(lightness), 5)
             for box, text in lightness:
                 self.assertGreater(text - box if dark else box - text, 0.4)
