@@ -199,21 +199,6 @@ enum status option_pixel_filter(const struct option *option, void *at, const cha
     return STATUS_OK;
 }
 
-enum status option_sharing(const struct option *option, void *at, const char *value)
-{
-    static const char *const names[] = {
-        [RG_SHARE_FEWEST_BATCHES] = "batches",
-        [RG_SHARE_LEAST_MEMORY] = "memory",
-        [RG_SHARE_NOTHING] = "nothing",
-    };
-    enum rg_sharing *sharing = at;
-    const int i = option_find_word(names, sizeof(names) / sizeof(names[0]), value);
-    if (i < 0)
-        return option_refuse(option, value, "batches, memory or nothing");
-    *sharing = (enum rg_sharing)i;
-    return STATUS_OK;
-}
-
 /* ---- scene, material, settings ---- */
 
 enum status option_refraction(const struct option *option, void *at, const char *value)

@@ -11,7 +11,6 @@ option_fn option_refraction, option_size, option_bake_size, option_tiles, option
     option_show, option_fov, option_png_bits, option_samples;     /* of struct setup_image */
 option_fn option_orbit, option_position;                          /* of struct setup_vector */
 option_fn option_pixel_filter;                                    /* of enum pixel_filter */
-option_fn option_sharing;                                         /* of enum rg_sharing */
 option_fn option_format;                                          /* of enum app_format */
 option_fn option_output, option_bake_output, option_sheet_output; /* of struct setup_outputs */
 option_fn option_chunk;                                           /* of struct app_render */

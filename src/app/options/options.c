@@ -239,8 +239,6 @@ static const struct option options[] = {
       "enable the Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, image.sharing, option_sharing),
-      "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)" },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
       "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " of seconds" },
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(image.scene.reader.memory_gib),
