@@ -4,9 +4,8 @@
  * rg_exec_create() creates everything that a plan needs; a frame allocates nothing. It
  * requires Vulkan 1.3 with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
- * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure,
- * bufferDeviceAddress and the features of the shaders' OpCapabilities. rg_exec_create() logs each
- * missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
+ * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure and the features
+ * of the shaders' OpCapabilities. rg_exec_create() logs each missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
  * linked loader, so that executors of several instances can exist side by side.
  *
  *     while (...) {
@@ -37,7 +36,7 @@ extern "C" {
 struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
-    VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
+    VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing */
     /* several images instead of `image`, such as a swapchain's. All imports with several images
      * have equally many, and a frame uses one index for all of them */
     const VkImage *images;

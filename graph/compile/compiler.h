@@ -225,12 +225,6 @@ static inline bool rg_is_shader_access(enum rg_access kind)
     return kind >= RG_SAMPLED && kind <= RG_TRACE;
 }
 
-/* Returns true for accesses to an acceleration structure. */
-static inline bool rg_is_structure_access(enum rg_access kind)
-{
-    return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
-}
-
 /* Initialises `a` as an access of this kind to a whole resource, and returns `a`. */
 struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
                               VkPipelineStageFlags2 stages);

@@ -206,7 +206,7 @@ fail:
 }
 
 /* Creates a descriptor pool that suffices even if all descriptors have one type. If the plan has no
- * buffers with device addresses, the pool has no acceleration structures (the last entry). */
+ * acceleration structures, the pool has none (the last entry). */
 static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
                           VkDescriptorPool *pool)
 {
@@ -226,7 +226,7 @@ static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
         &(VkDescriptorPoolCreateInfo){
             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
             .maxSets = exec->slot_count,
-            .poolSizeCount = (uint32_t)(sizeof(sizes) / sizeof(sizes[0])) - !exec->has_addresses,
+            .poolSizeCount = (uint32_t)(sizeof(sizes) / sizeof(sizes[0])) - !exec->has_structures,
             .pPoolSizes = sizes,
         });
 fail:

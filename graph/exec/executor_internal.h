@@ -10,7 +10,7 @@
 /* Buffer of one frame in flight (slot). In device memory, all slots share one buffer. */
 struct exec_buffer {
     VkBuffer buffer;
-    VkAccelerationStructureKHR acceleration; /* in the buffer, or VK_NULL_HANDLE */
+    VkAccelerationStructureKHR acceleration; /* imported; or VK_NULL_HANDLE */
     VkDeviceMemory host;                     /* null for device memory */
     void *mapped;
     bool coherent; /* host-coherent: needs no flush or invalidate */
@@ -56,12 +56,6 @@ struct exec_descriptor {
     uint32_t buffer;       /* index into plan buffers, or RG_NONE */
     VkDescriptorImageInfo image;
 };
-
-/* Returns true if a buffer of a plan holds an acceleration structure. */
-static inline bool rg_exec_is_structure(const struct rg_plan_buffer *buffer)
-{
-    return buffer->usage & VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
-}
 
 struct exec_slot {
     VkCommandBuffer commands;
@@ -131,7 +125,7 @@ struct rg_exec {
     uint32_t transition_count;
     VkResult record_result;  /* error of a record function */
     bool has_indirect_count; /* the device has drawIndirectCount */
-    bool has_addresses;      /* plan has buffers with device addresses */
+    bool has_structures;     /* plan has acceleration structures */
     struct exec_batch batch;
 };
 

@@ -424,29 +424,6 @@ void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buf
             cmd->exec->image_set->images[to->image], to->layout, 1, &region);
 }
 
-VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
-                                               const struct rg_buffer *buffer)
-{
-    const struct rg_plan_use *use = find_use(cmd, buffer, RG_ACCESS_NONE);
-    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot)->acceleration;
-}
-
-VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
-{
-    const struct rg_functions *vk = &cmd->exec->vk;
-    const VkAccelerationStructureDeviceAddressInfoKHR structure = {
-        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR,
-        .accelerationStructure = rg_cmd_acceleration(cmd, buffer),
-    };
-    const VkBufferDeviceAddressInfo plain = {
-        .sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
-        .buffer = rg_cmd_buffer(cmd, buffer),
-    };
-    return structure.accelerationStructure
-               ? vk->GetAccelerationStructureDeviceAddressKHR(cmd->exec->device, &structure)
-               : vk->GetBufferDeviceAddress(cmd->exec->device, &plain);
-}
-
 VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)
 {
     return cmd->commands;
