@@ -111,6 +111,21 @@ static const char *params_problem(const struct rg_exec_params *p)
     return NULL;
 }
 
+/* Fills *functions. Returns NULL, or the name of a function that the instance lacks. */
+static const char *find_functions(struct rg_functions *functions, PFN_vkGetInstanceProcAddr find,
+                                  VkInstance instance)
+{
+    const char *missing = NULL;
+#define FIND(function) functions->function = (PFN_vk##function)find(instance, "vk" #function);
+#define FIND_OR_MISS(function) \
+    FIND(function) \
+    if (!functions->function) \
+        missing = "vk" #function;
+    RG_FUNCTIONS(FIND_OR_MISS)
+    RG_FUNCTIONS_OPTIONAL(FIND)
+    return missing;
+}
+
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
 {
     static const struct rg_exec_params none = { 0 };
@@ -124,7 +139,7 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     start.slot = start.slot_count - 1;
     const char *wrong = params_problem(&start.params);
     const char *missing =
-        wrong ? NULL : rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
+        wrong ? NULL : find_functions(&start.vk, params->get_proc_addr, params->instance);
     VkResult outcome = wrong     ? VK_ERROR_INITIALIZATION_FAILED
                        : missing ? VK_ERROR_INCOMPATIBLE_DRIVER
                                  : VK_SUCCESS;

@@ -46,8 +46,4 @@ struct rg_functions {
 #undef MEMBER
 };
 
-/* Fills *functions. Returns NULL, or the name of a function that the instance lacks. */
-const char *rg_functions_find(struct rg_functions *functions, PFN_vkGetInstanceProcAddr find,
-                              VkInstance instance);
-
 #endif
