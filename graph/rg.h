@@ -64,10 +64,6 @@ enum rg_access {
     RG_INDIRECT,           /* parameters of indirect draws and dispatches */
     RG_COPY_SRC,           /* source of copies, blits and resolves */
     RG_COPY_DST,           /* copy destination; overwrites range unless `partial` */
-    RG_BUILD,              /* acceleration structure being built */
-    RG_BUILD_SOURCE,       /* acceleration structure read by a build */
-    RG_BUILD_INPUT,        /* vertices, indices or instances of builds */
-    RG_BUILD_SCRATCH,      /* scratch memory of a build */
     RG_HOST_READ,          /* CPU read after frame; outputs only */
     RG_PRESENT,            /* presentation; imports and outputs only */
     RG_ACCESS_COUNT,
@@ -91,7 +87,7 @@ enum rg_blend {
 enum rg_kind {
     RG_RASTER,   /* draws into targets */
     RG_COMPUTE,  /* dispatches */
-    RG_TRANSFER, /* copies, blits, clears, acceleration structure builds */
+    RG_TRANSFER, /* copies, blits, clears */
 };
 
 /* Repetition of a pass over the layers or mip levels of the first image that it writes. */
@@ -129,9 +125,7 @@ struct rg_image {
 };
 
 /* A buffer, which is transient, persistent or imported, like an image. If passes access it as
- * RG_TRACE, RG_BUILD or RG_BUILD_SOURCE, it holds exactly one acceleration structure. `size` is
- * then accelerationStructureSize from vkGetAccelerationStructureBuildSizesKHR(). A persistent
- * acceleration structure is valid once a pass has built it. */
+ * RG_TRACE, it is imported and holds exactly one acceleration structure. */
 struct rg_buffer {
     const char *name;            /* unique among resources */
     VkDeviceSize size;           /* bytes, plus size_per_texel per texel */
@@ -450,7 +444,6 @@ RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
 /* Write a plan, or its faults, to `out`. Equal tables give bit-identical output. I/O errors of
  * `out` are for the caller to check. docs/render-graph.md describes the formats. */
 RG_API void rg_dump(const struct rg_plan *plan, FILE *out);      /* text, one item per line */
-RG_API void rg_dump_dot(const struct rg_plan *plan, FILE *out);  /* Graphviz digraph */
 RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out); /* one JSON object */
 RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out); /* one self-contained page */
 

@@ -105,14 +105,6 @@ RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_imag
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
 
-/* ---- acceleration structures ---- */
-
-/* Return the acceleration structure in a buffer, or a buffer's device address. The pass must
- * declare the buffer. Unless imported, the acceleration structure belongs to the executor. */
-RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
-                                                      const struct rg_buffer *buffer);
-RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
-
 /* ---- direct Vulkan access ---- */
 
 /* Returns the command buffer being recorded, for direct Vulkan calls. */

@@ -4,10 +4,10 @@
  * rg_exec_create() creates everything that a plan needs; a frame allocates nothing. It
  * requires Vulkan 1.3 with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
- * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure,
- * bufferDeviceAddress and the features of the shaders' OpCapabilities. rg_exec_create() logs each
- * missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
- * linked loader, so that executors of several instances can exist side by side.
+ * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure and the features
+ * of the shaders' OpCapabilities. rg_exec_create() logs each missing feature. Functions are loaded
+ * through the program's own vkGetInstanceProcAddr, without a linked loader, so that executors of
+ * several instances can exist side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -21,8 +21,8 @@
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
  *                After a failure only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
- *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
- *                rg_exec_submit_synced() and rg_exec_warm_up().
+ *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit()
+ *                and rg_exec_submit_synced().
  */
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
@@ -37,7 +37,7 @@ extern "C" {
 struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
-    VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
+    VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing */
     /* several images instead of `image`, such as a swapchain's. All imports with several images
      * have equally many, and a frame uses one index for all of them */
     const VkImage *images;
@@ -87,8 +87,6 @@ struct rg_exec_params {
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
     /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
     bool render_passes;
-    /* true to only warm up pipelines; needs no `imports`, and excludes `render_passes` */
-    bool warm_up_only;
     bool measured;   /* enables rg_profile.h */
     bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
     /* values of specialization constants, read only during the call; NULL means the defaults */
@@ -171,14 +169,6 @@ RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *
 
 /* Returns the VkDeviceMemory of a block of the plan. Between frames, its content is undefined. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
-
-/* ---- pipeline warm-up ---- */
-
-/* Draws a pass without visible effect and waits, so that the driver compiles its pipeline. Skips
- * passes that do not draw, that have a descriptor set of the program's own, or whose condition is
- * false for `frame`. Typically called in another thread on an executor with `warm_up_only` on its
- * own device, which pays off if the driver's cache serves both devices. */
-RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
 
 /* ---- compiling for a device ---- */
 

@@ -17,13 +17,6 @@
     LAYOUT(GENERAL), IMAGE(STORAGE), BUFFER(STORAGE_BUFFER), FEATURE(STORAGE_IMAGE), \
         DESCRIPTORS(STORAGE_IMAGE, STORAGE_BUFFER)
 
-#define BUILD_STAGE     VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR
-#define STRUCTURE_READ  VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR
-#define STRUCTURE_WRITE VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR
-#define ADDRESSED(usage) \
-    .buffer_usage = (VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
-#define STRUCTURE ADDRESSED(ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
-
 /* Table columns: name, stages, reads, writes, layout, usage flags, format features, descriptors. */
 /* clang-format off */
 const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
@@ -55,7 +48,8 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                                 .writes_content = true },
     [RG_UNIFORM] = { "uniform", 0, ACCESS(UNIFORM_READ), .buffer_usage = BUFFER(UNIFORM_BUFFER),
                      DESCRIPTORS(MAX_ENUM, UNIFORM_BUFFER), .reads_content = true },
-    [RG_TRACE] = { "trace", 0, STRUCTURE_READ, STRUCTURE,
+    [RG_TRACE] = { "trace", 0, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR,
+                   .buffer_usage = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR,
                    DESCRIPTORS(MAX_ENUM, ACCELERATION_STRUCTURE_KHR), .reads_content = true },
     [RG_VERTEX] = { "vertex", STAGE(VERTEX_ATTRIBUTE_INPUT), ACCESS(VERTEX_ATTRIBUTE_READ),
                     .buffer_usage = BUFFER(VERTEX_BUFFER), NO_DESCRIPTOR, .reads_content = true },
@@ -70,15 +64,6 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
     [RG_COPY_DST] = { "copy destination", STAGE(ALL_TRANSFER), 0, ACCESS(TRANSFER_WRITE),
                       LAYOUT(TRANSFER_DST_OPTIMAL), IMAGE(TRANSFER_DST), BUFFER(TRANSFER_DST),
                       FEATURE(TRANSFER_DST), NO_DESCRIPTOR, .writes_content = true },
-    [RG_BUILD] = { "build", BUILD_STAGE, 0, STRUCTURE_WRITE, STRUCTURE, NO_DESCRIPTOR,
-                   .writes_content = true },
-    [RG_BUILD_SOURCE] = { "build source", BUILD_STAGE, STRUCTURE_READ, STRUCTURE, NO_DESCRIPTOR,
-                          .reads_content = true },
-    [RG_BUILD_INPUT] = { "build input", BUILD_STAGE, ACCESS(SHADER_READ),
-                         ADDRESSED(ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR),
-                         NO_DESCRIPTOR, .reads_content = true },
-    [RG_BUILD_SCRATCH] = { "build scratch", BUILD_STAGE, STRUCTURE_READ, STRUCTURE_WRITE,
-                           ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
     /* ALL_COMMANDS makes the frame's semaphore wait until the layout transition has finished */
@@ -103,11 +88,10 @@ VkDescriptorType rg_use_descriptor(const struct rg_use *use)
 
 /* Lowest bit of each access in the mask cell.visible. Shader accesses use 3 bits, one per stage. */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
-    [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
-    [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
-    [RG_VERTEX] = 1 << 11,       [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
-    [RG_COPY_SRC] = 1 << 14,     [RG_HOST_READ] = 1 << 15,   [RG_TRACE] = 1 << 16,
-    [RG_BUILD_SOURCE] = 1 << 19, [RG_BUILD_INPUT] = 1 << 20,
+    [RG_SAMPLED] = 1 << 0,   [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
+    [RG_COLOR] = 1 << 9,     [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
+    [RG_VERTEX] = 1 << 11,   [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
+    [RG_COPY_SRC] = 1 << 14, [RG_HOST_READ] = 1 << 15,   [RG_TRACE] = 1 << 16,
 };
 
 static uint32_t visibility_of(enum rg_access kind, VkPipelineStageFlags2 stages)
@@ -167,10 +151,6 @@ static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_INDIRECT] = BY_SHADERS,
     [RG_COPY_SRC] = KIND_BIT(RG_TRANSFER),
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
-    [RG_BUILD] = KIND_BIT(RG_TRANSFER),
-    [RG_BUILD_SOURCE] = KIND_BIT(RG_TRANSFER),
-    [RG_BUILD_INPUT] = KIND_BIT(RG_TRANSFER),
-    [RG_BUILD_SCRATCH] = KIND_BIT(RG_TRANSFER),
 };
 
 static const VkPipelineStageFlags2 stages_of_kind[] = {
@@ -205,9 +185,6 @@ static const char *buffer_problem(const struct rg_use *use, const struct rg_acce
         return "this access is for images only";
     if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
         return "the CPU writes this buffer; a pass may only read it";
-    if (use->buffer->memory != RG_MEMORY_DEVICE &&
-        (rg_is_structure_access(use->access) || use->access == RG_BUILD_SCRATCH))
-        return "acceleration structures and scratch must be RG_MEMORY_DEVICE";
     if (use->texels && !(info->buffer_usage & BUFFER(STORAGE_BUFFER)))
         return texels_problem;
     if ((use->access == RG_SAMPLED || use->texels) && !rg_format_info(use->buffer->format))

@@ -1,6 +1,13 @@
 /*
  * barriers.c: emits the plan's barriers and merges them into as few batches as possible.
  *
+ * A cell (compiler.h) has the layout, the last write, its readers so far, and the accesses to which
+ * the write was made visible. From these follow (Vulkan 1.3, chapter 7): a read needs a barrier
+ * unless an earlier one covers it; a write always needs one; a layout transition is a write between
+ * the barrier's two scopes, and later barriers chain to the second. Frames overlap on one queue, so
+ * the first use of any memory waits for its last use in the previous frame, and for the resources
+ * that it aliases.
+ *
  * A batch is one vkCmdPipelineBarrier2 before a pass. A barrier may be recorded between its release
  * (when the accesses that it waits for are recorded) and its deadline (the pass that waits for it).
  * Greedy interval stabbing, in the order of deadlines: a barrier joins the latest batch unless that
@@ -11,7 +18,186 @@
  * stages, and the item's index in src_access.
  */
 #include <assert.h>
-#include "graph/compile/subresource_state.h"
+#include "graph/compile/compiler.h"
+
+/* ---- state of a subresource ---- */
+
+/* Returns true if an access writes the subresource; a layout transition counts as a write. */
+static bool changes_cell(const struct cell *s, const struct access *a)
+{
+    return a->flags & ACCESS_WRITES || s->layout != a->layout;
+}
+
+/* Returns false if the access needs no barrier. Fills the barrier `b` except its resource and
+ * range. Sets *release to the earliest pass that the barrier may precede. */
+static bool needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
+                          uint32_t *release)
+{
+    bool changes = changes_cell(s, a);
+    if (!changes && !(a->visibility & ~s->visible))
+        return false;
+    VkPipelineStageFlags2 readers = changes ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
+    /* the earlier readers have waited for the write, so waiting for the readers is enough */
+    bool awaited = readers && s->flags & CELL_AWAITED;
+    b->src_stages = awaited ? readers : readers | s->write_stages;
+    b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
+    b->dst_stages = a->stages;
+    b->dst_access = a->mask;
+    b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
+    b->new_layout = a->layout;
+    *release = changes ? s->touched : s->written;
+    return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
+}
+
+/* Updates a subresource's state for an access. `made_visible` is true if a barrier precedes it. */
+static void apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible)
+{
+    bool conditional = a->flags & ACCESS_CONDITIONAL;
+    s->touched = pass + 1;
+    if (changes_cell(s, a)) {
+        s->write_stages = a->stages;
+        s->write_access = rg_access_table[a->kind].writes;
+        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+        s->visible = 0;
+        s->barrier_end = 0;
+        s->layout = a->layout;
+        s->flags = conditional ? CELL_CHANGED : CELL_CHANGED | CELL_CERTAIN;
+        s->written = pass + 1;
+    }
+    if (a->flags & ACCESS_WRITES)
+        return;
+    s->flags &= ~(uint32_t)CELL_FRESH;
+    s->read_stages |= a->stages;
+    /* A wait for an earlier frame's write is not recorded, because some synchronization validation
+     * layers forget such waits at the end of a frame. */
+    if (s->flags & CELL_CERTAIN && !conditional)
+        s->flags |= CELL_AWAITED;
+    if (made_visible)
+        s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+}
+
+/* ---- state at the start of a frame ---- */
+
+/* Returns the state in which an import's subresources begin a frame (struct rg_import). The first
+ * write waits for all commands, because earlier readers are unknown. */
+static struct cell import_state(const struct compiler *c, struct resource *r)
+{
+    enum rg_access access = c->params->imports[r->import].access;
+    const struct access arrival = rg_boundary_access(r, access);
+    struct cell s = {
+        .layout = arrival.layout,
+        .write_stages = arrival.stages ? arrival.stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .write_access = rg_access_table[access].writes,
+    };
+    if (access == RG_ACCESS_NONE)
+        s.write_access = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    if (arrival.flags & ACCESS_WRITES || access == RG_ACCESS_NONE)
+        return s;
+    s.read_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    s.flags = CELL_AWAITED;
+    s.visible = arrival.visibility & RG_VISIBLE_TO_ALL;
+    return s;
+}
+
+/* ---- persistent resources begin a frame in the state in which the previous frame ended ---- */
+
+static void simulate_access(const struct access *a)
+{
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
+        struct rg_barrier unused;
+        uint32_t release;
+        bool needed = needs_barrier(w.cell, a, &unused, &release);
+        apply_access(w.cell, a, 0, needed);
+    }
+}
+
+static void simulate_frame(struct compiler *c)
+{
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            if (a[i].resource->persistent)
+                simulate_access(&a[i]);
+        }
+    }
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        struct resource *r = c->resources[i];
+        if (!r->persistent || r->output == RG_NONE)
+            continue;
+        const struct access a = rg_boundary_access(r, c->params->outputs[r->output].access);
+        simulate_access(&a);
+    }
+}
+
+typedef void history_read_fn(struct compiler *c, const struct cell_walk *w, const struct access *a);
+
+/* Calls `visit` for each read that depends on content or layout left by the previous frame. */
+static void each_history_read(struct compiler *c, history_read_fn *visit)
+{
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++)
+            r->cells[k].changed = false;
+    }
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *first = &c->accesses[pass->first_access];
+        const struct access *end = first + (pass->alive ? pass->access_count : 0);
+        for (const struct access *a = first; a < end; a++) {
+            if (!a->resource->persistent)
+                continue;
+            for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
+                if (a->flags & ACCESS_WRITES || w.cell->layout != a->layout)
+                    w.cell->changed = true;
+                if (!w.cell->changed)
+                    visit(c, &w, a);
+            }
+        }
+    }
+}
+
+/* Marks a read of the previous frame's content as synchronised if the previous frame has a barrier
+ * for another such read. barriers.c then extends this barrier to cover both reads. */
+static void expect_history_read(struct compiler *c, const struct cell_walk *w,
+                                const struct access *a)
+{
+    (void)c;
+    if (w->cell->visible)
+        w->cell->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+}
+
+static void begin_persistent(struct compiler *c)
+{
+    simulate_frame(c);
+    each_history_read(c, expect_history_read);
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
+            struct cell *s = &r->cells[k];
+            s->written = s->touched = s->barrier_end = 0;
+            s->flags &= ~(uint32_t)(CELL_CHANGED | CELL_CERTAIN);
+        }
+    }
+}
+
+void rg_begin_cells(struct compiler *c)
+{
+    for (uint32_t i = 0; i < c->item_count && c->owners; i++) {
+        const struct resource *r = c->items[i].resource;
+        for (uint32_t k = 0; k < r->cell_count; k++)
+            r->cells[k].written = r->cells[k].touched = c->owners[r->item].end;
+    }
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->import != RG_NONE; k++)
+            r->cells[k] = import_state(c, r);
+    }
+    if (c->persistent_count)
+        begin_persistent(c);
+}
+
+/* ---- batches ---- */
 
 /* Stores the newest batch's barriers in the pass after it, or in the plan at the frame's end. */
 static void close_batch(struct compiler *c)
@@ -122,7 +308,7 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
     struct resource *r = a->resource;
     struct rg_barrier *b = &c->barriers[c->barrier_count];
     uint32_t release;
-    bool needed = rg_needs_barrier(w->cell, a, b, &release);
+    bool needed = needs_barrier(w->cell, a, b, &release);
     bool added = false;
     if (needed) {
         bool only_reads = !(a->flags & ACCESS_WRITES) && w->cell->layout == a->layout;
@@ -135,7 +321,7 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
         if (added)
             append_barrier(c, w, r, release, pass);
     }
-    rg_apply_access(w->cell, a, pass, needed);
+    apply_access(w->cell, a, pass, needed);
     return added;
 }
 
@@ -251,7 +437,7 @@ void rg_end_barriers(struct compiler *c)
             end_resource(c, c->resources[i]);
     }
     if (c->persistent_count && !c->arena->failed)
-        rg_each_history_read(c, extend_to_history_read);
+        each_history_read(c, extend_to_history_read);
     close_batch(c);
     plan->barrier_count = c->barrier_count;
     plan->first_initial_barrier = c->batch_first = c->barrier_count;

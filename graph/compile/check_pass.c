@@ -1,5 +1,6 @@
 /* check_pass.c: validates one pass declaration, independently of other passes. */
 #include <float.h>
+#include <math.h>
 #include "graph/compile/compiler.h"
 
 static const char *use_name(const struct rg_use *use)
@@ -101,6 +102,107 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
                 "add a target or a use that writes: otherwise the pass is always culled");
 }
 
+/* ---- fixed-function state ---- */
+
+enum {
+    ALL_CHANNELS = 0xf /* all bits of VkColorComponentFlags */
+};
+
+bool rg_is_blended(const struct rg_target *target)
+{
+    return target->blend || (target->blend_state && target->blend_state->blendEnable);
+}
+
+bool rg_keeps_color(const struct rg_target *target)
+{
+    return rg_is_blended(target) ||
+           (target->blend_state && target->blend_state->colorWriteMask != ALL_CHANNELS);
+}
+
+static bool is_factor(VkBlendFactor factor)
+{
+    return (uint32_t)factor <= VK_BLEND_FACTOR_SRC_ALPHA_SATURATE;
+}
+
+static bool is_blend_state(const VkPipelineColorBlendAttachmentState *s)
+{
+    return s->blendEnable <= VK_TRUE && s->colorWriteMask <= ALL_CHANNELS &&
+           is_factor(s->srcColorBlendFactor) && is_factor(s->dstColorBlendFactor) &&
+           is_factor(s->srcAlphaBlendFactor) && is_factor(s->dstAlphaBlendFactor) &&
+           (uint32_t)s->colorBlendOp <= VK_BLEND_OP_MAX &&
+           (uint32_t)s->alphaBlendOp <= VK_BLEND_OP_MAX;
+}
+
+static void check_target(struct compiler *c, const struct rg_target *target)
+{
+    const VkPipelineColorBlendAttachmentState *state = target->blend_state;
+    RG_CHECK_ENUM(c, target, load, RG_LOAD_DISCARD, target->image->name, "enum rg_load");
+    RG_CHECK_ENUM(c, target, blend, RG_BLEND_ADD, target->image->name, "enum rg_blend");
+    rg_fault_if(
+        c, state && (target->blend || !is_blend_state(state)), RG_ERROR_VALUE, target->image->name,
+        "blend_state: expected Vulkan constants without dual-source blending, and no .blend");
+}
+
+/* Adds a layout's vertex locations to a bit mask. Returns false if any is invalid or repeated. */
+static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32_t *locations)
+{
+    bool fits = v->stride <= RG_MAX_STRIDE && (uint32_t)v->rate <= VK_VERTEX_INPUT_RATE_INSTANCE;
+    for (uint32_t i = 0; i < v->attribute_count; i++) {
+        const VkVertexInputAttributeDescription *a = &v->attributes[i];
+        fits = fits && a->binding == binding && a->offset < RG_MAX_STRIDE &&
+               a->location < RG_MAX_ATTRIBUTES && !(*locations >> a->location & 1) &&
+               /* E5B9G9R9 is the last format before the block-compressed ones */
+               a->format - 1u < VK_FORMAT_E5B9G9R9_UFLOAT_PACK32;
+        *locations |= 1u << (a->location & 31);
+    }
+    return fits;
+}
+
+static void check_vertices(struct compiler *c, const struct rg_vertex_layout *v)
+{
+    uint32_t locations = 0, binding = 0;
+    for (; v && binding < RG_MAX_VERTEX_BUFFERS; v = v->next, binding++) {
+        RG_CHECK_TABLE(c, v, attributes, attribute_count, RG_MAX_ATTRIBUTES, NULL);
+        if (rg_is_bad_table(v->attributes, v->attribute_count, RG_MAX_ATTRIBUTES))
+            return;
+        rg_fault_if(c, !is_layout(v, binding, &locations), RG_ERROR_VALUE, NULL,
+                    "vertices: expected a stride up to 2048, and attributes with the layout's "
+                    "binding, a colour format, an offset below 2048 and a unique location below "
+                    "16");
+    }
+    rg_fault_if(c, v, RG_ERROR_VALUE, NULL, "vertices: expected at most 8 layouts");
+}
+
+static bool is_stencil_state(const VkStencilOpState *s)
+{
+    return (uint32_t)s->failOp <= VK_STENCIL_OP_DECREMENT_AND_WRAP &&
+           (uint32_t)s->passOp <= VK_STENCIL_OP_DECREMENT_AND_WRAP &&
+           (uint32_t)s->depthFailOp <= VK_STENCIL_OP_DECREMENT_AND_WRAP &&
+           (uint32_t)s->compareOp <= VK_COMPARE_OP_ALWAYS;
+}
+
+static bool writes_stencil(const VkStencilOpState *s)
+{
+    return s->writeMask && (s->failOp || s->passOp || s->depthFailOp);
+}
+
+static void check_depth(struct compiler *c, const struct rg_pass *pass)
+{
+    const struct rg_stencil *s = pass->stencil;
+    const struct rg_depth_bias *bias = &pass->depth_bias;
+    rg_fault_if(c, !isfinite(bias->constant) || !isfinite(bias->clamp) || !isfinite(bias->slope),
+                RG_ERROR_VALUE, NULL, "depth_bias: expected finite numbers");
+    rg_fault_if(c, s && (!is_stencil_state(&s->front) || !is_stencil_state(&s->back)),
+                RG_ERROR_VALUE, NULL, "stencil: expected Vulkan constants");
+    rg_fault_if(c, s && !pass->depth.image, RG_ERROR_NO_TARGET, NULL,
+                "a stencil test needs .depth");
+    rg_fault_if(
+        c, s && pass->depth_read_only && (writes_stencil(&s->front) || writes_stencil(&s->back)),
+        RG_ERROR_VALUE, NULL, "stencil: expected no writes with depth_read_only");
+}
+
+/* ---- fields of a row ---- */
+
 static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
     bool any = color_count || pass->depth.image || rg_safe_color_count(pass) < pass->color_count;
@@ -140,18 +242,18 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     if (!color_count)
         RG_CHECK_TABLE(c, pass, color, color_count, RG_COLOR_COUNT, NULL);
     for (uint32_t i = 0; i < color_count; i++)
-        rg_check_target(c, &pass->color[i]);
+        check_target(c, &pass->color[i]);
     if (depth->image) {
         float clear = depth->clear.depthStencil.depth;
-        rg_check_target(c, depth);
+        check_target(c, depth);
         rg_fault_if(c, depth->load == RG_LOAD_CLEAR && !(clear >= 0.0f && clear <= 1.0f),
                     RG_ERROR_VALUE, depth->image->name, "clear: expected a depth from 0 to 1");
     }
     check_shader(c, pass->vert);
     check_shader(c, pass->frag);
     check_shader(c, pass->comp);
-    rg_check_vertices(c, pass->vertices);
-    rg_check_depth(c, pass);
+    check_vertices(c, pass->vertices);
+    check_depth(c, pass);
     rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,
                 "give the descriptor set a name");
     if (pass->set && pass->kind == RG_TRANSFER)

@@ -225,12 +225,6 @@ static inline bool rg_is_shader_access(enum rg_access kind)
     return kind >= RG_SAMPLED && kind <= RG_TRACE;
 }
 
-/* Returns true for accesses to an acceleration structure. */
-static inline bool rg_is_structure_access(enum rg_access kind)
-{
-    return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
-}
-
 /* Initialises `a` as an access of this kind to a whole resource, and returns `a`. */
 struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
                               VkPipelineStageFlags2 stages);
@@ -321,18 +315,8 @@ void rg_check_output_memory(struct compiler *c, const struct resource *r);
 /* Checks those fields of a pass declaration that do not depend on other passes. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
 
-/* ---- check_pipeline_state.c ---- */
-
-enum {
-    ALL_CHANNELS = 0xf /* all bits of VkColorComponentFlags */
-};
-
 bool rg_is_blended(const struct rg_target *target);  /* blending reads the old colour */
 bool rg_keeps_color(const struct rg_target *target); /* old colour may partly remain */
-
-void rg_check_target(struct compiler *c, const struct rg_target *target);
-void rg_check_vertices(struct compiler *c, const struct rg_vertex_layout *v); /* may be NULL */
-void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
 
 /* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
@@ -340,10 +324,6 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 /* Begin and end a search for specialization constants that no shader has, which are faults. */
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
-
-/* bind_placeholder_images.c: returns true and binds a fallback if no pass or import provides the
- * image. */
-bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
 /* Returns true for a use, and false for the zero entry that ends an array of uses. */
 static inline bool rg_is_use(const struct rg_use *use)
@@ -416,18 +396,10 @@ void rg_write_plan_passes(struct compiler *c);
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 
-/* ---- subresource_state.c ---- */
+/* ---- barriers.c ---- */
 
 /* Sets every subresource's synchronisation state to the state at the start of a frame. */
 void rg_begin_cells(struct compiler *c);
-
-typedef void rg_history_read_fn(struct compiler *c, const struct cell_walk *w,
-                                const struct access *a);
-
-/* Calls `visit` for each read that depends on content or layout left by the previous frame. */
-void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
-
-/* ---- barriers.c ---- */
 
 /* Adds the barriers that an access needs. If `restores_import`, the access returns an import to its
  * initial state. Subresources that are already in this state then get no barrier. */

@@ -230,15 +230,13 @@ static void list_image(struct compiler *c, struct resource *r)
     add_memory(c, r, &required);
 }
 
-/* Checks that a buffer with an acceleration structure has no other usage. */
+/* Checks that a buffer with an acceleration structure is imported and has no other usage. */
 static void check_structure(struct compiler *c, const struct resource *r)
 {
     const VkFlags structure = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
-    const VkFlags allowed = structure | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
-                            (r->persistent ? VK_BUFFER_USAGE_TRANSFER_DST_BIT : 0u);
-    if (r->usage & structure && r->usage & ~allowed)
+    if (r->usage & structure && (r->import == RG_NONE || r->usage != structure))
         rg_fault_of(c, RG_ERROR_ACCESS, r->name,
-                    "a buffer with an acceleration structure holds nothing else");
+                    "import the acceleration structure; its buffer holds nothing else");
 }
 
 static void list_buffer(struct compiler *c, struct resource *r)

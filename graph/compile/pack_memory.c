@@ -10,7 +10,6 @@ enum {
     PROMOTIONS = 8,          /* orders tried after the greedy rules */
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
-    FEW_ITEMS = 256,         /* Shell sort up to this count */
     /* above this mean number of live sets per item, large plans only use apply_time_order() */
     LONG_LIFE = 32,
 };
@@ -61,7 +60,6 @@ struct packing {
     struct span *spans;    /* span storage of all live sets */
     VkDeviceSize *offsets; /* best offsets so far, per item */
     uint64_t *order;       /* upper half: key; lower half: item */
-    uint64_t *sorted;      /* buffer for the next order */
     uint32_t placed;       /* items placed by the current order */
 };
 
@@ -214,33 +212,17 @@ static uint64_t product_of(const struct rule *rule, const struct pack_item *item
     return bits;
 }
 
-/* Sorts p->order stably by the key byte at bit `shift`: one pass of a radix sort. */
-static void sort_by_byte(struct packing *p, unsigned shift)
+/* Sorts all items into p->order by descending key: Shell sort, because qsort() may allocate. */
+static void sort(const struct packing *p, const struct rule *rule)
 {
-    uint32_t places[256] = { 0 };
-    uint32_t sum = 0;
-    uint64_t *from = p->order;
-    for (uint32_t i = 0; i < p->count; i++)
-        places[from[i] >> shift & 255]++;
-    for (uint32_t i = 0; i < 256; i++) {
-        uint32_t count = places[i];
-        places[i] = sum;
-        sum += count;
-    }
-    for (uint32_t i = 0; i < p->count; i++)
-        p->sorted[places[from[i] >> shift & 255]++] = from[i];
-    p->order = p->sorted;
-    p->sorted = from;
-}
-
-/* Shell sort in ascending order. */
-static void sort_few(uint64_t *order, uint32_t count)
-{
+    uint64_t *order = p->order;
     uint32_t gap = 1;
-    while (gap < count / 3)
+    for (uint32_t i = 0; i < p->count; i++)
+        order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
+    while (gap < p->count / 3)
         gap = gap * 3 + 1;
     for (; gap; gap /= 3) {
-        for (uint32_t i = gap; i < count; i++) {
+        for (uint32_t i = gap; i < p->count; i++) {
             const uint64_t moved = order[i];
             uint32_t k = i;
             for (; k >= gap && order[k - gap] > moved; k -= gap)
@@ -248,19 +230,6 @@ static void sort_few(uint64_t *order, uint32_t count)
             order[k] = moved;
         }
     }
-}
-
-/* Sorts all items into p->order by descending key. Avoids qsort(), which may allocate memory. */
-static void sort(struct packing *p, const struct rule *rule)
-{
-    for (uint32_t i = 0; i < p->count; i++)
-        p->order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
-    if (p->count <= FEW_ITEMS) {
-        sort_few(p->order, p->count);
-        return;
-    }
-    for (unsigned shift = 32; shift < 64; shift += 8)
-        sort_by_byte(p, shift);
 }
 
 /* Moves the item that ends highest in memory to half its index in p->order. */
@@ -376,7 +345,6 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
         .live_sets = ARENA_ARRAY(arena, struct live_set, count),
         .offsets = ARENA_ARRAY(arena, VkDeviceSize, count),
         .order = ARENA_ARRAY(arena, uint64_t, count),
-        .sorted = ARENA_ARRAY(arena, uint64_t, count),
     };
     if (arena->failed)
         return result;

@@ -15,19 +15,12 @@ struct rg_dump {
     rg_dump_name_fn *name;
 };
 
-/* ---- formatted_output.c ---- */
-
-/* Formats and writes text. %u takes a uint32_t, %z a VkDeviceSize, %b a VkDeviceSize to write with
- * a unit (12.5 MiB), %s an unchanged string, and %n a name to escape. */
+/* Formats and writes text. %u takes a uint32_t, %z a VkDeviceSize, %s an unchanged string, and %n a
+ * name to escape. */
 void rg_dump_print(const struct rg_dump *d, const char *text, ...);
 
-/* Returns the nonzero UTF-8 character at *text, or U+FFFD if invalid, and advances *text. */
-uint32_t rg_dump_decode_utf8(const char **text);
-
-/* Returns the character, or U+FFFD for control characters and those that XML forbids. */
-uint32_t rg_dump_printable(uint32_t character);
-
-void rg_dump_utf8(FILE *out, uint32_t character);
+/* plan_page.html before and after the JSON dump */
+extern const char rg_dump_page_begin[], rg_dump_page_end[];
 
 /* ---- flag_names.c ---- */
 
@@ -64,17 +57,5 @@ struct rg_dump_resource {
 
 /* Returns an image or buffer of the plan. Indices count all images first, then all buffers. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
-
-/* ---- text_dump.c ---- */
-
-void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition);
-void rg_dump_image(const struct rg_dump *d, uint32_t index);
-void rg_dump_buffer(const struct rg_dump *d, uint32_t index);
-void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first, uint32_t count);
-void rg_dump_pass(const struct rg_dump *d, uint32_t index); /* without its barriers */
-void rg_dump_text(const struct rg_dump *d);
-
-/* html_chart.c: prints the SVG chart of passes, memory blocks and other resources */
-void rg_dump_chart(const struct rg_dump *d);
 
 #endif

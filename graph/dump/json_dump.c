@@ -1,18 +1,59 @@
 /* json_dump.c: dumps a plan as a JSON object; docs/render-graph.md describes its members. */
 #include "graph/dump/dump_internal.h"
 
-/* Writes a quoted and escaped string. */
+enum {
+    REPLACEMENT = 0xfffd
+};
+
+/* Returns the nonzero UTF-8 character at *text, or U+FFFD if invalid, and advances *text. */
+static uint32_t decode_utf8(const char **text)
+{
+    const unsigned char *s = (const unsigned char *)*text;
+    uint32_t length = *s < 0x80   ? 1
+                      : *s < 0xc2 ? 0
+                      : *s < 0xe0 ? 2
+                      : *s < 0xf0 ? 3
+                      : *s < 0xf5 ? 4
+                                  : 0;
+    uint32_t c = length == 1 ? *s : *s & 0xffu >> (length + 1);
+    for (uint32_t i = 1; i < length; i++) {
+        if ((s[i] & 0xc0) != 0x80) /* also rejects the terminating 0 */
+            length = 0;
+        else
+            c = c << 6 | (s[i] & 0x3fu);
+    }
+    bool too_long = (length == 3 && c < 0x800) || (length == 4 && c < 0x10000);
+    bool surrogate = c >= 0xd800 && c < 0xe000;
+    if (!length || too_long || (length > 1 && surrogate) || c > 0x10ffff) {
+        *text += 1;
+        return REPLACEMENT;
+    }
+    *text += length;
+    return c;
+}
+
+static void print_utf8(FILE *out, uint32_t character)
+{
+    static const unsigned char leads[] = { 0, 0xc0, 0xe0, 0xf0 };
+    int rest = character < 0x80 ? 0 : character < 0x800 ? 1 : character < 0x10000 ? 2 : 3;
+    fputc((int)(leads[rest] | character >> (6 * rest)), out);
+    while (rest--)
+        fputc((int)(0x80 | (character >> (6 * rest) & 0x3f)), out);
+}
+
+/* Writes a quoted and escaped string. '<' is escaped because it could end the page's script. */
 static void json_name(FILE *out, const char *text)
 {
     fputc('"', out);
     while (*text) {
-        uint32_t c = rg_dump_decode_utf8(&text);
+        uint32_t c = decode_utf8(&text);
         if (c == '"' || c == '\\')
             fprintf(out, "\\%c", (int)c);
-        else if (rg_dump_printable(c) != c || c == 0xfffd)
+        else if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == '<' ||
+                 (c >= REPLACEMENT && c <= 0xffff))
             fprintf(out, "\\u%04x", c);
         else
-            rg_dump_utf8(out, c);
+            print_utf8(out, c);
     }
     fputc('"', out);
 }
@@ -255,4 +296,11 @@ void rg_dump_json(const struct rg_plan *plan, FILE *out)
     if (!plan->fault_count)
         print_members(&d);
     rg_dump_print(&d, "\n}\n");
+}
+
+void rg_dump_html(const struct rg_plan *plan, FILE *out)
+{
+    fputs(rg_dump_page_begin, out);
+    rg_dump_json(plan, out);
+    fputs(rg_dump_page_end, out);
 }

@@ -1,5 +1,26 @@
 /* text_dump.c: dumps a plan as text. */
+#include <inttypes.h>
+#include <stdarg.h>
 #include "graph/dump/dump_internal.h"
+
+void rg_dump_print(const struct rg_dump *d, const char *text, ...)
+{
+    va_list arguments;
+    va_start(arguments, text);
+    for (; *text; text++) {
+        if (*text != '%')
+            fputc(*text, d->out);
+        else if (*++text == 'u')
+            fprintf(d->out, "%u", va_arg(arguments, uint32_t));
+        else if (*text == 'z')
+            fprintf(d->out, "%" PRIu64, va_arg(arguments, VkDeviceSize));
+        else if (*text == 's')
+            fputs(va_arg(arguments, const char *), d->out);
+        else
+            d->name(d->out, va_arg(arguments, const char *));
+    }
+    va_end(arguments);
+}
 
 static void print_span(FILE *out, const char *what, uint32_t first, uint32_t count, uint32_t all)
 {
@@ -36,7 +57,7 @@ static void print_placement(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, r.last == d->plan->pass_count ? "end\n" : "%u\n", r.last);
 }
 
-void rg_dump_image(const struct rg_dump *d, uint32_t index)
+static void print_image(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_image *image = &d->plan->images[index];
     rg_dump_print(d, "image %n %s %ux%u", image->image->name,
@@ -54,7 +75,7 @@ void rg_dump_image(const struct rg_dump *d, uint32_t index)
     print_placement(d, index);
 }
 
-void rg_dump_buffer(const struct rg_dump *d, uint32_t index)
+static void print_buffer(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_buffer *buffer = &d->plan->buffers[index];
     rg_dump_print(d, "buffer %n %z bytes, ", buffer->buffer->name, buffer->size);
@@ -85,7 +106,8 @@ static void print_scope(FILE *out, VkPipelineStageFlags2 stages, VkAccessFlags2 
     rg_dump_flags(out, rg_dump_accesses, accesses, "|");
 }
 
-void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first, uint32_t count)
+static void print_barriers(const struct rg_dump *d, const char *what, uint32_t first,
+                           uint32_t count)
 {
     for (uint32_t i = first; i < first + count; i++) {
         const struct rg_barrier *b = &d->plan->barriers[i];
@@ -127,7 +149,8 @@ static void print_target(const struct rg_dump *d, const struct rg_plan_target *t
     rg_dump_print(d, "\n");
 }
 
-void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition)
+static void print_pass_name(const struct rg_dump *d, const struct rg_pass *pass,
+                            uint32_t repetition)
 {
     rg_dump_print(d, pass->repeat != RG_ONCE ? "%n[%u]" : "%n", pass->name, repetition);
 }
@@ -145,11 +168,11 @@ static void print_use(const struct rg_dump *d, const struct rg_plan_use *use)
     rg_dump_print(d, use->use->element ? "[%u]\n" : "\n", (uint32_t)use->use->element);
 }
 
-void rg_dump_pass(const struct rg_dump *d, uint32_t index)
+static void print_pass(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_pass *pass = &d->plan->passes[index];
     rg_dump_print(d, "pass %u ", index);
-    rg_dump_pass_name(d, pass->pass, pass->repetition);
+    print_pass_name(d, pass->pass, pass->repetition);
     rg_dump_print(d, " %s %ux%u%s\n", rg_dump_flag_name(rg_dump_kinds, pass->pass->kind),
                   pass->extent.width, pass->extent.height, pass->pass->when ? " conditional" : "");
     for (uint32_t i = 0; i < pass->color_count; i++)
@@ -162,26 +185,24 @@ void rg_dump_pass(const struct rg_dump *d, uint32_t index)
         rg_dump_print(d, "  set %n\n", pass->pass->set->name);
 }
 
-void rg_dump_text(const struct rg_dump *d)
+static void print_plan(const struct rg_dump *d)
 {
     const struct rg_plan *plan = d->plan;
     rg_dump_print(d, "view %ux%u\n", plan->view.width, plan->view.height);
     for (uint32_t i = 0; i < plan->image_count; i++)
-        rg_dump_image(d, i);
+        print_image(d, i);
     for (uint32_t i = 0; i < plan->buffer_count; i++)
-        rg_dump_buffer(d, i);
+        print_buffer(d, i);
     print_memory(d);
-    rg_dump_barriers(d, "initial barrier", plan->first_initial_barrier,
-                     plan->initial_barrier_count);
+    print_barriers(d, "initial barrier", plan->first_initial_barrier, plan->initial_barrier_count);
     for (uint32_t p = 0; p < plan->pass_count; p++) {
-        rg_dump_barriers(d, "barrier", plan->passes[p].first_barrier,
-                         plan->passes[p].barrier_count);
-        rg_dump_pass(d, p);
+        print_barriers(d, "barrier", plan->passes[p].first_barrier, plan->passes[p].barrier_count);
+        print_pass(d, p);
     }
-    rg_dump_barriers(d, "barrier", plan->first_final_barrier, plan->final_barrier_count);
+    print_barriers(d, "barrier", plan->first_final_barrier, plan->final_barrier_count);
     for (uint32_t i = 0; i < plan->culled_count; i++) {
         rg_dump_print(d, "culled ");
-        rg_dump_pass_name(d, plan->culled[i].pass, plan->culled[i].repetition);
+        print_pass_name(d, plan->culled[i].pass, plan->culled[i].repetition);
         rg_dump_print(d, "\n");
     }
 }
@@ -199,5 +220,5 @@ void rg_dump(const struct rg_plan *plan, FILE *out)
         fprintf(out, "fault: %s\n", text);
     }
     if (!plan->fault_count)
-        rg_dump_text(&(struct rg_dump){ plan, out, plain_name });
+        print_plan(&(struct rg_dump){ plan, out, plain_name });
 }

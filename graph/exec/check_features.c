@@ -55,10 +55,10 @@ static bool blends_differ(const struct rg_plan *plan)
     return false;
 }
 
-static bool has_addresses(const struct rg_plan *plan)
+static bool has_structures(const struct rg_plan *plan)
 {
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
-        if (plan->buffers[i].usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
+        if (plan->buffers[i].usage & VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
             return true;
     }
     return false;
@@ -184,7 +184,7 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
     const VkPhysicalDeviceFeatures *core = &f.core.features;
     VkResult result = check_capabilities(exec, &f);
     exec->has_indirect_count = f.v12.drawIndirectCount;
-    exec->has_addresses = has_addresses(exec->plan);
+    exec->has_structures = has_structures(exec->plan);
 
     const struct {
         const char *name;
@@ -196,9 +196,8 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
         { "the feature scalarBlockLayout", true, f.v12.scalarBlockLayout },
         { "the feature separateDepthStencilLayouts", true, f.v12.separateDepthStencilLayouts },
         { "the feature independentBlend", blends_differ(exec->plan), core->independentBlend },
-        { "the feature accelerationStructure", exec->has_addresses,
+        { "the feature accelerationStructure", exec->has_structures,
           f.structures.accelerationStructure },
-        { "the feature bufferDeviceAddress", exec->has_addresses, f.v12.bufferDeviceAddress },
         { "the feature depthBiasClamp", limits_depth_bias(exec->plan), core->depthBiasClamp },
         { "the feature fragmentStoresAndAtomics",
           writes_in(exec->plan, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT),

@@ -144,7 +144,7 @@ static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *
     VkBuffer buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
     uint64_t key = RG_NO_KEY;
     VkResult result;
-    if (!rg_exec_is_external(exec, exec->plan->buffers[d->buffer].imported)) {
+    if (!exec->plan->buffers[d->buffer].imported) {
         key = rg_exec_key(key, &buffer, sizeof(buffer));
         RG_KEY(key, declared->format);
     }
@@ -197,8 +197,7 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
             RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->acceleration);
         }
         is_foreign =
-            is_foreign || (d->buffer != RG_NONE &&
-                           rg_exec_is_external(exec, exec->plan->buffers[d->buffer].imported));
+            is_foreign || (d->buffer != RG_NONE && exec->plan->buffers[d->buffer].imported);
     }
     if (is_foreign)
         *key = RG_NO_KEY;
@@ -207,7 +206,7 @@ fail:
 }
 
 /* Creates a descriptor pool that suffices even if all descriptors have one type. If the plan has no
- * buffers with device addresses, the pool has no acceleration structures (the last entry). */
+ * acceleration structures, the pool has none (the last entry). */
 static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
                           VkDescriptorPool *pool)
 {
@@ -227,7 +226,7 @@ static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
         &(VkDescriptorPoolCreateInfo){
             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
             .maxSets = exec->slot_count,
-            .poolSizeCount = (uint32_t)(sizeof(sizes) / sizeof(sizes[0])) - !exec->has_addresses,
+            .poolSizeCount = (uint32_t)(sizeof(sizes) / sizeof(sizes[0])) - !exec->has_structures,
             .pPoolSizes = sizes,
         });
 fail:

@@ -31,16 +31,11 @@ static VkResult allocate(struct rg_exec *exec, VkDeviceSize size, uint32_t type,
     VkResult result;
     if (type == RG_NONE)
         return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the memory type", name);
-    const VkMemoryAllocateFlagsInfo addressed = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
-        .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT,
-    };
     RG_KEY(key, size);
-    RG_KEY(key, (uint64_t)exec->has_addresses << 32 | type);
+    RG_KEY(key, type);
     RG_MAKE_KEYED(exec, name, key, DEVICE_MEMORY, AllocateMemory, memory,
                   &(VkMemoryAllocateInfo){
                       .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                      .pNext = exec->has_addresses ? &addressed : NULL,
                       .allocationSize = size,
                       .memoryTypeIndex = type,
                   });
@@ -102,12 +97,6 @@ static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint
     return NULL;
 }
 
-/* Returns true for imports, except with `warm_up_only`, where the executor creates them. */
-bool rg_exec_is_external(const struct rg_exec *exec, bool imported)
-{
-    return imported && !exec->params.warm_up_only;
-}
-
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image)
 {
     return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
@@ -158,7 +147,7 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
     uint64_t key = rg_exec_key(RG_NO_KEY, range, sizeof(*range));
     RG_KEY(key, image);
     RG_KEY(key, type);
-    if (rg_exec_is_external(exec, plan->imported))
+    if (plan->imported)
         key = RG_NO_KEY;
     RG_MAKE_KEYED(exec, plan->image->name, key, IMAGE_VIEW, CreateImageView, view,
                   &(VkImageViewCreateInfo){
@@ -180,7 +169,7 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
     const struct rg_exec_import *import = &own;
     VkImage image = VK_NULL_HANDLE;
     VkResult result = VK_SUCCESS;
-    if (rg_exec_is_external(exec, plan->imported))
+    if (plan->imported)
         import = find_import(exec, plan->import, plan->image->name);
     else
         result = rg_exec_make_image(exec, plan, 0, &image);
@@ -248,24 +237,6 @@ fail:
     return result;
 }
 
-/* Creates the acceleration structure in a buffer. The first build determines its type. */
-static VkResult make_structure(struct rg_exec *exec, const struct rg_plan_buffer *plan,
-                               struct exec_buffer *buffer)
-{
-    VkResult result;
-    uint64_t key = rg_exec_key(RG_NO_KEY, &buffer->buffer, sizeof(buffer->buffer));
-    RG_MAKE_KEYED(exec, plan->buffer->name, key, ACCELERATION_STRUCTURE_KHR,
-                  CreateAccelerationStructureKHR, &buffer->acceleration,
-                  &(VkAccelerationStructureCreateInfoKHR){
-                      .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR,
-                      .buffer = buffer->buffer,
-                      .size = plan->size,
-                      .type = VK_ACCELERATION_STRUCTURE_TYPE_GENERIC_KHR,
-                  });
-fail:
-    return result;
-}
-
 /* Finds or creates a buffer of the plan for every frame slot. */
 static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
 {
@@ -292,11 +263,9 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
             result = rg_exec_make_host_buffer(exec, &info, preferred, placement.name, slot, buffer);
         } else if (slot > 0) {
             *buffer = *rg_exec_buffer(exec, index, 0);
-        } else if (!rg_exec_is_external(exec, plan->imported)) {
+        } else if (!plan->imported) {
             result = make_device_buffer(exec, &info, &placement, &buffer->buffer);
             exec->has_content[exec->plan->image_count + index] = plan->persistent && exec->found;
-            if (result == VK_SUCCESS && rg_exec_is_structure(plan))
-                result = make_structure(exec, plan, buffer);
         } else {
             import = find_import(exec, plan->import, placement.name);
             buffer->buffer = import ? import->buffer : VK_NULL_HANDLE;

@@ -78,7 +78,7 @@ static VkResult make_all(struct rg_exec *exec)
         rg_exec_check_features,   count_image_sets,       make_arrays,
         rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
         rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
+        rg_exec_make_time,        rg_exec_make_coverage,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
@@ -111,6 +111,21 @@ static const char *params_problem(const struct rg_exec_params *p)
     return NULL;
 }
 
+/* Fills *functions. Returns NULL, or the name of a function that the instance lacks. */
+static const char *find_functions(struct rg_functions *functions, PFN_vkGetInstanceProcAddr find,
+                                  VkInstance instance)
+{
+    const char *missing = NULL;
+#define FIND(function) functions->function = (PFN_vk##function)find(instance, "vk" #function);
+#define FIND_OR_MISS(function) \
+    FIND(function) \
+    if (!functions->function) \
+        missing = "vk" #function;
+    RG_FUNCTIONS(FIND_OR_MISS)
+    RG_FUNCTIONS_OPTIONAL(FIND)
+    return missing;
+}
+
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
 {
     static const struct rg_exec_params none = { 0 };
@@ -122,11 +137,9 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
     };
     start.slot = start.slot_count - 1;
-    if (params->warm_up_only)
-        start.params.import_count = 0;
     const char *wrong = params_problem(&start.params);
     const char *missing =
-        wrong ? NULL : rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
+        wrong ? NULL : find_functions(&start.vk, params->get_proc_addr, params->instance);
     VkResult outcome = wrong     ? VK_ERROR_INITIALIZATION_FAILED
                        : missing ? VK_ERROR_INCOMPATIBLE_DRIVER
                                  : VK_SUCCESS;
@@ -166,7 +179,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     };
     next.params.plan = params->plan;
     next.params.imports = params->imports;
-    next.params.import_count = former.params.warm_up_only ? 0 : params->import_count;
+    next.params.import_count = params->import_count;
     next.params.max_anisotropy = params->max_anisotropy;
     next.params.constants = params->constants;
     next.params.replace_shader = params->replace_shader;

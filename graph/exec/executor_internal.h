@@ -10,7 +10,7 @@
 /* Buffer of one frame in flight (slot). In device memory, all slots share one buffer. */
 struct exec_buffer {
     VkBuffer buffer;
-    VkAccelerationStructureKHR acceleration; /* in the buffer, or VK_NULL_HANDLE */
+    VkAccelerationStructureKHR acceleration; /* imported; or VK_NULL_HANDLE */
     VkDeviceMemory host;                     /* null for device memory */
     void *mapped;
     bool coherent; /* host-coherent: needs no flush or invalidate */
@@ -37,7 +37,6 @@ struct exec_pass {
     VkDescriptorSetLayout set_layout; /* shared by a row's repetitions */
     VkPipelineLayout layout;          /* shared by equal rows; also `pipeline` */
     VkPipeline pipeline;
-    bool first; /* this pass created the pipeline */
     VkRenderPass render_pass;
     uint32_t coverage; /* COVER_... flags (region_of_interest.c) */
 };
@@ -57,12 +56,6 @@ struct exec_descriptor {
     uint32_t buffer;       /* index into plan buffers, or RG_NONE */
     VkDescriptorImageInfo image;
 };
-
-/* Returns true if a buffer of a plan holds an acceleration structure. */
-static inline bool rg_exec_is_structure(const struct rg_plan_buffer *buffer)
-{
-    return buffer->usage & VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
-}
 
 struct exec_slot {
     VkCommandBuffer commands;
@@ -132,8 +125,7 @@ struct rg_exec {
     uint32_t transition_count;
     VkResult record_result;  /* error of a record function */
     bool has_indirect_count; /* the device has drawIndirectCount */
-    bool has_addresses;      /* plan has buffers with device addresses */
-    VkBuffer triangle;       /* zero-filled vertex, index buffer (warm_up_only) */
+    bool has_structures;     /* plan has acceleration structures */
     struct exec_batch batch;
 };
 
@@ -145,7 +137,6 @@ struct rg_cmd {
     const struct exec_pass *pass;
     VkCommandBuffer commands;
     VkRect2D area; /* render area of a raster pass */
-    bool warm_up;  /* draw one fully scissored triangle each */
 };
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
@@ -223,8 +214,6 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
-/* Returns true if the program owns an object, whose handle is then unsuitable as a cache key. */
-bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
 VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory);
@@ -266,9 +255,6 @@ bool rg_exec_is_limited(const struct rg_cmd *cmd);
 VkRect2D rg_exec_area(const struct rg_cmd *cmd);            /* render area within the region */
 VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 
-/* warm_up_draws.c: creates the buffer of the triangle that `warm_up_only` draws */
-VkResult rg_exec_make_warm_up(struct rg_exec *exec);
-
 /* check_features.c: checks that the device has the features that the plan needs */
 VkResult rg_exec_check_features(struct rg_exec *exec);
 
@@ -292,11 +278,8 @@ void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t 
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
 /* record_commands.c */
-extern const VkCommandBufferBeginInfo rg_exec_commands_once; /* for one-time submission */
 /* Records `count` passes from `first` on, and the final barriers after the last pass. */
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count);
-/* Records a pass without its barriers. */
-void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 #endif

@@ -145,7 +145,6 @@ static void free_object(const struct rg_functions *vk, VkDevice device,
 #define DESTROY(kind, name) \
     if (object->type == VK_OBJECT_TYPE_##kind) \
         vk->Destroy##name(device, (Vk##name)object->handle, NULL);
-    DESTROY(ACCELERATION_STRUCTURE_KHR, AccelerationStructureKHR)
     DESTROY(BUFFER, Buffer)
     DESTROY(BUFFER_VIEW, BufferView)
     DESTROY(COMMAND_POOL, CommandPool)

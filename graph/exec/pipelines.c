@@ -342,9 +342,7 @@ static VkResult make_pipeline(struct rg_exec *exec, const struct rg_plan_pass *p
     RG_TRY(make_layout(exec, row, pass));
     const uint64_t key = pipeline_key(exec, plan, pass);
     RG_TRY(rg_exec_reserve_object(exec));
-    pass->first =
-        !rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, key, &pass->pipeline, sizeof(pass->pipeline));
-    if (!pass->first)
+    if (rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, key, &pass->pipeline, sizeof(pass->pipeline)))
         return VK_SUCCESS;
     if (row->kind == RG_COMPUTE) {
         RG_TRY(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &stages[0]));

@@ -12,7 +12,6 @@ static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
                                               : VK_RESOLVE_MODE_AVERAGE_BIT;
 }
 
-/* Begins dynamic rendering. A warm-up draws nothing, so it neither loads nor stores attachments. */
 static void begin_rendering(const struct rg_cmd *cmd)
 {
     const struct rg_plan_pass *plan = cmd->plan_pass;
@@ -30,8 +29,8 @@ static void begin_rendering(const struct rg_cmd *cmd)
             .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
             .imageView = views[i],
             .imageLayout = targets[i].layout,
-            .loadOp = cmd->warm_up ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : targets[i].load,
-            .storeOp = cmd->warm_up ? VK_ATTACHMENT_STORE_OP_DONT_CARE : targets[i].store,
+            .loadOp = targets[i].load,
+            .storeOp = targets[i].store,
             .clearValue = row->clear,
         };
         if (i == color_count || targets[i].resolve == RG_NONE)
@@ -90,8 +89,7 @@ static void bind(const struct rg_cmd *cmd)
         .maxDepth = 1.0f,
     };
     cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, &viewport);
-    const VkRect2D area = cmd->warm_up ? (VkRect2D){ 0 } : cmd->area;
-    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
+    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &cmd->area);
 }
 
 /* Advances `cmd` to the next pass that is declared by `row` and has the same repetition index. */
@@ -119,7 +117,8 @@ static void record_merged_rows(const struct rg_cmd *cmd, const struct rg_frame *
     }
 }
 
-void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
+/* Records a pass without its barriers. */
+static void record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     bool raster = cmd->plan_pass->pass->kind == RG_RASTER;
     if (raster && cmd->pass->render_pass)
@@ -128,8 +127,7 @@ void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
         begin_rendering(cmd);
     bind(cmd);
     cmd->plan_pass->pass->record(cmd, frame);
-    if (!cmd->warm_up)
-        record_merged_rows(cmd, frame);
+    record_merged_rows(cmd, frame);
     if (raster && cmd->pass->render_pass)
         cmd->exec->vk.CmdEndRenderPass(cmd->commands);
     else if (raster)
@@ -171,17 +169,12 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
     const bool drawn = is_drawn(&cmd, frame);
     if (drawn) {
         rg_exec_record_batch(exec, commands);
-        rg_exec_record_work(&cmd, frame);
+        record_work(&cmd, frame);
     }
     rg_time_end_pass(exec, commands, index, drawn);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }
-
-const VkCommandBufferBeginInfo rg_exec_commands_once = {
-    .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-    .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-};
 
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count)
@@ -189,7 +182,11 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
     VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
     VkResult result;
-    RG_CALL(exec, NULL, BeginCommandBuffer, commands, &rg_exec_commands_once);
+    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
+            &(VkCommandBufferBeginInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+            });
     if (first == 0 && !exec->initialized) {
         rg_exec_record_clear(exec, commands);
         rg_exec_record_fallbacks(exec, commands);
@@ -246,8 +243,7 @@ void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count)
 
 void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count, uint32_t instance_count)
 {
-    cmd->exec->vk.CmdDraw(cmd->commands, cmd->warm_up ? 3 : vertex_count,
-                          cmd->warm_up ? 1 : instance_count, 0, 0);
+    cmd->exec->vk.CmdDraw(cmd->commands, vertex_count, instance_count, 0, 0);
 }
 
 static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
@@ -256,13 +252,10 @@ static void bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh)
     const VkDeviceSize offset = 0;
     const struct rg_vertex_layout *layout = cmd->plan_pass->pass->vertices;
     for (uint32_t i = 0; layout; layout = layout->next, i++) {
-        const VkBuffer *buffer = cmd->warm_up ? &exec->triangle
-                                 : i          ? &mesh->more[i - 1]
-                                              : &mesh->vertices;
+        const VkBuffer *buffer = i ? &mesh->more[i - 1] : &mesh->vertices;
         exec->vk.CmdBindVertexBuffers(cmd->commands, i, 1, buffer, &offset);
     }
-    exec->vk.CmdBindIndexBuffer(cmd->commands, cmd->warm_up ? exec->triangle : mesh->indices, 0,
-                                VK_INDEX_TYPE_UINT32);
+    exec->vk.CmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
 }
 
 void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
@@ -271,10 +264,8 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
     if (!count)
         return;
     bind_mesh(cmd, mesh);
-    const uint32_t instance_count =
-        mesh->instance_count && !cmd->warm_up ? mesh->instance_count : 1;
-    cmd->exec->vk.CmdDrawIndexed(cmd->commands, cmd->warm_up ? 3 : count, instance_count,
-                                 cmd->warm_up ? 0 : first, 0, 0);
+    const uint32_t instance_count = mesh->instance_count ? mesh->instance_count : 1;
+    cmd->exec->vk.CmdDrawIndexed(cmd->commands, count, instance_count, first, 0, 0);
 }
 
 void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
@@ -285,8 +276,7 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
 void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
 {
     const VkRect2D both = rg_exec_intersect(rectangle, cmd->area);
-    if (!cmd->warm_up)
-        cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &both);
+    cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &both);
 }
 
 void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
@@ -318,20 +308,13 @@ static VkBuffer find_buffer(const struct rg_cmd *cmd, const struct rg_buffer *bu
 
 void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset)
 {
-    if (cmd->warm_up)
-        rg_cmd_draw(cmd, 3);
-    else
-        cmd->exec->vk.CmdDrawIndirect(cmd->commands, find_buffer(cmd, buffer, RG_INDIRECT), offset,
-                                      1, 0);
+    cmd->exec->vk.CmdDrawIndirect(cmd->commands, find_buffer(cmd, buffer, RG_INDIRECT), offset, 1,
+                                  0);
 }
 
 void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                const struct rg_buffer *buffer, VkDeviceSize offset)
 {
-    if (cmd->warm_up) {
-        rg_cmd_draw_mesh_part(cmd, mesh, 0, 3);
-        return;
-    }
     bind_mesh(cmd, mesh);
     cmd->exec->vk.CmdDrawIndexedIndirect(cmd->commands, find_buffer(cmd, buffer, RG_INDIRECT),
                                          offset, 1, 0);
@@ -350,9 +333,7 @@ static bool has_indirect_count(const struct rg_cmd *cmd)
 
 void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws)
 {
-    if (cmd->warm_up)
-        rg_cmd_draw(cmd, 3);
-    else if (has_indirect_count(cmd))
+    if (has_indirect_count(cmd))
         cmd->exec->vk.CmdDrawIndirectCount(
             cmd->commands, find_buffer(cmd, draws->commands, RG_INDIRECT), draws->offset,
             find_buffer(cmd, draws->count, RG_INDIRECT), draws->count_offset, draws->max_count,
@@ -362,10 +343,6 @@ void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_cou
 void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                      const struct rg_indirect_count *draws)
 {
-    if (cmd->warm_up) {
-        rg_cmd_draw_mesh_part(cmd, mesh, 0, 3);
-        return;
-    }
     bind_mesh(cmd, mesh);
     if (has_indirect_count(cmd))
         cmd->exec->vk.CmdDrawIndexedIndirectCount(
@@ -445,29 +422,6 @@ void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buf
         cmd->exec->vk.CmdCopyBufferToImage(
             cmd->commands, rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot)->buffer,
             cmd->exec->image_set->images[to->image], to->layout, 1, &region);
-}
-
-VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
-                                               const struct rg_buffer *buffer)
-{
-    const struct rg_plan_use *use = find_use(cmd, buffer, RG_ACCESS_NONE);
-    return rg_exec_buffer(cmd->exec, use->buffer, cmd->exec->slot)->acceleration;
-}
-
-VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer)
-{
-    const struct rg_functions *vk = &cmd->exec->vk;
-    const VkAccelerationStructureDeviceAddressInfoKHR structure = {
-        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR,
-        .accelerationStructure = rg_cmd_acceleration(cmd, buffer),
-    };
-    const VkBufferDeviceAddressInfo plain = {
-        .sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
-        .buffer = rg_cmd_buffer(cmd, buffer),
-    };
-    return structure.accelerationStructure
-               ? vk->GetAccelerationStructureDeviceAddressKHR(cmd->exec->device, &structure)
-               : vk->GetBufferDeviceAddress(cmd->exec->device, &plain);
 }
 
 VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd)

@@ -26,19 +26,16 @@
     row(DestroyFence) row(DestroyFramebuffer) row(DestroyImage) row(DestroyImageView) \
     row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) row(DestroyRenderPass) \
     row(DestroySampler) row(DestroyShaderModule) row(EndCommandBuffer) \
-    row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferDeviceAddress) \
-    row(GetBufferMemoryRequirements) \
+    row(FlushMappedMemoryRanges) row(FreeMemory) row(GetBufferMemoryRequirements) \
     row(GetImageMemoryRequirements) row(GetPhysicalDeviceFeatures2) \
     row(GetPhysicalDeviceMemoryProperties) row(GetPhysicalDeviceProperties) \
     row(GetPhysicalDeviceQueueFamilyProperties) row(GetQueryPoolResults) \
     row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(ResetFences) \
     row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
 
-/* Functions that are NULL without VK_EXT_debug_utils or VK_KHR_acceleration_structure. */
+/* Functions that are NULL without VK_EXT_debug_utils. */
 #define RG_FUNCTIONS_OPTIONAL(row) \
-    row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT) \
-    row(CreateAccelerationStructureKHR) row(DestroyAccelerationStructureKHR) \
-    row(GetAccelerationStructureDeviceAddressKHR)
+    row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT)
 
 /* clang-format on */
 
@@ -48,9 +45,5 @@ struct rg_functions {
     RG_FUNCTIONS_OPTIONAL(MEMBER)
 #undef MEMBER
 };
-
-/* Fills *functions. Returns NULL, or the name of a function that the instance lacks. */
-const char *rg_functions_find(struct rg_functions *functions, PFN_vkGetInstanceProcAddr find,
-                              VkInstance instance);
 
 #endif

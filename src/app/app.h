@@ -18,7 +18,6 @@ enum {
 /* Output format of commands that print. */
 enum app_format {
     APP_FORMAT_TEXT,
-    APP_FORMAT_DOT,
     APP_FORMAT_JSON,
     APP_FORMAT_HTML,
     APP_FORMAT_PRESET,

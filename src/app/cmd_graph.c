@@ -8,7 +8,6 @@ typedef void dump_fn(const struct rg_plan *plan, FILE *out);
 
 static dump_fn *const dumps[APP_FORMAT_COUNT] = {
     [APP_FORMAT_TEXT] = rg_dump,
-    [APP_FORMAT_DOT] = rg_dump_dot,
     [APP_FORMAT_JSON] = rg_dump_json,
     [APP_FORMAT_HTML] = rg_dump_html,
 };

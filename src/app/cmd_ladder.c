@@ -147,7 +147,6 @@ static enum status measure(struct job *job)
         .run_count = o->ladder.run_count,
         .truth = job->reference.plane_count ? &job->reference : NULL,
         .truth_counted = job->reference_counted,
-        .sharing = p->sharing,
     };
     char names[REFERENCE_NAMES_SIZE];
     enum status status = setup_camera(&params.shot.camera, &job->scene, p);

@@ -347,7 +347,6 @@ static enum status open_renderer(struct job *job)
     const struct setup_outputs *outputs = &job->o.run.outputs;
     struct renderer_params params = setup_renderer_params(p, &job->gpu, &job->scene);
     params.samples = p->samples;
-    params.warm_up = true;
     renderer_set_camera(&params, &job->camera);
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))

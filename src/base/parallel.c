@@ -1,7 +1,12 @@
 /* parallel.c: splits an index range over threads. */
 #include "src/base/parallel.h"
+#include <pthread.h>
 #include <stdatomic.h>
 #include <unistd.h>
+
+enum {
+    THREADS_MAX = 256
+};
 
 struct range {
     uint32_t count;
@@ -10,21 +15,6 @@ struct range {
     void (*fn)(void *user, uint32_t i);
     void *user;
 };
-
-void parallel_start(struct parallel_threads *threads, uint32_t count, void *(*run)(void *user),
-                    void *user)
-{
-    threads->count = 0;
-    while (threads->count < count && threads->count < PARALLEL_THREADS_MAX &&
-           !pthread_create(&threads->threads[threads->count], NULL, run, user))
-        threads->count++;
-}
-
-void parallel_join(struct parallel_threads *threads)
-{
-    while (threads->count)
-        pthread_join(threads->threads[--threads->count], NULL);
-}
 
 uint32_t parallel_core_count(void)
 {
@@ -54,13 +44,18 @@ bool parallel_for(uint32_t count, uint32_t thread_count, void (*fn)(void *user, 
                   void *user, parallel_progress_fn *progress, void *progress_user)
 {
     struct range range = { .count = count, .fn = fn, .user = user };
-    struct parallel_threads threads;
+    pthread_t threads[THREADS_MAX];
+    uint32_t started = 0;
     const uint32_t thread_max = thread_count < count ? thread_count : count;
-    parallel_start(&threads, thread_max ? thread_max - 1 : 0, run, &range);
+    /* the calling thread works, too; the system may refuse further ones */
+    while (started + 1 < thread_max && started < THREADS_MAX &&
+           !pthread_create(&threads[started], NULL, run, &range))
+        started++;
     while (process_next(&range)) {
         if (progress && !progress(progress_user, atomic_load(&range.done)))
             atomic_store(&range.is_stopped, true);
     }
-    parallel_join(&threads);
+    while (started)
+        pthread_join(threads[--started], NULL);
     return !atomic_load(&range.is_stopped);
 }

@@ -2,24 +2,10 @@
 #ifndef FIRN_BASE_PARALLEL_H
 #define FIRN_BASE_PARALLEL_H
 
-#include <pthread.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
-enum {
-    PARALLEL_THREADS_MAX = 256
-};
-
-/* Threads that run the same function. */
-struct parallel_threads {
-    pthread_t threads[PARALLEL_THREADS_MAX];
-    uint32_t count;
-};
-
-/* Starts up to `count` threads; fewer if the system refuses. */
-void parallel_start(struct parallel_threads *threads, uint32_t count, void *(*run)(void *user),
-                    void *user);
-void parallel_join(struct parallel_threads *threads);
 uint32_t parallel_core_count(void); /* number of processor cores, at least 1 */
 
 /* Called by the calling thread after each of its indices. Returning false skips the rest. */

@@ -75,18 +75,6 @@ void gpu_destroy(struct gpu *gpu);
 /* Waits for the device and returns true if it is lost; then only gpu_destroy() may be called. */
 bool gpu_is_lost(const struct gpu *gpu);
 
-/* A second logical device on the same physical device, with one queue, for another thread. */
-struct gpu_secondary_device {
-    VkDevice device;
-    VkQueue queue; /* from gpu->queue_family */
-};
-
-/* Creates a second logical device; returns false on failure and logs nothing. */
-MUST_USE bool gpu_secondary_device_create(struct gpu_secondary_device *secondary,
-                                          const struct gpu *gpu);
-void gpu_secondary_device_destroy(
-    struct gpu_secondary_device *secondary); /* waits for the device first */
-
 /* One entry of gpu_list(). */
 struct gpu_device {
     char name[VK_MAX_PHYSICAL_DEVICE_NAME_SIZE];

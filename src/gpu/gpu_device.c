@@ -160,22 +160,6 @@ void gpu_destroy(struct gpu *gpu)
     *gpu = (struct gpu){ .message_count = gpu->message_count };
 }
 
-bool gpu_secondary_device_create(struct gpu_secondary_device *secondary, const struct gpu *gpu)
-{
-    struct gpu_features features;
-    (void)gpu_features_choose(gpu->physical, gpu->has_rays, &features);
-    if (create_device(gpu, &features, &secondary->device) != VK_SUCCESS)
-        return false;
-    vkGetDeviceQueue(secondary->device, gpu->queue_family, 0, &secondary->queue);
-    return true;
-}
-
-void gpu_secondary_device_destroy(struct gpu_secondary_device *secondary)
-{
-    (void)vkDeviceWaitIdle(secondary->device);
-    vkDestroyDevice(secondary->device, NULL);
-}
-
 bool gpu_is_lost(const struct gpu *gpu)
 {
     return gpu->device && vkDeviceWaitIdle(gpu->device) == VK_ERROR_DEVICE_LOST;

@@ -2,39 +2,15 @@
 #include <assert.h>
 #include <string.h>
 
+#include "graph/rg.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-static const struct {
-    VkFormat format;
-    uint32_t texel_size;
-} formats[] = {
-    { VK_FORMAT_R8_UNORM, 1 },
-    { VK_FORMAT_R8G8_UNORM, 2 },
-    { VK_FORMAT_R8G8B8A8_UNORM, 4 },
-    { VK_FORMAT_R8G8B8A8_SRGB, 4 },
-    { VK_FORMAT_B8G8R8A8_UNORM, 4 },
-    { VK_FORMAT_B8G8R8A8_SRGB, 4 },
-    { VK_FORMAT_A2B10G10R10_UNORM_PACK32, 4 },
-    { VK_FORMAT_B10G11R11_UFLOAT_PACK32, 4 },
-    { VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, 4 },
-    { VK_FORMAT_R16_UNORM, 2 },
-    { VK_FORMAT_R16G16B16A16_UNORM, 8 },
-    { VK_FORMAT_R16_SFLOAT, 2 },
-    { VK_FORMAT_R16G16_SFLOAT, 4 },
-    { VK_FORMAT_R16G16B16A16_SFLOAT, 8 },
-    { VK_FORMAT_R32_SFLOAT, 4 },
-    { VK_FORMAT_R32G32_SFLOAT, 8 },
-    { VK_FORMAT_R32G32B32A32_SFLOAT, 16 },
-};
-
+/* Returns the texel size in bytes; 0 for an unknown format. */
 static uint32_t find_texel_size(VkFormat format)
 {
-    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
-        if (formats[i].format == format)
-            return formats[i].texel_size;
-    }
-    return 0;
+    const struct rg_format_info *info = rg_format_info(format);
+    return info ? info->size : 0;
 }
 
 static uint32_t count_mips(uint32_t width, uint32_t height)

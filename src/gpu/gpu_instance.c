@@ -124,7 +124,7 @@ VkResult gpu_instance_create(struct gpu *gpu, bool validate)
     if (result != VK_SUCCESS)
         return result;
 
-    /* volkLoadDevice() supports only one device, but firn also opens secondary devices */
+    /* not volkLoadDevice(), whose functions work with one device only: a program may open more */
     volkLoadInstance(gpu->instance);
     gpu->validated = offer.layer && offer.debug_utils;
     if (gpu->validated) {

@@ -63,13 +63,22 @@ enum status compiled_frame_compile(struct compiled_frame *compiled_frame,
     return status;
 }
 
-void compiled_frame_describe(struct compiled_frame_params *described,
-                             const struct compiled_frame *compiled_frame,
-                             const struct renderer_params *params)
+/* Parameters of an executor. Must not be copied, because `info` and `params` point into it. */
+struct exec_description {
+    struct frame_constants constants;
+    VkSpecializationMapEntry entries[CONSTANT_COUNT];
+    VkSpecializationInfo info;
+    struct rg_exec_params params;
+};
+
+/* Fills *described from a compiled_frame whose plan has been compiled. */
+static void describe(struct exec_description *described,
+                     const struct compiled_frame *compiled_frame,
+                     const struct renderer_params *params, const struct rg_exec_import *imports)
 {
     const struct gpu *gpu = params->gpu;
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
-    struct compiled_frame_params *d = described;
+    struct exec_description *d = described;
     const struct settings settled =
         frame_resolve_settings(params->settings, params->scene, params->refraction, params->height);
     d->constants = frame_view_constants(params->scene, &settled, params->refraction);
@@ -83,6 +92,7 @@ void compiled_frame_describe(struct compiled_frame_params *described,
         .plan = compiled_frame->frame->plan,
         GPU_EXEC_PARAMS(gpu),
         .pipelines = gpu->pipelines,
+        .imports = imports,
         .import_count = compiled_frame->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
@@ -101,10 +111,9 @@ enum status compiled_frame_realise(struct compiled_frame *compiled_frame,
                                    const struct renderer_params *params,
                                    const struct rg_exec_import *imports)
 {
-    struct compiled_frame_params described;
+    struct exec_description described;
     VkResult result;
-    compiled_frame_describe(&described, compiled_frame, params);
-    described.params.imports = imports;
+    describe(&described, compiled_frame, params, imports);
     compiled_frame->exec = rg_exec_create(&described.params, &result);
     if (compiled_frame->exec)
         lavapipe_tuning_advise_memory(params->gpu, compiled_frame->frame->plan,
@@ -127,9 +136,8 @@ enum status compiled_frame_replace(struct compiled_frame *compiled_frame,
                                    const struct rg_exec_import *imports)
 {
     struct compiled_frame former = *compiled_frame;
-    struct compiled_frame_params described;
-    compiled_frame_describe(&described, next, params);
-    described.params.imports = imports;
+    struct exec_description described;
+    describe(&described, next, params, imports);
     const enum status status = gpu_status(rg_exec_update(former.exec, &described.params));
     if (status == STATUS_OK)
         lavapipe_tuning_advise_memory(params->gpu, next->frame->plan, former.exec);
@@ -146,14 +154,13 @@ enum status compiled_frame_change_view(struct compiled_frame *compiled_frame,
 {
     const struct rg_vulkan vulkan = compiled_frame_vulkan(params->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
-    struct compiled_frame_params described;
+    struct exec_description described;
     struct rg_plan *former;
     request.device = &device;
     enum status status = frame_plan_change_view(compiled_frame->frame, &request, &former);
     if (status != STATUS_OK)
         return status;
-    compiled_frame_describe(&described, compiled_frame, params);
-    described.params.imports = imports;
+    describe(&described, compiled_frame, params, imports);
     status = gpu_status(rg_exec_update(compiled_frame->exec, &described.params));
     rg_plan_destroy(former);
     return status;

@@ -39,20 +39,6 @@ MUST_USE enum status compiled_frame_change_view(struct compiled_frame *compiled_
                                                 struct frame_request request,
                                                 const struct rg_exec_import *imports);
 
-/* Parameters for creating an executor, without imports. Must not be moved or copied, because `info`
- * and `params` point into the struct. */
-struct compiled_frame_params {
-    struct frame_constants constants;
-    VkSpecializationMapEntry entries[CONSTANT_COUNT];
-    VkSpecializationInfo info;
-    struct rg_exec_params params;
-};
-
-/* Fills *described from a compiled_frame whose plan has been compiled. */
-void compiled_frame_describe(struct compiled_frame_params *described,
-                             const struct compiled_frame *compiled_frame,
-                             const struct renderer_params *params);
-
 void compiled_frame_destroy(struct compiled_frame *compiled_frame); /* half-built, {0}: fine */
 
 #endif

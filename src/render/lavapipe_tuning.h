@@ -1,7 +1,6 @@
 /*
  * lavapipe_tuning.h: optimisations for software Vulkan drivers such as Mesa's lavapipe. They save
- * time and memory, and all images stay bit-identical. See also shader_warm_up.h, which compiles
- * shaders in parallel.
+ * time and memory, and all images stay bit-identical.
  */
 #ifndef FIRN_RENDER_LAVAPIPE_TUNING_H
 #define FIRN_RENDER_LAVAPIPE_TUNING_H

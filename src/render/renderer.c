@@ -11,7 +11,6 @@
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
-#include "src/render/shader_warm_up.h"
 
 /* ---- plans ---- */
 
@@ -155,8 +154,6 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (status == STATUS_OK)
         status = compiled_frame_compile(&r->image, &r->params, renderer_image_request(&r->params));
     r->costs.compile = clock_ms() - start;
-    if (status == STATUS_OK && params->warm_up)
-        r->warm_up = shader_warm_up_begin(&r->image, &r->params);
     const double compiled = clock_ms();
     if (status == STATUS_OK)
         status = frame_objects_init(&r->objects, &r->image.frame->list, params->scene);
@@ -186,7 +183,6 @@ void renderer_destroy(struct renderer *renderer)
 {
     if (!renderer)
         return;
-    shader_warm_up_end(renderer->warm_up);
     compiled_frame_destroy(&renderer->resolve);
     compiled_frame_destroy(&renderer->image);
     compiled_frame_destroy(&renderer->capture);
@@ -354,9 +350,6 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = renderer_draw_adaptive(r, shot, result, progress, user);
     else
         status = draw_samples(r, shot, &result->image, progress, user);
-    /* End the warm-up now, because a crash in a driver's compiler could damage output files. */
-    shader_warm_up_end(r->warm_up);
-    r->warm_up = NULL;
     if (status == STATUS_OK)
         status = divide_sums(r, &result->image);
     if (status == STATUS_OK && r->resolve.exec) {

@@ -10,7 +10,6 @@
 #include "src/render/uploaded_scene.h"
 
 struct adaptive;
-struct warm_up;
 
 struct renderer {
     struct renderer_params params;      /* interleaved: width, height of a tile */
@@ -27,7 +26,6 @@ struct renderer {
     struct compiled_frame image;   /* draws one sample of the image */
     struct frame_objects objects;  /* objects drawn by `image` */
     struct compiled_frame resolve; /* tone-maps the mean of many samples */
-    struct warm_up *warm_up;       /* shader compilation; may be NULL */
     bool captured;                 /* `capture` has drawn the environment cube */
     struct frame_cube cube;        /* cube state of `image` */
     bool skips_readback;           /* the image is not read back */

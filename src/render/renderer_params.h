@@ -34,7 +34,6 @@ struct renderer_params {
     bool scales;             /* with keep: renderer_set_view() may be called */
     bool refines;            /* with keep: allow renderer_refine(), too */
     bool measured;           /* renderer_measure() may be called */
-    bool warm_up;            /* compile shaders on several cores: shader_warm_up.h */
     enum rg_sharing sharing; /* which transient images may alias memory */
     rg_replace_shader_fn *replace; /* passed on in rg_exec_params, with replace_user */
     void *replace_user;

@@ -3,7 +3,6 @@
 #include "src/base/log.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
-#include "src/render/shader_warm_up.h"
 
 /* Replaces the plan of compiled_frame by one compiled from the request. */
 static enum status replace(struct renderer *r, struct compiled_frame *compiled_frame,
@@ -62,8 +61,6 @@ static void discard_images(struct renderer *r)
 
 enum status renderer_change(struct renderer *r, const struct renderer_params *params)
 {
-    shader_warm_up_end(r->warm_up); /* the warm-up reads the plan */
-    r->warm_up = NULL;
     /* necessary, because rg_exec_update() of the image does not wait for `capture` */
     enum status status = renderer_wait(r);
     renderer_set_params(r, params);

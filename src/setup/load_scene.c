@@ -409,6 +409,5 @@ struct renderer_params setup_renderer_params(const struct setup_image *p, struct
         .is_adaptive = p->is_adaptive,
         .filter = p->filter,
         .interleaved = p->interleaved,
-        .sharing = p->sharing,
     };
 }

@@ -80,7 +80,6 @@ struct setup_image {
     struct setup_vector eye, target;
     struct setup_vector orbit; /* azimuth, elevation (degrees), distance (metres) */
     float fov_deg;             /* 0: the model camera's, or 45 */
-    enum rg_sharing sharing;
 };
 
 /* Names of the output files. */

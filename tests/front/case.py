@@ -32,7 +32,6 @@ NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
 def environment(extra):
     """Returns a minimal environment: PATH, test device, sanitizer options; no HOME or DISPLAY."""
     env = {'PATH': os.environ.get('PATH', '/usr/bin:/bin')}
-    env['FIRN_WARM_UP'] = 'off'  # parallel tests use the other cores
     env.update({name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')})
     drivers = [file for folder in ('/usr/share', '/usr/local/share', '/etc')
                for file in glob.glob(f'{folder}/vulkan/icd.d/lvp_icd*.json')]

@@ -1,5 +1,4 @@
 """test_cache.py: tests the cache of compiled pipelines between runs. Usage: see case.py."""
-import os
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -74,16 +73,6 @@ class Cache(Case):
         self.assertGreater(files[2], files[0])
         self.assertEqual(files[3], files[4])
         self.assertEqual(pictures[0], pictures[2])
-
-    def test_shaders_are_compiled_beside_the_first_picture(self):
-        """By devices of their own, as many as other cores, up to three."""
-        layer = {'VK_ADD_LAYER_PATH': os.environ['FAIL_LAYER'], 'NODEVICE_SELECT': '1',
-                 'VK_INSTANCE_LAYERS': 'VK_LAYER_FIRN_fail', 'FAIL_COUNT': 'counts'}
-        for wanted, devices in (('off', 1), ('on', 1 + min(os.cpu_count() - 1, 3))):
-            self.succeed('render', 'sphere', *BARE, '-o', 'a.exr', '-q',
-                         env={**layer, 'FIRN_WARM_UP': wanted})
-            counts = dict(map(str.split, (self.folder / 'counts').read_text().splitlines()))
-            self.assertEqual(int(counts['vkCreateDevice']), devices, wanted)
 
 
 if __name__ == '__main__':

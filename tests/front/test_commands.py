@@ -121,15 +121,8 @@ class CommandLine(Case):
                     env=NO_DRIVER, names=['--eye', '--orbit'])
         self.assertEqual(self.files(), [])
 
-    def test_bad_sharing(self):
-        for how in ('all', 'batch', 'Memory', ''):
-            for command in (('graph', 'sphere'), ('render', 'sphere', '-o', 'a.exr')):
-                self.refuse(USAGE, *command, '--sharing', how,
-                            names=['--sharing', how, 'batches', 'memory', 'nothing'])
-        self.assertEqual(self.files(), [])
-
     def test_one_format_of_a_plan(self):
-        for first, second in itertools.permutations(('--dot', '--html', '--json'), 2):
+        for first, second in itertools.permutations(('--html', '--json'), 2):
             self.refuse(USAGE, 'graph', 'sphere', first, second, names=[first, second])
         self.refuse(USAGE, 'graph', 'sphere', '--json=plan', names=['--json'])
         self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--json', names=['--json'])
@@ -137,7 +130,7 @@ class CommandLine(Case):
     def test_help_fits(self):
         for command in ('graph', 'ladder', 'render', 'view'):
             text = self.succeed(command, '--help').stdout.decode()
-            self.assertIn('--sharing', text)
+            self.assertIn('--load-seconds', text)
             self.assertEqual([line for line in text.splitlines() if len(line) > 110], [])
 
     def test_bad_settings(self):
@@ -272,11 +265,6 @@ class Device(Case):
         alive = [line for line in plan['one-sided'].splitlines() if 'cull' not in line]
         self.assertNotIn('ice_normal.back', '\n'.join(alive))
 
-    def test_a_plan_as_graphviz(self):
-        dot = self.succeed('graph', 'valley', '--dot', env=NO_DRIVER).stdout.decode()
-        self.assertRegex(dot, r'\Adigraph\b')
-        self.assertEqual(dot.count('{'), dot.count('}'))
-
     def graph(self, *arguments):
         """The same bytes twice."""
         first, second = (self.succeed('graph', 'valley', *arguments, env=NO_DRIVER).stdout
@@ -285,17 +273,16 @@ class Device(Case):
         return first.decode()
 
     def test_a_plan_as_json(self):
-        for how in ('batches', 'memory', 'nothing'):
-            plan = json.loads(self.graph('--json', '--sharing', how))
-            self.assertEqual(plan['faults'], [])
-            self.assertEqual(list(plan_dumps.text_lines(plan)),
-                             self.graph('--sharing', how).splitlines())
+        plan = json.loads(self.graph('--json'))
+        self.assertEqual(plan['faults'], [])
+        self.assertEqual(list(plan_dumps.text_lines(plan)), self.graph().splitlines())
 
     def test_a_plan_as_a_page(self):
+        """The page has the JSON; rg_dump_forms.py tests how it is drawn."""
         for rung in ('paper', 'one-sided'):
-            plan = json.loads(self.graph('--json', '--refraction', rung, '--aov', 'all'))
-            html = self.graph('--html', '--refraction', rung, '--aov', 'all')
-            self.assertEqual(plan_dumps.Page(html, plan).faults, [])
+            arguments = ('--refraction', rung, '--aov', 'all')
+            html = self.graph('--html', *arguments)
+            self.assertEqual(plan_dumps.embedded(html), self.graph('--json', *arguments))
             self.assertIn('refract_', html)
 
     def test_a_plan_to_a_full_disk(self):
@@ -423,9 +410,6 @@ class Same(Case):
     def test_whatever_the_threads(self):
         self.check(env={'LP_NUM_THREADS': '1'})
         self.check(env={'LP_NUM_THREADS': '2'})
-
-    def test_without_aliasing(self):
-        self.check('--sharing', 'nothing')
 
     def test_a_setting_changes_the_picture(self):
         other = self.render('other.exr', *self.ALL, '--set', 'refract_paper.back_weight=0.5')

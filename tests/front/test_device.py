@@ -50,9 +50,6 @@ CODES = {
 # Commands without which the picture is as good: then nothing is said, and the bytes are the same.
 # Of vkMapMemory these are the calls that only choose a size of pages.
 NEEDLESS = ('vkDeviceWaitIdle', 'vkGetPipelineCacheData', 'vkCreatePipelineCache', 'vkMapMemory')
-# The loader asks this before it opens a second device, for shaders beside the picture. The layer
-# has none, and the picture is as good without.
-TWIN = 'vkEnumerateDeviceExtensionProperties'
 # What fails here is not for one pass, image or buffer.
 NAMELESS = ('vkCreateInstance', 'vkCreateDevice', 'vkCreatePipelineCache', 'vkCreateCommandPool',
             'vkEnumeratePhysicalDevices', 'vkEnumerateDeviceExtensionProperties')
@@ -211,15 +208,6 @@ class Device(LayerCase):
     @long
     def test_render_the_others(self):
         self.sweep('render', 'sphere', *SMALL, parts=range(1, PARTS))
-
-    def test_a_second_device(self):
-        """Compiles shaders beside the picture, unless it is told not to, and is not missed."""
-        pictures, calls = set(), {}
-        for warm_up in ('', 'off'):
-            calls[warm_up] = self.count('render', 'sphere', *SMALL, FIRN_WARM_UP=warm_up)[TWIN]
-            pictures.add((self.folder / 'a.exr').read_bytes())
-        self.assertEqual(calls[''] > calls['off'], os.cpu_count() > 1)
-        self.assertEqual(len(pictures), 1)
 
     def test_compute(self):
         self.sweep('render', 'pool', *SMALL, only=('vkCreateComputePipelines',))

@@ -67,7 +67,7 @@ class Memory(Case):
         with tempfile.TemporaryDirectory(prefix='firn ') as folder:
             (pathlib.Path(folder) / 'a.exr').write_bytes(OLDER)
             words = command(*arguments)
-            env = environment({'FIRN_WARM_UP': ''})  # its threads lack memory, too
+            env = environment({})
             done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, env=env,
                                   capture_output=True, timeout=240, check=False,
                                   preexec_fn=limit)

@@ -497,7 +497,6 @@ static void check(const struct rg_plan *plan, const struct rg_compile_params *pa
         rg_fault_text(&plan->faults[i], line, sizeof(line));
     }
     rg_dump(plan, out);
-    rg_dump_dot(plan, out);
     rg_dump_json(plan, out);
     rg_dump_html(plan, out);
     if (plan->fault_count == 0 && hazard_check(plan, params, stderr)) {

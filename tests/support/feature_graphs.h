@@ -231,14 +231,8 @@ struct count_commands {
 
 /* ---- feature_acceleration_structure.c: acceleration structures ---- */
 
-/* Traces rays along -z from the texels of a unit square; writes 1 where a ray hits the triangle. */
+/* Traces rays along -z from the texels of a unit square; writes 1 where a ray hits a triangle. */
 extern const struct feature feature_structure;
-extern const struct rg_buffer feature_structure_triangle; /* three vec3s, written by the host */
-
-enum {
-    STRUCTURE_SIZE = 1 << 16,     /* bytes, enough for a BLAS, TLAS or scratch buffer */
-    STRUCTURE_ALIGNMENT = 1 << 8, /* bytes; the largest scratch alignment that devices require */
-};
 
 /* ---- feature_storage_indirect.c: storage resources, indirect commands, imports ---- */
 

@@ -177,7 +177,7 @@ static struct hazard_use *add_use(struct hazard *h, struct hazard_pass *pass,
         .stages = rule->stages,
         .reads = rule->reads,
         .writes = rule->writes,
-        .needs_content = rule->reads != 0 && access != RG_BUILD_SCRATCH,
+        .needs_content = rule->reads != 0,
         .gives_content = rule->writes != 0,
     };
     return &h->uses[h->use_count++];

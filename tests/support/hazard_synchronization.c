@@ -138,7 +138,9 @@ static uint32_t slot_of(const struct hazard *h, uint32_t node)
 static bool is_visible(struct hazard *h, const struct hazard_record *write,
                        const struct hazard_event *event, uint32_t barriers, uint32_t others)
 {
-    if (event->returned && !write->available && !(write->stages & ~event->stages) &&
+    /* An import may return as it arrived: after a write of its access, or after a layout transition
+     * to a conditional pass that did not run. Whoever uses it next waits for these stages. */
+    if (event->returned && write->stages && !(write->stages & ~event->stages) &&
         !(write->access & ~event->writes))
         return true;
     struct trail trail = { .slot = write->slot };

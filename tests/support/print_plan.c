@@ -2,7 +2,7 @@
  * print_plan.c: program that prints a plan, for tests that read dumps.
  *
  * print-plan FORMAT PLAN
- * FORMAT: text, dot, json or html
+ * FORMAT: text, json or html
  * PLAN: everything, awkward, faults, or the seed of a random graph
  */
 #include <stdlib.h>
@@ -19,7 +19,6 @@ static dump_fn *find_format(const char *name)
         dump_fn *dump;
     } formats[] = {
         { "text", rg_dump },
-        { "dot", rg_dump_dot },
         { "json", rg_dump_json },
         { "html", rg_dump_html },
     };
@@ -50,7 +49,7 @@ int main(int argc, char **argv)
     struct dump_plan plan;
     dump_fn *dump = argc == 3 ? find_format(argv[1]) : NULL;
     if (!dump) {
-        fprintf(stderr, "usage: %s text|dot|json|html everything|awkward|faults|SEED\n", argv[0]);
+        fprintf(stderr, "usage: %s text|json|html everything|awkward|faults|SEED\n", argv[0]);
         return 2;
     }
     if (!strcmp(argv[2], "faults")) {

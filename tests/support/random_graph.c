@@ -162,8 +162,9 @@ static void draw_buffer(struct random_tables *t, uint32_t index)
     else if (random_graph_chance(t, 40))
         buffer->format = known->format = VK_FORMAT_R32_UINT;
     known->layers = known->mips = known->samples = 1;
-    known->copies = true;
-    known->defined[0] = buffer->memory == RG_MEMORY_UPLOAD || buffer->persistent;
+    known->copies = !known->structure;
+    known->defined[0] =
+        buffer->memory == RG_MEMORY_UPLOAD || (buffer->persistent && !known->structure);
 }
 
 /* the first three are also valid for multisampled images */
@@ -179,8 +180,6 @@ static const enum rg_access buffer_imports[] = {
     RG_ACCESS_NONE, RG_STORAGE_READ, RG_STORAGE_WRITE, RG_UNIFORM,
     RG_VERTEX,      RG_INDEX,        RG_COPY_SRC,      RG_COPY_DST,
 };
-
-static const enum rg_access structure_imports[] = { RG_ACCESS_NONE, RG_TRACE, RG_BUILD };
 
 /* Gives an imported image an extent, mips or layers that differ from its declaration. */
 static void draw_import_shape(struct random_tables *t, struct rg_import *import)
@@ -209,8 +208,7 @@ static void draw_import(struct random_tables *t, struct rg_import *import, uint3
     struct random_known *known = &t->known[resource];
     if (resource >= IMAGES) {
         import->buffer = &t->buffers[resource - IMAGES];
-        import->access = known->structure ? structure_imports[random_graph_below(t, 3)]
-                                          : buffer_imports[random_graph_below(t, 8)];
+        import->access = known->structure ? RG_TRACE : buffer_imports[random_graph_below(t, 8)];
         if (random_graph_chance(t, 30))
             import->size = (VkDeviceSize)16 * (1 + random_graph_below(t, 2000));
     } else {
@@ -243,7 +241,7 @@ static enum rg_access draw_output(struct random_tables *t, uint32_t resource, bo
                                               RG_INDEX };
 
     if (t->known[resource].structure)
-        return random_graph_chance(t, 50) ? RG_TRACE : RG_BUILD_SOURCE;
+        return RG_TRACE;
     if (resource >= IMAGES)
         return t->buffers[resource - IMAGES].memory == RG_MEMORY_READBACK
                    ? RG_HOST_READ

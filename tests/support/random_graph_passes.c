@@ -150,9 +150,9 @@ static enum rg_access draw_read(struct random_tables *t, const struct rg_pass *p
     static const enum rg_access compute[] = { RG_UNIFORM, RG_STORAGE_READ, RG_INDIRECT };
 
     if (t->known[resource].structure)
-        return pass->kind == RG_TRANSFER ? RG_BUILD_SOURCE : RG_TRACE;
+        return RG_TRACE;
     if (pass->kind == RG_TRANSFER)
-        return resource >= IMAGES && random_graph_chance(t, 30) ? RG_BUILD_INPUT : RG_COPY_SRC;
+        return RG_COPY_SRC;
     if (resource < IMAGES)
         return t->known[resource].storage && random_graph_chance(t, 30) ? RG_STORAGE_READ
                                                                         : RG_SAMPLED;
@@ -194,14 +194,10 @@ static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
     }
 }
 
-static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *pass,
-                                 uint32_t resource, bool defined)
+static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *pass, bool defined)
 {
-    bool scratch = resource >= IMAGES && t->buffers[resource - IMAGES].memory == RG_MEMORY_DEVICE;
-    if (t->known[resource].structure)
-        return RG_BUILD;
     if (pass->kind == RG_TRANSFER)
-        return scratch && random_graph_chance(t, 15) ? RG_BUILD_SCRATCH : RG_COPY_DST;
+        return RG_COPY_DST;
     return defined && random_graph_chance(t, 40) ? RG_STORAGE_READ_WRITE : RG_STORAGE_WRITE;
 }
 
@@ -209,7 +205,7 @@ static bool can_write(const struct random_tables *t, const struct rg_pass *pass,
 {
     const struct random_known *known = &t->known[resource];
     if (known->structure)
-        return pass->kind == RG_TRANSFER;
+        return false;
     if (resource >= IMAGES)
         return t->buffers[resource - IMAGES].memory != RG_MEMORY_UPLOAD;
     return pass->kind == RG_TRANSFER ? !known->depth && known->copies : known->storage;
@@ -222,7 +218,7 @@ static bool add_write(struct random_tables *t, const struct rg_pass *pass, uint3
     if (!claim(t, resource, range, true))
         return false;
     bool defined = is_defined(t, resource, &range);
-    struct rg_use *use = add_use(t, resource, draw_write(t, pass, resource, defined));
+    struct rg_use *use = add_use(t, resource, draw_write(t, pass, defined));
     use->partial = defined && use->access != RG_STORAGE_READ_WRITE && random_graph_chance(t, 20);
     draw_texels(t, use);
     if (resource < IMAGES)

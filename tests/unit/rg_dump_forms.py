@@ -1,20 +1,23 @@
 """rg_dump_forms.py: tests that text, JSON and page agree for plans made by hand and random ones.
 
-Usage: rg_dump_forms.py PRINT_PLAN
+Usage: rg_dump_forms.py PRINT_PLAN [CHROMIUM]   without a browser, pages are not drawn
 """
 import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / 'support'))
+for place in ('support', 'front'):
+    sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / place))
 import plan_dumps  # noqa: E402
+from browser import Browser  # noqa: E402
 
 SEEDS = range(1, 41)
 
-program = ''  # set by main()
+program, chromium = '', ''  # set by main()
 
 
 def dump(form, plan):
@@ -22,10 +25,31 @@ def dump(form, plan):
 
 
 class Forms(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        if chromium:
+            cls.browser = Browser(chromium, cls.folder / 'profile')
+            cls.addClassCleanup(cls.browser.close)
+
+    def draw(self, html, dark=False):
+        """Returns the elements of a page as XML, after its script has run."""
+        (self.folder / 'plan.html').write_bytes(html)
+        self.browser.open(self.folder / 'plan.html', dark=dark)
+        document = self.browser.run('new XMLSerializer().serializeToString(document)')
+        self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual([url for url in self.browser.requests() if not url.startswith('file:')],
+                         [])
+        return document
+
     def check_page(self, name):
-        plan = json.loads(dump('json', name).decode('utf-8'))
-        html = dump('html', name).decode('utf-8')
-        self.assertEqual(plan_dumps.Page(html, plan).faults, [])
+        text, html = dump('json', name).decode('utf-8'), dump('html', name)
+        plan = json.loads(text)
+        self.assertEqual(plan_dumps.embedded(html.decode('utf-8')), text)
+        if chromium:
+            self.assertEqual(plan_dumps.Page(self.draw(html), plan).faults, [])
         return plan
 
     def check(self, name):
@@ -59,14 +83,31 @@ class Forms(unittest.TestCase):
             'no output is requested; ask for one',
         ])
 
+    def test_panel_and_colours(self):
+        """The panel shows what the focused item is; labels contrast with boxes in both modes."""
+        if not chromium:
+            self.skipTest('no browser')
+        for dark in (False, True):
+            self.draw(dump('html', 'everything'), dark)
+            self.browser.run('document.querySelector("[data-pass]").focus()')
+            self.assertRegex(self.browser.run('detail.textContent'), r'^pass 0 draw raster 64x48')
+            lightness = self.browser.run(
+                'const light = colour => colour.match(/\\d+/g).reduce((a, b) => a + +b, 0) / 765;'
+                '[...document.querySelectorAll("b")].map(box => getComputedStyle(box)).map('
+                'style => [light(style.backgroundColor), light(style.color)])')
+            self.assertEqual(len(lightness), 5)
+            for box, text in lightness:
+                self.assertGreater(text - box if dark else box - text, 0.4)
+
     def test_the_same_again(self):
-        for form in ('text', 'dot', 'json', 'html'):
+        for form in ('text', 'json', 'html'):
             self.assertEqual(dump(form, 1), dump(form, 1))
 
 
 def main():
-    global program
+    global program, chromium
     program = sys.argv.pop(1)
+    chromium = sys.argv.pop(1) if len(sys.argv) > 1 else ''
     unittest.main()
 
 

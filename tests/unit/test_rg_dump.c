@@ -85,50 +85,6 @@ static void test_text(void **state)
     check_dump(rg_dump, everything_text);
 }
 
-static const char everything_dot[] =
-    "digraph plan {\n"
-    "  rankdir=LR;\n"
-    "  node [fontname=\"sans-serif\"];\n"
-    "  i0 [shape=ellipse, label=\"scene\"];\n"
-    "  i1 [shape=ellipse, label=\"depth\"];\n"
-    "  i2 [shape=ellipse, label=\"resolved\"];\n"
-    "  i3 [shape=ellipse, peripheries=2, label=\"history\"];\n"
-    "  i3 -> i3 [style=dashed, label=\"next frame\"];\n"
-    "  i4 [shape=ellipse, label=\"shown\"];\n"
-    "  i5 [shape=ellipse, label=\"field\"];\n"
-    "  b0 [shape=cylinder, label=\"sums\"];\n"
-    "  b1 [shape=cylinder, peripheries=2, label=\"counters\"];\n"
-    "  b1 -> b1 [style=dashed, label=\"next frame\"];\n"
-    "  b2 [shape=cylinder, label=\"globals\"];\n"
-    "  b3 [shape=cylinder, label=\"result\"];\n"
-    "  b4 [shape=cylinder, label=\"given\"];\n"
-    "  p0 [shape=box, style=\"filled\", fillcolor=lightblue, label=\"draw\"];\n"
-    "  p0 -> i0;\n"
-    "  p0 -> i2;\n"
-    "  p0 -> i1;\n"
-    "  p1 [shape=box, style=\"filled,dashed\", fillcolor=lightblue, label=\"update\"];\n"
-    "  i2 -> p1;\n"
-    "  i3 -> p1;\n"
-    "  p1 -> i3;\n"
-    "  p1 -> i5;\n"
-    "  b2 -> p1;\n"
-    "  b1 -> p1;\n"
-    "  p1 -> b1;\n"
-    "  p2 [shape=box, style=\"filled\", fillcolor=lightblue, label=\"overlay[1]\"];\n"
-    "  i4 -> p2;\n"
-    "  p2 -> i4;\n"
-    "  i1 -> p2;\n"
-    "  p3 [shape=box, style=\"filled\", fillcolor=lightblue, label=\"read\"];\n"
-    "  b0 -> p3;\n"
-    "  p3 -> b3;\n"
-    "}\n";
-
-static void test_dot(void **state)
-{
-    (void)state;
-    check_dump(rg_dump_dot, everything_dot);
-}
-
 /* A plan without the rare things has no word of them. */
 static void test_what_is_absent_is_not_said(void **state)
 {
@@ -213,27 +169,13 @@ static void test_json_faults(void **state)
     json_decref(root);
 }
 
-static void test_dot_names(void **state)
-{
-    (void)state;
-    struct dump_plan plan;
-    dump_plan_init(&plan, dump_plan_awkward_names);
-    char *text = dump(rg_dump_dot, &plan.plan);
-    assert_non_null(strstr(text, "label=\"quotes \\\" and ' and \\\\\"];"));
-    assert_non_null(strstr(text, "label=\"line" BAD "feed" BAD BAD "tab\"];"));
-    assert_non_null(strstr(text, "label=\"{\\\"a\\\": [null]}"));
-    free(text);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_text),
-        cmocka_unit_test(test_dot),
         cmocka_unit_test(test_what_is_absent_is_not_said),
         cmocka_unit_test(test_json_names),
         cmocka_unit_test(test_json_faults),
-        cmocka_unit_test(test_dot_names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -184,22 +184,22 @@ static const struct fault_case resource_cases[] = {
 /* ---- acceleration structures ---- */
 
 static const struct rg_buffer tree = { "tree", 256 };
-static const struct rg_buffer triangles = { "triangles", 64, .memory = RG_MEMORY_UPLOAD };
-
-#define BUILDS(of) \
-    COPY("build", { .buffer = &triangles, .access = RG_BUILD_INPUT }, \
-         { .buffer = &(of), .access = RG_BUILD })
 
 static const struct fault_case structure_cases[] = {
-    { ROW(RG_ERROR_ACCESS, "tree",
-          COMPUTE("compute", { WRITE_OTHER }, { .buffer = &tree, .access = RG_BUILD })) },
-    { ROW(RG_ERROR_ACCESS, "picture", COPY("copy", { &PICTURE, .access = RG_BUILD })) },
-    { ROW(RG_ERROR_ACCESS, "up", COPY("build", { .buffer = &up, .access = RG_BUILD })) },
+    { .error = RG_ERROR_ACCESS,
+      .resource = "tree",
+      .row = true,
+      .row_count = 2,
+      .rows = { COPY("write", { .buffer = &tree, .access = RG_COPY_DST }),
+                COPY("bad", { &OTHER, .access = RG_COPY_DST },
+                     { .buffer = &tree, .access = RG_TRACE }) },
+      .outputs = { { .image = &fault_case_other, .access = RG_COPY_SRC } } },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "tree", ALSO(.buffer = &tree, .access = RG_TRACE)) },
     { .error = RG_ERROR_ACCESS,
       .resource = "tree",
       .row_count = 2,
-      .rows = { BUILDS(tree), ALSO(.buffer = &tree, .access = RG_STORAGE_READ) },
+      .rows = { COPY("write", { .buffer = &tree, .access = RG_COPY_DST }),
+                ALSO(.buffer = &tree, .access = RG_TRACE) },
       .outputs = { { .image = &fault_case_other, .access = RG_SAMPLED } } },
 };
 

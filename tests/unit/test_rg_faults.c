@@ -411,7 +411,7 @@ static void test_faults_of_formats(void **state)
     assert_string_equal(plan->faults[0].pass, "fill");
     assert_string_equal(plan->faults[1].pass, "draw");
     assert_int_equal(plan->pass_count, 0);
-    rg_dump_dot(plan, stderr);
+    rg_dump(plan, stderr);
     rg_plan_destroy(plan);
 }
 

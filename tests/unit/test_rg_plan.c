@@ -433,7 +433,6 @@ static char *dump_tables(const struct tables *t)
         FILE *file = open_memstream(&texts[i], &size);
         assert_non_null(file);
         rg_dump(plan, file);
-        rg_dump_dot(plan, file);
         fclose(file);
     }
     assert_string_equal(texts[0], texts[1]);

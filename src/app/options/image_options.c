@@ -34,8 +34,10 @@ enum status option_chunk(const struct option *option, void *at, const char *valu
 enum status option_format(const struct option *option, void *at, const char *value)
 {
     static const char *const names[APP_FORMAT_COUNT] = {
-        [APP_FORMAT_TEXT] = "",     [APP_FORMAT_DOT] = "dot",       [APP_FORMAT_JSON] = "json",
-        [APP_FORMAT_HTML] = "html", [APP_FORMAT_PRESET] = "preset",
+        [APP_FORMAT_TEXT] = "",
+        [APP_FORMAT_JSON] = "json",
+        [APP_FORMAT_HTML] = "html",
+        [APP_FORMAT_PRESET] = "preset",
     };
     enum app_format *format = at;
     const enum app_format requested =

@@ -11,7 +11,7 @@ static const char *const examples[] = {
                     "  firn render ice-cube --frames 0-99 --resume -o turn.####.png\n"),
     [APP_GRAPH] = ("  firn graph ice-cube\n"
                    "  firn graph ice-cube --html > plan.html\n"
-                   "  firn graph ice-cube --refraction one-sided --dot | dot -Tsvg > plan.svg\n"),
+                   "  firn graph ice-cube --refraction one-sided --json > plan.json\n"),
     [APP_VIEW] = ("  firn view ice-cube\n"
                   "  firn view statue.glb --env studio.hdr --set motion.ice=0\n"
                   "  firn view sphere --frames 100 --time-step 0.04 --screenshot last.png\n"),

@@ -59,12 +59,6 @@ enum {
 static const char *const image_endings[] = { ".exr", ".png", NULL };
 static const char *const exr_ending[] = { ".exr", NULL };
 static const char *const overlays[] = { "", "on", "off", NULL }; /* by enum setup_overlay */
-static const char *const sharings[] = {
-    [RG_SHARE_FEWEST_BATCHES] = "batches",
-    [RG_SHARE_LEAST_MEMORY] = "memory",
-    [RG_SHARE_NOTHING] = "nothing",
-    NULL,
-};
 
 static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_RENDER | APP_FARM, OUTPUTS,
@@ -248,9 +242,6 @@ static const struct option options[] = {
       "enable the Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", IMAGES, AT(enum rg_sharing, image.sharing, option_word),
-      "memory aliasing: batches (adds no barriers), memory, nothing (default: batches)",
-      .words = sharings },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
       "limit of CPU time per file, seconds, 1 to 3600 (default: 60)", 1, 3600, " seconds" },
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(image.scene.reader.memory_gib),
@@ -274,7 +265,6 @@ static const struct option options[] = {
       .words = image_endings },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle (degrees); above it the exit code is 1" },
-    { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
     { "Format", "html", 0, NULL, APP_GRAPH, FORMAT,
       "HTML page of passes and memory instead of text" },
     { "Format", "json", 0, NULL, APP_GRAPH | APP_DIFF | APP_LADDER | APP_FARM | APP_INFO, FORMAT,

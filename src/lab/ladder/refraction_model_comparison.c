@@ -116,7 +116,6 @@ static struct renderer_params renderer_params_of(const struct ladder_params *par
         .height = params->height,
         .samples = params->samples,
         .filter = params->filter,
-        .sharing = params->sharing,
     };
     renderer_set_camera(&made, &params->shot.camera);
     return made;

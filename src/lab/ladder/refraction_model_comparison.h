@@ -87,7 +87,6 @@ struct ladder_params {
     const bool *truth_counted;  /* NULL for all object pixels */
     bool is_whole;              /* lists errors by inclusion, too */
     uint32_t run_count;         /* timed frames per model, or 0 */
-    enum rg_sharing sharing;
 };
 
 /* Callback that reports `done` of `all` steps of a stage. `stage` is 0 to ladder_stages() - 1. If
