@@ -5,8 +5,8 @@
  * the object's centre; fragments outside the object are discarded. They show only specular
  * highlights and are transparent elsewhere. The paper's clipping (cracks.clip=convex) is correct
  * for convex objects; in a concave one it keeps fragments between two parts of the object. Clipping
- * to the intervals of each pixel's ray is correct for any closed object, as are cracks cut at load
- * time (the paper's section 5). The bump map is procedural noise.
+ * to the intervals of each pixel's ray is correct for any closed object. The bump map is procedural
+ * noise.
  *
  * cracks.refract=normals is the experiment of the paper's section 5, which overstates the effect,
  * as the paper notes: light leaves a parallel gap in the direction in which it enters.
@@ -87,7 +87,7 @@ static const struct clipping convex = {
     .before_back = true,
 };
 
-/* Shaders without clipping, for cracks clipped at load time or drawn over the whole image. */
+/* Shaders without clipping, for cracks drawn over the whole image. */
 static const struct clipping none = {
     .uses = globals_use,
     .normal_uses = globals_use,
@@ -95,7 +95,6 @@ static const struct clipping none = {
     .color = &cracks_unclipped_color_frag,
     .gap = &cracks_unclipped_gap_frag,
     .normal = &cracks_unclipped_normal_frag,
-    .hit = &cracks_unclipped_hit_frag,
 };
 
 static const struct clipping interval = {
@@ -189,7 +188,7 @@ static void record_cracks(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_mesh(cmd, frame, &cracks);
 }
 
-static const char *const clip_names[] = { "convex", "interval", "precut", "none", NULL };
+static const char *const clip_names[] = { "convex", "interval", "none", NULL };
 static const char *const refract_names[] = { "off", "normals", "gap", NULL };
 
 static const struct setting rows[] = {
