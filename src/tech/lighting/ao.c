@@ -126,11 +126,9 @@ static const float reach = 4.0f;
 
 static const struct setting rows[] = {
     {
-        .name = "ao.strength",
+        SETTING_FIELD("ao.strength", FLOAT, struct ao_params, strength),
         .renamed_from = "contact.strength",
         .label = "Ambient occlusion",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct ao_params, strength),
         .initial = 1,
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,

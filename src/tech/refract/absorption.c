@@ -4,28 +4,22 @@
 
 static const struct setting rows[] = {
     {
-        .name = "absorb.red",
+        SETTING_FIELD("absorb.red", FLOAT, struct absorb_params, red),
         .label = "Absorption, red",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct absorb_params, red),
         .max = 1e4,
         .unit = "1/metre",
         .help = "absorption coefficient of the object for red light",
     },
     {
-        .name = "absorb.green",
+        SETTING_FIELD("absorb.green", FLOAT, struct absorb_params, green),
         .label = "Absorption, green",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct absorb_params, green),
         .max = 1e4,
         .unit = "1/metre",
         .help = "absorption coefficient of the object for green light",
     },
     {
-        .name = "absorb.blue",
+        SETTING_FIELD("absorb.blue", FLOAT, struct absorb_params, blue),
         .label = "Absorption, blue",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct absorb_params, blue),
         .max = 1e4,
         .unit = "1/metre",
         .help = "absorption coefficient of the object for blue light",

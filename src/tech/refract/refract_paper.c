@@ -46,11 +46,9 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct setting rows[] = {
     {
-        .name = "refract_paper.back_weight",
+        SETTING_FIELD("refract_paper.back_weight", FLOAT, struct refract_paper_params, a),
         .renamed_from = "refract_paper.a",
         .label = "Back-face normal weight (paper)",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_paper_params, a),
         .initial = 0.33,
         .max = 1.0,
         .help = "weight of the back face's normal (Seipel and Nivfors, eq. 1)",

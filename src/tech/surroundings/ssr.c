@@ -252,11 +252,9 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct setting rows[] = {
     {
-        .name = "ssr.steps",
+        SETTING_FIELD("ssr.steps", COUNT, struct ssr_params, steps),
         .renamed_from = "mirror.steps",
         .label = "Reflection steps",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct ssr_params, steps),
         .initial = 8,
         .max = 64,
         .switches = SETTING_AFFECTS_PLAN,
@@ -264,11 +262,9 @@ static const struct setting rows[] = {
                 "off); not used by the refraction models trace and reference",
     },
     {
-        .name = "ssr.refract",
+        SETTING_FIELD("ssr.refract", SWITCH, struct ssr_params, refract),
         .renamed_from = "mirror.refract",
         .label = "Refraction in reflections",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct ssr_params, refract),
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
