@@ -8,7 +8,6 @@
 #include <sys/resource.h>
 #include "src/base/parallel.h"
 #include "src/gpu/gpu.h"
-#include "src/render/frame/env_cube_updates.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/settings/settings.h"
 #include "src/tech/frame_resources.h"
@@ -79,7 +78,7 @@ static void describe(struct warm_up *warm_up, const struct compiled_frame *compi
         .object = mesh,
         .surroundings = mesh,
         .meshes = warm_up->meshes,
-        .due = { FRAME_CUBE_ALL, true },
+        .due = { true, true },
     };
     struct rg_exec_params *exec = &warm_up->described.params;
     exec->pipeline_cache = VK_NULL_HANDLE;

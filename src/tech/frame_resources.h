@@ -53,8 +53,8 @@ struct frame_object {
 
 /* Cached images that a frame has to redraw (src/render/frame/env_cube_updates.h). */
 struct frame_updates {
-    uint32_t faces; /* bit mask of cube faces */
-    bool light;     /* caustic and shadow maps */
+    bool cube;  /* all faces of the environment cube */
+    bool light; /* caustic and shadow maps */
 };
 
 /* Data of one frame, which the renderer sets and the record functions of passes read. */

@@ -335,13 +335,9 @@ static struct rg_technique make_normals(const struct technique_config *config,
     return (struct rg_technique){ are_traced ? "cracks_hits" : "cracks_normal", pass, 1 };
 }
 
-static struct rg_technique make_composite(const struct technique_config *config,
-                                          struct pass_arena *builder)
+static bool are_unclipped(const struct technique_config *config)
 {
-    (void)builder;
-    if (!is_on(config->settings) || cracks_are_in_ice(config->settings))
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("cracks_composite", composite_passes);
+    return !cracks_are_in_ice(config->settings);
 }
 
 static const struct mesh *find_sheets(const struct scene *scene)
@@ -375,7 +371,8 @@ const struct technique cracks = {
     .is_hit = true,
     .pass_groups = { { PHASE_NORMALS, .make_passes = make_normals },
                      { PHASE_INCLUSIONS, .make_passes = make_color },
-                     { PHASE_FINISH, .make_passes = make_composite } },
+                     { PHASE_FINISH, .graph = RG_TECHNIQUE("cracks_composite", composite_passes),
+                       .is_drawn = are_unclipped } },
     .layers = layers,
     .mesh = find_sheets,
     .write_constants = write_constants,

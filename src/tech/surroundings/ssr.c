@@ -292,15 +292,6 @@ bool ssr_is_drawn(const struct technique_config *config)
            !config->refraction->refraction.traces_bvh;
 }
 
-static struct rg_technique make_object_passes(const struct technique_config *config,
-                                              struct pass_arena *builder)
-{
-    (void)builder;
-    if (!ssr_is_drawn(config))
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
-}
-
 /* Returns the shader that refracts reflected rays in the object, or NULL if the rays read the image
  * instead. Several or nested objects need NULL, as they overwrite each other's depth maps. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
@@ -335,15 +326,6 @@ static struct rg_technique make_refracted_passes(const struct technique_config *
     return (struct rg_technique){ "ssr", own, 2 };
 }
 
-static struct rg_technique make_screen_passes(const struct technique_config *config,
-                                              struct pass_arena *builder)
-{
-    (void)builder;
-    if (!ssr_is_drawn(config))
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("ssr", screen_passes);
-}
-
 const struct technique ssr = {
     .name = "ssr",
     .help = "screen-space reflections of the objects in glossy surroundings",
@@ -352,7 +334,9 @@ const struct technique ssr = {
     .is_traced = true,
     .is_hit = true,
     .title = "screen-space reflections",
-    .pass_groups = { { PHASE_COMPOSITE, SCENE_OF_OBJECT, .make_passes = make_object_passes },
+    .pass_groups = { { PHASE_COMPOSITE, SCENE_OF_OBJECT,
+                       .graph = RG_TECHNIQUE("ssr", object_passes), .is_drawn = ssr_is_drawn },
                      { PHASE_FINISH, SCENE_OF_OBJECT, .make_passes = make_refracted_passes },
-                     { PHASE_FINISH, SCENE_OF_OBJECT, .make_passes = make_screen_passes } },
+                     { PHASE_FINISH, SCENE_OF_OBJECT, .graph = RG_TECHNIQUE("ssr", screen_passes),
+                       .is_drawn = ssr_is_drawn } },
 };
