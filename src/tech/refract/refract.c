@@ -112,6 +112,12 @@ bool refract_has_medium(const struct technique_config *config)
            medium_field_exists(config->scene, config->settings);
 }
 
+const struct refract_shaders *refract_shaders_of(const struct technique_config *config)
+{
+    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
+    return refract_has_medium(config) ? refraction->medium_shaders : refraction;
+}
+
 /* Makes a pass draw front faces. */
 static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refraction, bool bumped)
 {
@@ -120,10 +126,11 @@ static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refra
     pass->cull = VK_CULL_MODE_BACK_BIT;
 }
 
-static const struct rg_shader *plain_frag(const struct technique_config *config, bool bumped,
-                                          bool is_layers)
+/* Returns the fragment shader of the image or of the AOV layers. */
+static const struct rg_shader *frag_of(const struct technique_config *config, bool bumped,
+                                       bool is_layers)
 {
-    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
+    const struct refract_shaders *refraction = refract_shaders_of(config);
     if (config->is_nested)
         return is_layers ? refraction->nested_layers_frag : refraction->nested_frag;
     if (ice_gbuffer_has_materials(config))
@@ -131,20 +138,6 @@ static const struct rg_shader *plain_frag(const struct technique_config *config,
     if (bumped)
         return is_layers ? refraction->bump_layers_frag : refraction->bump_frag;
     return is_layers ? refraction->layers_frag : refraction->frag;
-}
-
-static const struct rg_shader *scattering_frag(const struct technique_config *config, bool bumped,
-                                               bool is_layers)
-{
-    const struct refract_medium_shaders *medium_shaders =
-        config->refraction->refraction.shaders->medium_shaders;
-    if (config->is_nested)
-        return is_layers ? medium_shaders->nested_layers_frag : medium_shaders->nested_frag;
-    if (ice_gbuffer_has_materials(config))
-        return is_layers ? medium_shaders->material_layers_frag : medium_shaders->material_frag;
-    if (bumped)
-        return is_layers ? medium_shaders->bump_layers_frag : medium_shaders->bump_frag;
-    return is_layers ? medium_shaders->layers_frag : medium_shaders->frag;
 }
 
 static struct rg_technique make_pass(const struct technique_config *config,
@@ -174,8 +167,7 @@ static struct rg_technique make_pass(const struct technique_config *config,
         pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
         draw_faces(pass, refraction, bumped);
-    pass->frag = refract_has_medium(config) ? scattering_frag(config, bumped, is_layers)
-                                            : plain_frag(config, bumped, is_layers);
+    pass->frag = frag_of(config, bumped, is_layers);
     pass->push_size = refraction->push_size;
     pass->record = refraction->record ? refraction->record : frame_draw_object;
     return (struct rg_technique){ technique->name, pass, 1 };

@@ -46,7 +46,7 @@ static const struct rg_use wide_uses[] = {
     { 0 },
 };
 
-static const struct refract_medium_shaders medium_shaders = {
+static const struct refract_shaders medium_shaders = {
     .frag = &refract_bounce_medium_frag,
     .layers_frag = &refract_bounce_medium_aov_frag,
     .material_frag = &refract_bounce_material_medium_frag,

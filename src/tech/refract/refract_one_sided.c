@@ -16,7 +16,7 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
-static const struct refract_medium_shaders medium_shaders = {
+static const struct refract_shaders medium_shaders = {
     .frag = &refract_one_sided_medium_frag,
     .layers_frag = &refract_one_sided_medium_aov_frag,
     .bump_frag = &refract_one_sided_bump_medium_frag,

@@ -297,13 +297,11 @@ bool ssr_is_drawn(const struct technique_config *config)
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);
-    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
-    if (!params->refract || !refraction || config->object_count > 1 || config->is_nested)
+    if (!params->refract || !config->refraction->refraction.shaders || config->object_count > 1 ||
+        config->is_nested)
         return NULL;
-    if (refract_has_medium(config))
-        return ice_gbuffer_has_materials(config) ? refraction->medium_shaders->ssr_material_frag
-                                                 : refraction->medium_shaders->ssr_frag;
-    return ice_gbuffer_has_materials(config) ? refraction->ssr_material_frag : refraction->ssr_frag;
+    return ice_gbuffer_has_materials(config) ? refract_shaders_of(config)->ssr_material_frag
+                                             : refract_shaders_of(config)->ssr_frag;
 }
 
 static struct rg_technique make_refracted_passes(const struct technique_config *config,
