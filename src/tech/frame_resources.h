@@ -88,6 +88,13 @@ extern const struct rg_buffer frame_globals;
         .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
     }
 
+/* Initialises a struct rg_image that is imported from the scene. Its size is that of the fallback
+ * texel. */
+#define FRAME_IMPORTED(title, texel, is_array) \
+    { \
+        .name = (title), .format = (texel), .width = 1, .height = 1, .array = (is_array) \
+    }
+
 /* Initialises a struct rg_use of an image that is sampled without filtering, at mip level 0. */
 #define FRAME_READ(read_image, at) \
     { \

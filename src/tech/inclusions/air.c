@@ -24,21 +24,9 @@
 static rg_record_fn record_planes;
 
 /* Imported textures of air planes (struct air_layers). The size is that of the fallback image. */
-static const struct rg_image air_layers = {
-    .name = "frame.air",
-    .format = VK_FORMAT_R8G8_UNORM,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+static const struct rg_image air_layers = FRAME_IMPORTED("frame.air", VK_FORMAT_R8G8_UNORM, true);
 
-const struct rg_image air_media = {
-    .name = "air.media",
-    .format = VK_FORMAT_R8G8_UNORM,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+const struct rg_image air_media = FRAME_IMPORTED("air.media", VK_FORMAT_R8G8_UNORM, true);
 
 const struct rg_sampler air_media_sampler = { .linear = true };
 

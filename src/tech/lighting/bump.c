@@ -4,12 +4,7 @@
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
 
-const struct rg_image bump_map = {
-    .name = "bump.map",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image bump_map = FRAME_IMPORTED("bump.map", VK_FORMAT_R16G16B16A16_SFLOAT, false);
 
 static const char *const mappings[] = {
     [BUMP_TRIPLANAR] = "triplanar",
