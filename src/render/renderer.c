@@ -198,8 +198,6 @@ void renderer_destroy(struct renderer *renderer)
     free(renderer);
 }
 
-/* ---- a frame ---- */
-
 /* ---- an image ---- */
 
 enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)

@@ -2,29 +2,14 @@
 #include "src/tech/refract/absorption.h"
 #include "src/tech/frame_resources.h"
 
-static const struct setting rows[] = {
-    {
-        SETTING_FIELD("absorb.red", FLOAT, struct absorb_params, red),
-        .label = "Absorption, red",
-        .max = 1e4,
-        .unit = "1/metre",
-        .help = "absorption coefficient of the object for red light",
-    },
-    {
-        SETTING_FIELD("absorb.green", FLOAT, struct absorb_params, green),
-        .label = "Absorption, green",
-        .max = 1e4,
-        .unit = "1/metre",
-        .help = "absorption coefficient of the object for green light",
-    },
-    {
-        SETTING_FIELD("absorb.blue", FLOAT, struct absorb_params, blue),
-        .label = "Absorption, blue",
-        .max = 1e4,
-        .unit = "1/metre",
-        .help = "absorption coefficient of the object for blue light",
-    },
-};
+#define ABSORPTION(channel) \
+    { \
+        SETTING_FIELD("absorb." #channel, FLOAT, struct absorb_params, channel), \
+            .label = "Absorption, " #channel, .max = 1e4, .unit = "1/metre", \
+            .help = "absorption coefficient of the object for " #channel " light" \
+    }
+
+static const struct setting rows[] = { ABSORPTION(red), ABSORPTION(green), ABSORPTION(blue) };
 
 SETTING_GROUP(absorb, rows, struct absorb_params);
 

@@ -76,6 +76,12 @@ struct refract_shaders {
     rg_record_fn *record;                  /* NULL: frame_draw_object() */
 };
 
+/* Initialises the fragment shaders of a model that has bump mapping and material images. */
+#define REFRACT_FRAGS(model) \
+    .frag = &model##_frag, .layers_frag = &model##_aov_frag, .bump_frag = &model##_bump_frag, \
+    .bump_layers_frag = &model##_bump_aov_frag, .material_frag = &model##_material_frag, \
+    .material_layers_frag = &model##_material_aov_frag
+
 /* Returns true if the scene has scattering media and a raster refraction model renders them. */
 bool refract_has_medium(const struct technique_config *config);
 

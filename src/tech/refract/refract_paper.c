@@ -26,12 +26,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct refract_shaders refraction = {
-    .frag = &refract_paper_frag,
-    .layers_frag = &refract_paper_aov_frag,
-    .material_frag = &refract_paper_material_frag,
-    .material_layers_frag = &refract_paper_material_aov_frag,
-    .bump_frag = &refract_paper_bump_frag,
-    .bump_layers_frag = &refract_paper_bump_aov_frag,
+    REFRACT_FRAGS(refract_paper),
     .uses = uses,
     .push_size = sizeof(struct refract_paper_params),
     .record = record_object,

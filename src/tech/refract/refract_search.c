@@ -25,12 +25,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct refract_shaders refraction = {
-    .frag = &refract_search_frag,
-    .layers_frag = &refract_search_aov_frag,
-    .material_frag = &refract_search_material_frag,
-    .material_layers_frag = &refract_search_material_aov_frag,
-    .bump_frag = &refract_search_bump_frag,
-    .bump_layers_frag = &refract_search_bump_aov_frag,
+    REFRACT_FRAGS(refract_search),
     .uses = uses,
     .push_size = sizeof(struct refract_march),
     .record = record_object,
