@@ -68,7 +68,7 @@ const struct rg_image frame_env_cube = {
     .width = 512,
     .height = 512,
     .cube = true,
-    .persistent = true, /* persistent: faces that a frame does not redraw keep their content */
+    .persistent = true, /* keeps its content in frames that do not redraw it */
 };
 
 const struct rg_image frame_env_cube_depth = {
