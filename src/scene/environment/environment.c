@@ -9,6 +9,7 @@
 #include "src/file/exr.h"
 #include "src/file/half_float.h"
 #include "src/file/hdr.h"
+#include "src/scene/environment/cube_to_equirect.h"
 
 /* Converts colours to Rec.709. Greyscale images need no conversion. */
 static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)
@@ -102,16 +103,23 @@ static uint16_t to_half(float value)
     return half_from_float(value);
 }
 
-/* Other cube maps than those of `firn bake` have other orientations, or crosses of faces. */
-static enum status check_layout(const struct image *image, bool is_cube_map, const char *path)
+static enum status check_aspect(const struct image *image, const char *path)
 {
-    const bool is_captured = image->height == 6 * (uint64_t)image->width && !is_cube_map;
-    if (image->width == 2 * (uint64_t)image->height || is_captured)
+    if (image->width == 2 * (uint64_t)image->height || image->height == 6 * (uint64_t)image->width)
         return STATUS_OK;
-    log_error("%s: expected an equirectangular image (2:1) or a cube of firn bake (1:6), got %s%u "
-              "x %u; convert other cube maps to an equirectangular image",
-              path, is_cube_map ? "an OpenEXR cube map of " : "", image->width, image->height);
+    log_error("%s: expected an equirectangular image (2:1) or six faces of a cube (1:6, 6:1, or a "
+              "cross on black), got %u x %u",
+              path, image->width, image->height);
     return STATUS_DATA;
+}
+
+/* Converts an image of a cube map at infinity to an equirectangular one. */
+static enum status convert_cube(struct image *image, bool is_cube_map, const char *path)
+{
+    const enum panorama kind = panorama_detect_cube(image);
+    if (is_cube_map && image->height == 6 * (uint64_t)image->width)
+        return panorama_from_cube(image, PANORAMA_OPENEXR, path);
+    return kind == PANORAMA_NONE ? STATUS_OK : panorama_from_cube(image, kind, path);
 }
 
 static enum status convert(struct environment *environment, const struct image *image,
@@ -156,7 +164,9 @@ enum status environment_load(struct environment *environment, const char *path)
     struct header_info header_info = { 0 };
     enum status status = read_image(path, &image, &header_info);
     if (status == STATUS_OK)
-        status = check_layout(&image, header_info.is_cube_map, path);
+        status = convert_cube(&image, header_info.is_cube_map, path);
+    if (status == STATUS_OK)
+        status = check_aspect(&image, path);
     if (status == STATUS_OK)
         status = convert(environment, &image, path);
     if (status == STATUS_OK && !environment->is_cube)

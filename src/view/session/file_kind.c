@@ -3,14 +3,36 @@
 #include <string.h>
 #include "src/base/path.h"
 #include "src/file/image_receive.h"
+#include "src/scene/environment/cube_to_equirect.h"
 #include "src/scene/scene.h"
 
-/* Returns true if the aspect ratio is 2:1 (panorama) or 1:6 (strip of cube faces). */
+/* Returns true if the aspect ratio is 2:1 (panorama), 6:1 or 1:6 (strip of cube faces). */
 static bool has_panorama_shape(const struct image *image)
 {
     const uint64_t width = image->width;
     const uint64_t height = image->height;
-    return width == 2 * height || height == 6 * width;
+    return width == 2 * height || height == 6 * width || width == 6 * height;
+}
+
+/* Returns true if the aspect ratio is that of a cube map laid out as a cross (4:3 or 3:4). */
+static bool has_cross_shape(const struct image *image)
+{
+    const uint64_t width = image->width;
+    const uint64_t height = image->height;
+    return 3 * width == 4 * height || 4 * width == 3 * height;
+}
+
+/* Decodes an image to find out whether it is a cube map with black texels around a cross. */
+static enum status detect_cross(const char *path, const struct reader_params *reader,
+                                enum file_kind *kind)
+{
+    struct image image = { 0 };
+    const enum status status = image_reader_read(&image, path, reader);
+    if (status == STATUS_OK)
+        *kind =
+            panorama_detect_cube(&image) == PANORAMA_NONE ? FILE_KIND_IMAGE : FILE_KIND_ENVIRONMENT;
+    image_finish(&image);
+    return status;
 }
 
 /* Classifies a PNG file: a preset if it contains settings written by firn, otherwise an image. */
@@ -30,12 +52,15 @@ static enum status classify_image(const char *path, const struct reader_params *
 {
     struct image_reader *image_reader;
     struct image_header head;
+    bool may_be_cross = false;
     const enum status status = image_reader_open(&image_reader, path, reader, &head);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK) {
         *kind = has_panorama_shape(&head.image) ? FILE_KIND_ENVIRONMENT : FILE_KIND_IMAGE;
+        may_be_cross = has_cross_shape(&head.image) && !image_header_text(&head, "firn/settings");
+    }
     image_reader_close(image_reader);
     image_header_finish(&head);
-    return status;
+    return may_be_cross ? detect_cross(path, reader, kind) : status;
 }
 
 enum status file_kind_detect(const char *path, const struct reader_params *reader,
