@@ -58,7 +58,7 @@ truth shapes-truth 'bubbles.count=40 bubbles.shape=mixed'
 row shapes shapes-truth 'bubbles.count=40 bubbles.shape=mixed'
 truth cracks-truth cracks.count=4
 row cracks-off cracks-truth
-for clip in convex interval precut; do
+for clip in convex interval; do
     row "cracks-gap-$clip" cracks-truth "cracks.count=4 cracks.refract=gap cracks.strength=0
         cracks.clip=$clip"
 done

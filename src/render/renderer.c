@@ -158,8 +158,6 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (status == STATUS_OK)
         status = frame_objects_init(&r->objects, &r->image.frame->list, params->scene);
     if (status == STATUS_OK)
-        status = frame_cube_init(&r->cube, params->scene);
-    if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - compiled;
     r->costs.rays = r->bvh.rays ? r->bvh.rays->ms : 0.0;
@@ -187,7 +185,6 @@ void renderer_destroy(struct renderer *renderer)
     compiled_frame_destroy(&renderer->image);
     compiled_frame_destroy(&renderer->capture);
     frame_objects_finish(&renderer->objects);
-    frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
     uploaded_scene_finish(&renderer->bvh, renderer->params.gpu);
     bvh_finish(&renderer->own_bvh);
@@ -197,14 +194,11 @@ void renderer_destroy(struct renderer *renderer)
     free(renderer);
 }
 
-/* ---- a frame ---- */
-
 /* ---- an image ---- */
 
 enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = true;
     r->skips_readback = true;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->image, shot, 0, &r->last_slot);
@@ -251,7 +245,6 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = false; /* no image may contain old faces */
     r->skips_readback = false;
     /* The device draws one sample while the host accumulates the previous one. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {

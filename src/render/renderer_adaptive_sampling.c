@@ -31,7 +31,6 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
     if (!adaptive_init(&adaptive, whole.width, whole.height))
         return log_out_of_memory(NULL);
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = false; /* no image may contain old faces */
     r->skips_readback = false;
     while (status == STATUS_OK && (sample < adaptive.end || adaptive_next_round(&adaptive))) {
         status = draw_tiles(r, shot, &result->image, &adaptive, sample++);

@@ -42,7 +42,6 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
-    r->cube.round_robin = false; /* no image may contain old faces */
     r->skips_readback = false;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->image, shot, sample, &r->last_slot);

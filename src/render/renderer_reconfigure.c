@@ -55,8 +55,7 @@ static void discard_images(struct renderer *r)
     image_finish(&r->sums);
     r->sum_count = 0;
     r->captured = false;
-    r->cube.drawn = 0;
-    r->cube.next = 0;
+    r->cube.is_drawn = false;
 }
 
 enum status renderer_change(struct renderer *r, const struct renderer_params *params)

@@ -96,14 +96,14 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .skips_readback = r->skips_readback,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
-    for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
+    for (uint32_t face = 0; face < 6; face++)
         frame.faces[face] = frame_view_face(&view, face);
     const VkExtent2D size = compiled_frame->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.ground_area = frame_view_reflection_area(&view, &globals, size);
     frame.due = compiled_frame == &r->image ? frame_cube_due(&r->cube, &view, &globals)
-                                            : (struct frame_updates){ FRAME_CUBE_ALL, true };
+                                            : (struct frame_updates){ true, true };
     VkResult result = rg_exec_begin(compiled_frame->exec, slot);
     if (result == VK_SUCCESS) {
         write_uploads(&view, &globals, compiled_frame->exec, *slot);

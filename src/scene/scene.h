@@ -85,7 +85,6 @@ struct scene_cracks {
     uint32_t count; /* number of cracks; 0 for none */
     uint32_t seed;
     float size;       /* size relative to the default size */
-    bool cut;         /* true to clip cracks to the object, which must be a closed mesh */
     const char *file; /* model file of a crack, read by scene_load(); NULL for generated cracks */
 };
 

@@ -2,7 +2,6 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/base/log.h"
-#include "src/scene/geometry/point_in_mesh.h"
 #include "src/scene/import/greyscale_map.h"
 #include "src/scene/scene.h"
 
@@ -71,20 +70,13 @@ static enum status add_bubbles(struct scene *scene, const struct generate_bubble
 
 enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks *cracks)
 {
-    const struct mesh *object = &scene->model.object;
-    struct closed_mesh closed_mesh = { 0 };
     mesh_finish(&scene->inclusions.cracks);
     const struct generate_cracks params = { cracks->count, cracks->seed, cracks->size };
     bool done = generate_cracks(&scene->inclusions.cracks, unmelted_box(scene), &params,
                                 &scene->files.crack_sheet);
     if (done && cracks->count && scene->melted.lost_fraction > 0.0f)
-        done = melt_cracks(&scene->inclusions.cracks, object, scene->melted.lost_fraction);
-    if (done && cracks->count && cracks->cut) {
-        done = closed_mesh_init(&closed_mesh, object) &&
-               closed_mesh_clip(&closed_mesh, &scene->inclusions.cracks,
-                                box_diagonal(scene->box) / 128.0f);
-        closed_mesh_finish(&closed_mesh);
-    }
+        done = melt_cracks(&scene->inclusions.cracks, &scene->model.object,
+                           scene->melted.lost_fraction);
     return done ? STATUS_OK : log_out_of_memory("cracks");
 }
 

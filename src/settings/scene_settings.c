@@ -258,18 +258,7 @@ static const struct setting env_cube_rows[] = {
         .type = SETTING_SWITCH,
         .offset = offsetof(struct env_cube_params, always),
         .max = 1,
-        .help =
-            "redraw all six faces of the environment cube every frame (off: only changed faces)",
-    },
-    {
-        .name = "env_cube.faces",
-        .label = "Cube faces per frame",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct env_cube_params, faces),
-        .initial = 6,
-        .min = 1,
-        .max = 6,
-        .help = "maximum number of environment cube faces redrawn per frame of a window",
+        .help = "redraw the environment cube every frame (off: only if it changes)",
     },
     {
         .name = "env_cube.size",

@@ -65,7 +65,6 @@ struct light_params {
 struct env_cube_params {
     uint32_t dynamic; /* redraw when the scene changes */
     uint32_t always;  /* redraw in every frame */
-    uint32_t faces;   /* maximum faces redrawn per window frame */
     uint32_t size;    /* face size, texels; 0 for frame_face_size() */
 };
 

@@ -63,6 +63,10 @@ struct setting_group {
     size_t index;       /* position in setting_groups[] */
 };
 
+/* Initialises name, type and offset of a struct setting: a member of a group's struct. */
+#define SETTING_FIELD(full_name, kind, params, member) \
+    .name = (full_name), .type = SETTING_##kind, .offset = offsetof(params, member)
+
 /* Defines the group GROUP_settings. It must be listed in the root meson.build. */
 #define SETTING_GROUP(group, table, type) \
     extern const struct setting_group group##_settings; \

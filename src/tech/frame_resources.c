@@ -68,7 +68,7 @@ const struct rg_image frame_env_cube = {
     .width = 512,
     .height = 512,
     .cube = true,
-    .persistent = true, /* persistent: faces that a frame does not redraw keep their content */
+    .persistent = true, /* keeps its content in frames that do not redraw it */
 };
 
 const struct rg_image frame_env_cube_depth = {
@@ -86,64 +86,29 @@ const struct rg_buffer frame_samples = {
 };
 
 /* Images imported from the scene. The declared size is that of the 1x1 fallback images. */
-const struct rg_image frame_environment = {
-    .name = "frame.environment",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image frame_environment =
+    FRAME_IMPORTED("frame.environment", VK_FORMAT_R16G16B16A16_SFLOAT, false);
 
-const struct rg_image frame_textures = {
-    .name = "frame.textures",
-    .format = VK_FORMAT_R8G8B8A8_SRGB,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+const struct rg_image frame_textures =
+    FRAME_IMPORTED("frame.textures", VK_FORMAT_R8G8B8A8_SRGB, true);
 
-const struct rg_image frame_data_textures = {
-    .name = "frame.numbers",
-    .format = VK_FORMAT_R8G8B8A8_UNORM,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+const struct rg_image frame_data_textures =
+    FRAME_IMPORTED("frame.numbers", VK_FORMAT_R8G8B8A8_UNORM, true);
 
-const struct rg_image frame_materials = {
-    .name = "frame.materials",
-    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image frame_materials =
+    FRAME_IMPORTED("frame.materials", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
-const struct rg_image frame_extras = {
-    .name = "frame.extras",
-    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image frame_extras =
+    FRAME_IMPORTED("frame.extras", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
-const struct rg_image frame_lights = {
-    .name = "frame.lights",
-    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image frame_lights =
+    FRAME_IMPORTED("frame.lights", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
-const struct rg_image frame_surface_light = {
-    .name = "frame.surface_light",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+const struct rg_image frame_surface_light =
+    FRAME_IMPORTED("frame.surface_light", VK_FORMAT_R16G16B16A16_SFLOAT, true);
 
-const struct rg_image frame_surface_split = {
-    .name = "frame.surface_split",
-    .format = VK_FORMAT_R16G16_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image frame_surface_split =
+    FRAME_IMPORTED("frame.surface_split", VK_FORMAT_R16G16_SFLOAT, false);
 
 const struct rg_sampler frame_linear = { .linear = true };
 

@@ -53,8 +53,8 @@ struct frame_object {
 
 /* Cached images that a frame has to redraw (src/render/frame/env_cube_updates.h). */
 struct frame_updates {
-    uint32_t faces; /* bit mask of cube faces */
-    bool light;     /* caustic and shadow maps */
+    bool cube;  /* all faces of the environment cube */
+    bool light; /* caustic and shadow maps */
 };
 
 /* Data of one frame, which the renderer sets and the record functions of passes read. */
@@ -86,6 +86,13 @@ extern const struct rg_buffer frame_globals;
 #define FRAME_USE_GLOBALS \
     { \
         .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
+    }
+
+/* Initialises a struct rg_image that is imported from the scene. Its size is that of the fallback
+ * texel. */
+#define FRAME_IMPORTED(title, texel, is_array) \
+    { \
+        .name = (title), .format = (texel), .width = 1, .height = 1, .array = (is_array) \
     }
 
 /* Initialises a struct rg_use of an image that is sampled without filtering, at mip level 0. */

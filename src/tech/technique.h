@@ -82,6 +82,8 @@ struct technique_pass_group {
     uint32_t purposes;                /* enum technique_purpose bits; 0: images */
     struct rg_technique graph;        /* static passes, without `make_passes` */
     technique_passes_fn *make_passes; /* may be NULL */
+    /* Optional. Returns false if an enabled technique has no static passes in this plan. */
+    bool (*is_drawn)(const struct technique_config *config);
 };
 
 /* A refraction model, which --refraction selects by name. */

@@ -84,9 +84,9 @@ static struct scene open_scene(const char *name)
     return scene;
 }
 
-static void crack(struct scene *scene, uint32_t count, uint32_t seed, bool cut)
+static void crack(struct scene *scene, uint32_t count, uint32_t seed)
 {
-    const struct scene_cracks cracks = { .count = count, .seed = seed, .size = 1, .cut = cut };
+    const struct scene_cracks cracks = { .count = count, .seed = seed, .size = 1 };
     assert_int_equal(scene_generate_cracks(scene, &cracks), STATUS_OK);
 }
 
@@ -164,7 +164,7 @@ static struct tally tally_scene(struct gpu *gpu, const char *name, const char *c
     uint32_t seed = 1;
     for (; tally.kept < wanted; seed++) {
         assert_true(seed < 10);
-        crack(&scene, 2, seed, false);
+        crack(&scene, 2, seed);
         const struct picture_request request = request_of(&scene, &settings);
         struct render_result result = picture_render(gpu, &request);
         count_fragments(&tally, &request, &result.image, step);
@@ -252,7 +252,7 @@ static void test_convex_is_interval_for_a_sphere(void **state)
     static const char *const kinds[] = { "cracks.refract=off", "cracks.refract=gap",
                                          "cracks.refract=normals" };
     struct scene scene = open_scene("sphere");
-    crack(&scene, 4, 5, false);
+    crack(&scene, 4, 5);
     for (size_t k = 0; k < 3; k++) {
         const struct settings convex = SETTINGS("cracks.clip=convex", kinds[k]);
         const struct settings interval = SETTINGS("cracks.clip=interval", kinds[k]);
@@ -267,36 +267,11 @@ static void test_convex_is_interval_for_a_sphere(void **state)
     scene_finish(&scene);
 }
 
-static void test_precut_is_as_interval(void **state)
-{
-    static const char *const names[] = { "sphere", "valley", "torus", "teapot" };
-    const struct settings interval = SETTINGS("cracks.clip=interval", GAPS);
-    const struct settings precut = SETTINGS("cracks.clip=precut", GAPS);
-    for (size_t n = 0; n < 4; n++) {
-        struct scene scene = open_scene(names[n]);
-        crack(&scene, 3, 2, false);
-        struct render_result a = render(*state, &scene, &interval);
-        crack(&scene, 3, 2, true);
-        struct render_result b = render(*state, &scene, &precut);
-        const size_t shown = count_above(&a.image, "cracks.A", 0.03f);
-        const size_t wrong = count_different(&a.image, &b.image, "cracks.A", 0.01f);
-        print_message("%s: %u triangles, %zu of %zu pixels differ from intervals\n", names[n],
-                      scene.inclusions.cracks.index_count / 3, wrong, shown);
-        assert_true(shown > 2000);
-        assert_true(wrong * 200 < shown);
-        render_result_finish(&a);
-        render_result_finish(&b);
-        scene_finish(&scene);
-    }
-}
-
-/* The ice turns with its cracks: intervals and cuts still agree. */
 static void test_cracks_turn_with_the_ice(void **state)
 {
     const struct settings interval = SETTINGS("cracks.clip=interval", GAPS, "motion.ice=30");
-    const struct settings precut = SETTINGS("cracks.clip=precut", GAPS, "motion.ice=30");
     struct scene scene = open_scene("torus");
-    crack(&scene, 2, 3, false);
+    crack(&scene, 2, 3);
     struct picture_request request = request_of(&scene, &interval);
     struct picture_stage stage;
     picture_begin(&stage, *state, &request);
@@ -304,15 +279,10 @@ static void test_cracks_turn_with_the_ice(void **state)
     request.time = 2;
     struct render_result a = picture_take(&stage, &request);
     picture_end(&stage);
-    crack(&scene, 2, 3, true);
-    request.settings = &precut;
-    struct render_result b = picture_render(*state, &request);
     const size_t shown = count_above(&a.image, "cracks.A", 0.03f);
-    assert_true(count_different(&a.image, &b.image, "cracks.A", 0.01f) * 100 < shown);
     assert_true(count_different(&a.image, &still.image, "cracks.A", 0.01f) * 4 > shown);
     render_result_finish(&still);
     render_result_finish(&a);
-    render_result_finish(&b);
     scene_finish(&scene);
 }
 
@@ -352,7 +322,7 @@ static void test_nothing_but_highlights(void **state)
     const struct settings none = SETTINGS("cracks.count=0", "light.count=0");
     struct scene scene = open_scene("teapot");
     struct render_result plain = render(*state, &scene, &none);
-    crack(&scene, 2, 1, false);
+    crack(&scene, 2, 1);
     struct render_result a = render(*state, &scene, &lit);
     struct render_result b = render(*state, &scene, &dark);
     assert_true(count_above(&a.image, "cracks.A", 0.1f) > 100);
@@ -375,7 +345,7 @@ static void test_surface(void **state)
     static const char *const kinds[] = { "cracks.refract=off", "cracks.refract=gap" };
     static const char *const clips[] = { "cracks.clip=interval", "cracks.clip=none" };
     struct scene scene = open_scene("torus");
-    crack(&scene, 2, 3, false);
+    crack(&scene, 2, 3);
     for (size_t k = 0; k < 2; k++) {
         size_t shown[2], wrong = 0;
         for (size_t c = 0; c < 2; c++) {
@@ -482,7 +452,7 @@ static void test_gaps_lose_no_light(void **state)
 {
     const struct settings settings = SETTINGS(GAPS, "light.count=0");
     struct scene scene = open_scene("torus");
-    crack(&scene, 5, 4, false);
+    crack(&scene, 5, 4);
     struct render_result result = render(*state, &scene, &settings);
     const float *picture = image_find(&result.image, "G");
     assert_true(count_above(&result.image, "cracks.A", 0.5f) > 100);
@@ -496,7 +466,7 @@ static void test_gaps_lose_no_light(void **state)
  * none of it is bent, but for what is reflected where it leaves. */
 static void test_gap_is_followed(void **state)
 {
-    const struct settings settings = SETTINGS(GAPS, "cracks.clip=precut");
+    const struct settings settings = SETTINGS(GAPS, "cracks.clip=convex");
     struct scene scene = open_scene("sphere");
     picture_use_directions(&scene, 1024);
     add_flat_crack(&scene, 52);
@@ -526,7 +496,7 @@ static void test_even_light_by_bounce(void **state)
 {
     const struct settings settings = SETTINGS("cracks.refract=gap", "light.count=0");
     struct scene scene = open_scene("valley");
-    crack(&scene, 5, 4, false);
+    crack(&scene, 5, 4);
     struct picture_request request = request_of(&scene, &settings);
     request.refraction = "bounce";
     struct render_result result = picture_render(*state, &request);
@@ -571,7 +541,6 @@ int main(void)
         cmocka_unit_test(test_teapot),
         cmocka_unit_test(test_other_clippings_are_wrong),
         cmocka_unit_test(test_convex_is_interval_for_a_sphere),
-        cmocka_unit_test(test_precut_is_as_interval),
         cmocka_unit_test(test_cracks_turn_with_the_ice),
         cmocka_unit_test(test_seeds_and_counts),
         cmocka_unit_test(test_nothing_but_highlights),

@@ -47,7 +47,7 @@ static struct vec see(struct gpu *gpu, const struct sheet *sheets, uint32_t coun
                       const char *setting)
 {
     static const char *const gaps[] = { "cracks.refract=gap", "cracks.bump=0", "cracks.gap=1000",
-                                        "cracks.clip=precut" };
+                                        "cracks.clip=convex" };
     struct settings settings = picture_settings(setting);
     for (size_t i = 0; i < sizeof(gaps) / sizeof(gaps[0]); i++)
         assert_int_equal(settings_assign(&settings, gaps[i], SETTING_USER, NULL), STATUS_OK);

@@ -119,10 +119,10 @@ static struct rg_frame make_frame(const struct uploaded_scene *on_gpu, vec3s cen
 {
     struct rg_frame frame = {
         .surroundings = uploaded_scene_mesh(&on_gpu->surroundings, false),
+        .due = { .cube = true },
     };
     for (uint32_t i = 0; i < 6; i++) {
         const struct camera_basis basis = camera_cube_basis(i);
-        frame.due.faces |= 1u << i;
         frame.faces[i] = (struct surroundings_push){
             .clip_from_world = camera_cube_clip_from_world(i, center, near),
             .eye = center,

@@ -24,12 +24,12 @@ static void describe_scene(const struct setup_scene *o, char text[static TEXT_SI
     struct bump_maps_params maps;
     const struct scene_params p = setup_scene_params(o, &maps);
     int length = snprintf(
-        text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %a %d|%a %a %a",
+        text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %a|%a %a %a",
         p.object_triangles, p.landscape_triangles, p.flat, p.orbiting_ball_count, p.air.count,
         p.air.seed, (double)p.air.size, (double)p.air.frequency, p.has_scattering_medium,
         p.bubbles.count, p.bubbles.seed, (double)p.bubbles.size, (int)p.bubbles.shape,
         (double)p.bubbles.stretch, p.cracks.count, p.cracks.seed, (double)p.cracks.size,
-        p.cracks.cut, (double)p.pool.size, (double)p.pool.depth, (double)p.pool.ice);
+        (double)p.pool.size, (double)p.pool.depth, (double)p.pool.ice);
     if (p.bump)
         length += snprintf(&text[length], TEXT_SIZE - (size_t)length, "|%a %u", (double)maps.smooth,
                            maps.seed);

@@ -374,8 +374,6 @@ static void test_faces_by_height(void **state)
     assert_int_equal(frame_face_size(&settings, 768), 1024);
     assert_int_equal(settings_assign(&settings, "env_cube.size=15", SETTING_USER, NULL),
                      STATUS_USAGE);
-    assert_int_equal(settings_assign(&settings, "env_cube.faces=auto", SETTING_USER, NULL),
-                     STATUS_USAGE);
 }
 
 /* Every sample sees the point that is in focus at the same place, from another point of the lens;

@@ -1,74 +1,14 @@
-/* env_cube_updates.c: finds the environment-cube faces and caustic maps that a frame redraws. */
+/* env_cube_updates.c: finds out whether a frame redraws the environment cube and caustic maps. */
 #include "src/render/frame/env_cube_updates.h"
 #include <cglm/struct.h>
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
-#include "shaders/mesh_layout.h"
-#include "src/base/log.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
-enum {
-    MOVER_TRIANGLES = 64, /* consecutive moving triangles per bounding sphere */
-};
-
-static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
+static struct frame_cube_state cube_inputs(const struct frame_view *view,
+                                           const struct globals *globals)
 {
-    return mesh->vertices[mesh->indices[3 * triangle + i]].position;
-}
-
-/* Returns a bounding sphere of `count` triangles; `count` must not be 0. */
-static struct frame_cube_moving_sphere sphere_around(const struct mesh *mesh,
-                                                     const uint32_t *triangles, uint32_t count)
-{
-    struct frame_cube_moving_sphere sphere = { 0 };
-    for (uint32_t i = 0; i < 3 * count; i++)
-        sphere.center = glms_vec3_add(sphere.center, corner(mesh, triangles[i / 3], i % 3));
-    sphere.center = glms_vec3_scale(sphere.center, 1.0f / (float)(3 * count));
-    for (uint32_t i = 0; i < 3 * count; i++) {
-        const vec3s at = corner(mesh, triangles[i / 3], i % 3);
-        sphere.radius = fmaxf(sphere.radius, glms_vec3_distance(sphere.center, at));
-    }
-    return sphere;
-}
-
-static bool moves(const struct mesh *mesh, uint32_t triangle)
-{
-    return mesh->vertices[mesh->indices[(size_t)3 * triangle]].material & MESH_ORBITS;
-}
-
-enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene)
-{
-    const struct mesh *mesh = &scene->model.surroundings;
-    uint32_t triangles[MOVER_TRIANGLES], count = 0, all = 0;
-    *cube = (struct frame_cube){ 0 };
-    for (uint32_t i = 0; i < mesh->index_count / 3; i++)
-        all += moves(mesh, i);
-    if (all == 0)
-        return STATUS_OK;
-    cube->movers = calloc(all / MOVER_TRIANGLES + 1, sizeof(*cube->movers));
-    if (!cube->movers)
-        return log_out_of_memory(NULL);
-    for (uint32_t i = 0; i < mesh->index_count / 3; i++) {
-        if (moves(mesh, i))
-            triangles[count++] = i;
-        if (count == MOVER_TRIANGLES || (count > 0 && i + 1 == mesh->index_count / 3)) {
-            cube->movers[cube->orbiting_ball_count++] = sphere_around(mesh, triangles, count);
-            count = 0;
-        }
-    }
-    return STATUS_OK;
-}
-
-void frame_cube_finish(struct frame_cube *cube)
-{
-    free(cube->movers);
-    *cube = (struct frame_cube){ 0 };
-}
-
-static struct frame_cube_state face_inputs(const struct globals *globals)
-{
+    const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     return (struct frame_cube_state){
         .background_color = globals->background_color,
         .sun_dir = globals->sun_dir,
@@ -76,54 +16,8 @@ static struct frame_cube_state face_inputs(const struct globals *globals)
         .center = globals->center,
         .sky_strength = globals->sky_strength,
         .sun_strength = globals->sun_strength,
-        .world_from_movers = globals->world_from_movers,
+        .world_from_movers = motion->count ? globals->world_from_movers : GLMS_MAT4_ZERO,
     };
-}
-
-/* Returns true if a cube face may show a sphere. A point is in the face's frustum if its
- * coordinates |right| and |up| are at most `forward`. */
-static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
-                           const struct frame_cube_moving_sphere *sphere)
-{
-    const struct camera_basis basis = camera_cube_basis(face);
-    const vec3s at = glms_vec3_sub(glms_mat4_mulv3(state->world_from_movers, sphere->center, 1.0f),
-                                   state->center);
-    const float max = glms_vec3_dot(at, basis.forward) + sqrtf(2.0f) * sphere->radius;
-    return fabsf(glms_vec3_dot(at, basis.right)) <= max &&
-           fabsf(glms_vec3_dot(at, basis.up)) <= max;
-}
-
-static bool same_light(const struct frame_cube_state *a, const struct frame_cube_state *b)
-{
-    return glms_vec3_eqv(a->background_color, b->background_color) &&
-           glms_vec3_eqv(a->sun_dir, b->sun_dir) && glms_vec3_eqv(a->sun_light, b->sun_light) &&
-           glms_vec3_eqv(a->center, b->center) && a->sky_strength == b->sky_strength &&
-           a->sun_strength == b->sun_strength;
-}
-
-static bool same_pose(const struct frame_cube_state *a, const struct frame_cube_state *b)
-{
-    for (int i = 0; i < 4; i++) {
-        if (!glms_vec4_eqv(a->world_from_movers.col[i], b->world_from_movers.col[i]))
-            return false;
-    }
-    return true;
-}
-
-static bool has_changed(const struct frame_cube *cube, uint32_t face,
-                        const struct frame_cube_state *now)
-{
-    const struct frame_cube_state *before = &cube->states[face];
-    if (!(cube->drawn & 1u << face) || !same_light(before, now))
-        return true;
-    if (same_pose(before, now))
-        return false;
-    for (uint32_t i = 0; i < cube->orbiting_ball_count; i++) {
-        if (may_be_visible(face, before, &cube->movers[i]) ||
-            may_be_visible(face, now, &cube->movers[i]))
-            return true;
-    }
-    return false;
 }
 
 /* Returns true if the object's bounding sphere overlaps the view frustum of unlimited depth. */
@@ -179,45 +73,34 @@ static bool same_sun_sample(const struct frame_cube_light *a, const struct frame
     return glms_vec2_eqv(a->jitter, b->jitter);
 }
 
-/* Returns true if the caustics have changed since they were drawn into the cube faces. */
-static bool light_differs(const struct frame_cube *cube, const struct frame_cube_light *now,
-                          bool is_first)
+static bool same_cube_inputs(const struct frame_cube_state *a, const struct frame_cube_state *b)
 {
-    return !cube->has_faces_light || !same_light_inputs(&cube->faces_light, now) ||
-           (is_first && !same_sun_sample(&cube->faces_light, now));
+    return glms_vec3_eqv(a->background_color, b->background_color) &&
+           glms_vec3_eqv(a->sun_dir, b->sun_dir) && glms_vec3_eqv(a->sun_light, b->sun_light) &&
+           glms_vec3_eqv(a->center, b->center) && a->sky_strength == b->sky_strength &&
+           a->sun_strength == b->sun_strength &&
+           are_equal(&a->world_from_movers, &b->world_from_movers, sizeof(mat4s));
 }
 
-static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view *view,
-                          const struct globals *globals)
+static bool cube_is_due(const struct frame_cube *cube, const struct frame_view *view,
+                        const struct globals *globals)
 {
     const struct env_cube_params *params = settings_of(view->settings, &env_cube_settings);
-    const struct frame_cube_state now = face_inputs(globals);
-    const bool round_robin = cube->round_robin && cube->drawn == FRAME_CUBE_ALL;
-    const uint32_t max = round_robin ? params->faces : FRAME_CUBE_FACES;
-    uint32_t due = 0;
-    if (params->always)
-        return FRAME_CUBE_ALL;
-    if (!is_in_image(globals))
-        return 0;
-    for (uint32_t i = 0, count = 0; i < FRAME_CUBE_FACES && count < max; i++) {
-        const uint32_t face = (cube->next + i) % FRAME_CUBE_FACES;
-        if (has_changed(cube, face, &now)) {
-            due |= 1u << face;
-            count++;
-        }
-    }
-    return due;
+    const struct frame_cube_state now = cube_inputs(view, globals);
+    return params->always ||
+           (is_in_image(globals) && !(cube->is_drawn && same_cube_inputs(&cube->state, &now)));
 }
 
 struct frame_updates frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                     const struct globals *globals)
 {
+    const bool is_due = cube_is_due(cube, view, globals);
     if (!has_caustics(view))
-        return (struct frame_updates){ .faces = faces_due(cube, view, globals) };
+        return (struct frame_updates){ .cube = is_due };
     const struct frame_cube_light now = light_inputs(view, globals);
     return (struct frame_updates){
-        .faces = light_differs(cube, &now, view->sample == 0) ? FRAME_CUBE_ALL
-                                                              : faces_due(cube, view, globals),
+        .cube = is_due || !cube->is_drawn || !same_light_inputs(&cube->cube_light, &now) ||
+                (view->sample == 0 && !same_sun_sample(&cube->cube_light, &now)),
         .light = !cube->has_light || !same_light_inputs(&cube->light, &now) ||
                  !same_sun_sample(&cube->light, &now),
     };
@@ -226,22 +109,13 @@ struct frame_updates frame_cube_due(const struct frame_cube *cube, const struct 
 void frame_cube_mark_drawn(struct frame_cube *cube, const struct frame_view *view,
                            const struct globals *globals, struct frame_updates due)
 {
-    const uint32_t first = cube->next;
-    const uint32_t faces = due.faces;
     if (due.light) {
         cube->light = light_inputs(view, globals);
         cube->has_light = true;
     }
-    if (faces == FRAME_CUBE_ALL) {
-        cube->faces_light = light_inputs(view, globals);
-        cube->has_faces_light = true;
+    if (due.cube) {
+        cube->state = cube_inputs(view, globals);
+        cube->cube_light = light_inputs(view, globals);
+        cube->is_drawn = true;
     }
-    for (uint32_t i = 0; i < FRAME_CUBE_FACES; i++) {
-        const uint32_t face = (first + i) % FRAME_CUBE_FACES;
-        if (!(faces & 1u << face))
-            continue;
-        cube->states[face] = face_inputs(globals);
-        cube->next = (face + 1) % FRAME_CUBE_FACES;
-    }
-    cube->drawn |= faces;
 }

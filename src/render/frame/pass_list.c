@@ -47,7 +47,8 @@ static struct rg_technique passes_of_group(const struct technique *technique,
         return (struct rg_technique){ 0 };
     if (group->make_passes)
         return group->make_passes(config, builder);
-    if (technique->is_on && !technique->is_on(config->settings))
+    if ((technique->is_on && !technique->is_on(config->settings)) ||
+        (group->is_drawn && !group->is_drawn(config)))
         return (struct rg_technique){ 0 };
     return group->graph;
 }

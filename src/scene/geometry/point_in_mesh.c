@@ -153,28 +153,3 @@ bool closed_mesh_surrounds(const struct closed_mesh *s, vec3s point)
     count_sides(s, point, counts);
     return counts[0] && counts[1];
 }
-
-static bool boxes_overlap(struct box a, struct box b)
-{
-    bool are_disjoint = false;
-    for (int axis = 0; axis < 3; axis++)
-        are_disjoint |= a.min.raw[axis] > b.max.raw[axis] || b.min.raw[axis] > a.max.raw[axis];
-    return !are_disjoint;
-}
-
-bool closed_mesh_may_overlap(const struct closed_mesh *s, struct box box)
-{
-    if (!boxes_overlap(s->box, box))
-        return false;
-    struct span x = span_of(s, box, 0);
-    struct span z = span_of(s, box, 2);
-    for (uint32_t row = z.from; row <= z.to; row++) {
-        uint32_t from = s->first[row * s->side + x.from];
-        uint32_t to = s->first[row * s->side + x.to + 1];
-        for (uint32_t i = from; i < to; i++) {
-            if (boxes_overlap(triangle_box(s->mesh, s->triangles[i]), box))
-                return true;
-        }
-    }
-    return false;
-}

@@ -29,13 +29,4 @@ bool closed_mesh_contains(const struct closed_mesh *s, vec3s point);
 /* Returns true if the surface is both above and below a point, for example in a cavity. */
 bool closed_mesh_surrounds(const struct closed_mesh *s, vec3s point);
 
-/* Returns true if the bounding box of any triangle of the mesh overlaps a box. */
-bool closed_mesh_may_overlap(const struct closed_mesh *s, struct box box);
-
-/* Clips a sheet (any triangles) to the inside of the closed mesh. Near the surface, triangles are
- * bisected until no side exceeds `step` metres, and then cut at the surface. Details smaller than
- * `step` are missed. The new triangles share no vertices. Returns false when out of memory; *sheet
- * is then unchanged. */
-bool closed_mesh_clip(const struct closed_mesh *closed_mesh, struct mesh *sheet, float step);
-
 #endif

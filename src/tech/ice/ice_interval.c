@@ -119,10 +119,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
 
 static const struct setting rows[] = {
     {
-        .name = "ice_interval.count",
+        SETTING_FIELD("ice_interval.count", COUNT, struct ice_interval_params, count),
         .label = "Ray intervals for crack clipping",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct ice_interval_params, count),
         .initial = 4,
         .min = 1,
         .max = ICE_INTERVAL_MAX,

@@ -24,21 +24,9 @@
 static rg_record_fn record_planes;
 
 /* Imported textures of air planes (struct air_layers). The size is that of the fallback image. */
-static const struct rg_image air_layers = {
-    .name = "frame.air",
-    .format = VK_FORMAT_R8G8_UNORM,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+static const struct rg_image air_layers = FRAME_IMPORTED("frame.air", VK_FORMAT_R8G8_UNORM, true);
 
-const struct rg_image air_media = {
-    .name = "air.media",
-    .format = VK_FORMAT_R8G8_UNORM,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
+const struct rg_image air_media = FRAME_IMPORTED("air.media", VK_FORMAT_R8G8_UNORM, true);
 
 const struct rg_sampler air_media_sampler = { .linear = true };
 
@@ -60,23 +48,15 @@ static const struct rg_sampler layers_sampler = {
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
-    { .image = &ice_depth_front,
-      .access = RG_SAMPLED,
-      .binding = ICE_DEPTH_FRONT,
-      .same_texel = true },
-    {
-        .image = &air_layers,
-        .access = RG_SAMPLED,
-        .binding = AIR_LAYERS,
-        .sampler = &layers_sampler,
-    },
+    FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .same_texel = true),
+    FRAME_SAMPLE(air_layers, AIR_LAYERS, .sampler = &layers_sampler),
     { 0 },
 };
 
 static const struct rg_use layer_uses[] = {
     FRAME_USE_GLOBALS,
     AIR_USE_ENVIRONMENT,
-    { .image = &air_cover, .access = RG_SAMPLED, .binding = COMPOSITE_AIR, .same_texel = true },
+    FRAME_SAMPLE(air_cover, COMPOSITE_AIR, .same_texel = true),
     { 0 },
 };
 
@@ -118,30 +98,24 @@ static const char *const models[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "air.count",
+        SETTING_FIELD("air.count", COUNT, struct air_params, count),
         .label = "Planes of fine bubbles",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct air_params, count),
         .initial = 19,
         .max = 64,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "number of textured planes of air bubbles in the ice (0 for none)",
     },
     {
-        .name = "air.seed",
+        SETTING_FIELD("air.seed", COUNT, struct air_params, seed),
         .label = "Random seed of the planes",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct air_params, seed),
         .initial = 1,
         .max = 999999,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "random seed of the bubble planes and their textures",
     },
     {
-        .name = "air.size",
+        SETTING_FIELD("air.size", FLOAT, struct air_params, size),
         .label = "Fine bubble size",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, size),
         .initial = 0.01,
         .min = 0.002,
         .max = 0.1,
@@ -150,10 +124,8 @@ static const struct setting rows[] = {
             "diameter of the largest bubbles on bubble planes, relative to the object's diagonal",
     },
     {
-        .name = "air.frequency",
+        SETTING_FIELD("air.frequency", FLOAT, struct air_params, frequency),
         .label = "Fine bubble frequency",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, frequency),
         .initial = 24,
         .min = 1,
         .max = 128,
@@ -162,28 +134,22 @@ static const struct setting rows[] = {
                 "object's diagonal",
     },
     {
-        .name = "air.strength",
+        SETTING_FIELD("air.strength", FLOAT, struct air_params, strength),
         .label = "Density",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, strength),
         .initial = 0.35,
         .max = 1,
         .help = "opacity of the bubbles on a bubble plane",
     },
     {
-        .name = "air.haze",
+        SETTING_FIELD("air.haze", FLOAT, struct air_params, haze),
         .label = "Haze",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, haze),
         .initial = 0.04,
         .max = 1,
         .help = "maximum opacity of the haze on a bubble plane",
     },
     {
-        .name = "air.model",
+        SETTING_FIELD("air.model", CHOICE, struct air_params, model),
         .label = "Model of the air",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct air_params, model),
         .max = AIR_MEDIUM,
         .choices = models,
         .affects = SETTING_AFFECTS_SCENE,
@@ -191,40 +157,32 @@ static const struct setting rows[] = {
                 "bounce, one-sided, trace and reference)",
     },
     {
-        .name = "air.density",
+        SETTING_FIELD("air.density", FLOAT, struct air_params, density),
         .label = "Optical depth of the air",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, density),
         .initial = 4,
         .max = 1000,
         .help = "optical depth across the object's width at the maximum density, with "
                 "air.model=medium",
     },
     {
-        .name = "air.media",
+        SETTING_FIELD("air.media", FLOAT, struct air_params, scattering_media),
         .renamed_from = "air.clouds",
         .label = "Density of scattering media",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, scattering_media),
         .initial = 1,
         .max = 100,
         .help = "factor on the density of files' scattering media, extras.cloud (0 for none)",
     },
     {
-        .name = "air.anisotropy",
+        SETTING_FIELD("air.anisotropy", FLOAT, struct air_params, anisotropy),
         .label = "Scattering anisotropy (g)",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, anisotropy),
         .initial = 0.71,
         .min = -0.95,
         .max = 0.95,
         .help = "Henyey-Greenstein g of scattering media, the mean cosine of the scattering angle",
     },
     {
-        .name = "air.steps",
+        SETTING_FIELD("air.steps", COUNT, struct air_params, steps),
         .label = "Scattering steps",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct air_params, steps),
         .initial = 6,
         .max = 64,
         .affects = SETTING_AFFECTS_PLAN,

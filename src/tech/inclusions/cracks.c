@@ -5,8 +5,8 @@
  * the object's centre; fragments outside the object are discarded. They show only specular
  * highlights and are transparent elsewhere. The paper's clipping (cracks.clip=convex) is correct
  * for convex objects; in a concave one it keeps fragments between two parts of the object. Clipping
- * to the intervals of each pixel's ray is correct for any closed object, as are cracks cut at load
- * time (the paper's section 5). The bump map is procedural noise.
+ * to the intervals of each pixel's ray is correct for any closed object. The bump map is procedural
+ * noise.
  *
  * cracks.refract=normals is the experiment of the paper's section 5, which overstates the effect,
  * as the paper notes: light leaves a parallel gap in the direction in which it enters.
@@ -87,7 +87,7 @@ static const struct clipping convex = {
     .before_back = true,
 };
 
-/* Shaders without clipping, for cracks clipped at load time or drawn over the whole image. */
+/* Shaders without clipping, for cracks drawn over the whole image. */
 static const struct clipping none = {
     .uses = globals_use,
     .normal_uses = globals_use,
@@ -95,7 +95,6 @@ static const struct clipping none = {
     .color = &cracks_unclipped_color_frag,
     .gap = &cracks_unclipped_gap_frag,
     .normal = &cracks_unclipped_normal_frag,
-    .hit = &cracks_unclipped_hit_frag,
 };
 
 static const struct clipping interval = {
@@ -189,35 +188,29 @@ static void record_cracks(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_mesh(cmd, frame, &cracks);
 }
 
-static const char *const clip_names[] = { "convex", "interval", "precut", "none", NULL };
+static const char *const clip_names[] = { "convex", "interval", "none", NULL };
 static const char *const refract_names[] = { "off", "normals", "gap", NULL };
 
 static const struct setting rows[] = {
     {
-        .name = "cracks.count",
+        SETTING_FIELD("cracks.count", COUNT, struct cracks_params, count),
         .label = "Cracks",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct cracks_params, count),
         .initial = 2,
         .max = CRACKS_MAX,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "number of cracks inside the ice",
     },
     {
-        .name = "cracks.seed",
+        SETTING_FIELD("cracks.seed", COUNT, struct cracks_params, seed),
         .label = "Random seed of the cracks",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct cracks_params, seed),
         .initial = 1,
         .max = 999999,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "random seed of the cracks",
     },
     {
-        .name = "cracks.size",
+        SETTING_FIELD("cracks.size", FLOAT, struct cracks_params, size),
         .label = "Crack size",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct cracks_params, size),
         .initial = 1,
         .min = 0.05,
         .max = 4,
@@ -225,10 +218,8 @@ static const struct setting rows[] = {
         .help = "width of the cracks; at 1 the cracks are about as wide as the ice",
     },
     {
-        .name = "cracks.clip",
+        SETTING_FIELD("cracks.clip", CHOICE, struct cracks_params, clip),
         .label = "Crack clipping",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct cracks_params, clip),
         .initial = CRACKS_CLIP_INTERVAL,
         .max = CRACKS_CLIP_NONE,
         .choices = clip_names,
@@ -237,10 +228,8 @@ static const struct setting rows[] = {
                 "object",
     },
     {
-        .name = "cracks.refract",
+        SETTING_FIELD("cracks.refract", CHOICE, struct cracks_params, refract),
         .label = "Refraction at cracks",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct cracks_params, refract),
         .initial = CRACKS_REFRACT_OFF,
         .max = CRACKS_REFRACT_GAP,
         .choices = refract_names,
@@ -248,38 +237,30 @@ static const struct setting rows[] = {
         .help = "refraction of the view at cracks: none, by the cracks' normals, or at air gaps",
     },
     {
-        .name = "cracks.strength",
+        SETTING_FIELD("cracks.strength", FLOAT, struct cracks_params, shading.strength),
         .label = "Crack highlight",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct cracks_params, shading.strength),
         .initial = 1,
         .max = 100,
         .help = "brightness of the lights' highlights on cracks",
     },
     {
-        .name = "cracks.shininess",
+        SETTING_FIELD("cracks.shininess", FLOAT, struct cracks_params, shading.shininess),
         .label = "Crack highlight sharpness",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct cracks_params, shading.shininess),
         .initial = 60,
         .min = 1,
         .max = 10000,
         .help = "Blinn-Phong exponent of the highlights on cracks; a larger one makes them smaller",
     },
     {
-        .name = "cracks.bump",
+        SETTING_FIELD("cracks.bump", FLOAT, struct cracks_params, shading.bump),
         .label = "Crack roughness",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct cracks_params, shading.bump),
         .initial = 0.35,
         .max = 4,
         .help = "roughness of the cracks' surface (0: smooth)",
     },
     {
-        .name = "cracks.gap",
+        SETTING_FIELD("cracks.gap", FLOAT, struct cracks_params, shading.gap),
         .label = "Crack air gap",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct cracks_params, shading.gap),
         .initial = 2.4,
         .min = 0.01,
         .max = 1000,
@@ -287,11 +268,9 @@ static const struct setting rows[] = {
             "width of the air gap in the middle of cracks, micrometres, with cracks.refract=gap",
     },
     {
-        .name = "cracks.debug",
+        SETTING_FIELD("cracks.debug", SWITCH, struct cracks_params, shading.surface),
         .renamed_from = "cracks.surface",
         .label = "Show crack surfaces",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct cracks_params, shading.surface),
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,
         .help = "flat red instead of shading on the visible parts of cracks, for debugging",
@@ -356,13 +335,9 @@ static struct rg_technique make_normals(const struct technique_config *config,
     return (struct rg_technique){ are_traced ? "cracks_hits" : "cracks_normal", pass, 1 };
 }
 
-static struct rg_technique make_composite(const struct technique_config *config,
-                                          struct pass_arena *builder)
+static bool are_unclipped(const struct technique_config *config)
 {
-    (void)builder;
-    if (!is_on(config->settings) || cracks_are_in_ice(config->settings))
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("cracks_composite", composite_passes);
+    return !cracks_are_in_ice(config->settings);
 }
 
 static const struct mesh *find_sheets(const struct scene *scene)
@@ -396,7 +371,8 @@ const struct technique cracks = {
     .is_hit = true,
     .pass_groups = { { PHASE_NORMALS, .make_passes = make_normals },
                      { PHASE_INCLUSIONS, .make_passes = make_color },
-                     { PHASE_FINISH, .make_passes = make_composite } },
+                     { PHASE_FINISH, .graph = RG_TECHNIQUE("cracks_composite", composite_passes),
+                       .is_drawn = are_unclipped } },
     .layers = layers,
     .mesh = find_sheets,
     .write_constants = write_constants,

@@ -8,7 +8,6 @@
 enum cracks_clip {
     CRACKS_CLIP_CONVEX,   /* nearest front to farthest back face */
     CRACKS_CLIP_INTERVAL, /* to the intervals of ice_interval */
-    CRACKS_CLIP_PRECUT,   /* clipped at load time */
     CRACKS_CLIP_NONE,     /* no clipping */
 };
 

@@ -126,11 +126,9 @@ static const float reach = 4.0f;
 
 static const struct setting rows[] = {
     {
-        .name = "ao.strength",
+        SETTING_FIELD("ao.strength", FLOAT, struct ao_params, strength),
         .renamed_from = "contact.strength",
         .label = "Ambient occlusion",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct ao_params, strength),
         .initial = 1,
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,
@@ -239,13 +237,9 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
     }
 }
 
-static struct rg_technique make_passes(const struct technique_config *config,
-                                       struct pass_arena *builder)
+static bool has_materials(const struct technique_config *config)
 {
-    (void)builder;
-    if (!is_on(config->settings) || !config->scene->tables.materials)
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("ao", passes);
+    return config->scene->tables.materials;
 }
 
 static bool affects_light(const struct scene *scene)
@@ -273,7 +267,8 @@ const struct technique ao = {
     .is_hit = true,
     .affects_light = affects_light,
     .title = "ambient occlusion",
-    .pass_groups = { { PHASE_LIGHT, SCENE_OF_OBJECT, .make_passes = make_passes } },
+    .pass_groups = { { PHASE_LIGHT, SCENE_OF_OBJECT, .graph = RG_TECHNIQUE("ao", passes),
+                       .is_drawn = has_materials } },
     .uploads = uploads,
     .write_constants = write_constants,
 };

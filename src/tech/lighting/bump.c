@@ -4,12 +4,7 @@
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
 
-const struct rg_image bump_map = {
-    .name = "bump.map",
-    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+const struct rg_image bump_map = FRAME_IMPORTED("bump.map", VK_FORMAT_R16G16B16A16_SFLOAT, false);
 
 static const char *const mappings[] = {
     [BUMP_TRIPLANAR] = "triplanar",
@@ -19,40 +14,32 @@ static const char *const mappings[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "bump.strength",
+        SETTING_FIELD("bump.strength", FLOAT, struct bump_params, strength),
         .label = "Surface bumps",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct bump_params, strength),
         .initial = 0.25,
         .max = 4,
         .switches = SETTING_AFFECTS_SCENE,
         .help = "steepness of the bumps of the ice's surface (0 for none)",
     },
     {
-        .name = "bump.scale",
+        SETTING_FIELD("bump.scale", FLOAT, struct bump_params, scale),
         .label = "Bump frequency",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct bump_params, scale),
         .initial = 1.6,
         .min = 0.01,
         .max = 100,
         .help = "repetitions of the bumps across the ice, or per unit of the mesh's uv",
     },
     {
-        .name = "bump.mask",
+        SETTING_FIELD("bump.mask", FLOAT, struct bump_params, mask),
         .label = "Smooth area",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct bump_params, mask),
         .initial = 0.4,
         .max = 1,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "fraction of the ice's surface that is smooth",
     },
     {
-        .name = "bump.mapping",
+        SETTING_FIELD("bump.mapping", CHOICE, struct bump_params, mapping),
         .label = "Bump mapping",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct bump_params, mapping),
         .initial = BUMP_TRIPLANAR,
         .max = BUMP_UV,
         .choices = mappings,
@@ -60,10 +47,8 @@ static const struct setting rows[] = {
         .help = "texture coordinates of the bumps: triplanar, or the mesh's uv",
     },
     {
-        .name = "bump.seed",
+        SETTING_FIELD("bump.seed", COUNT, struct bump_params, seed),
         .label = "Random seed of the bumps",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct bump_params, seed),
         .max = 1e6,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "random seed of the bumps",

@@ -22,22 +22,18 @@ const struct rg_image highlight_radiance = {
 
 static const struct setting rows[] = {
     {
-        .name = "highlight.strength",
+        SETTING_FIELD("highlight.strength", FLOAT, struct highlight_params, strength),
         .renamed_from = "surface.strength",
         .label = "Highlight",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct highlight_params, strength),
         .initial = 6,
         .max = 100,
         .switches = SETTING_AFFECTS_PLAN,
         .help = "brightness of the lights' highlights on the ice (0 for none)",
     },
     {
-        .name = "highlight.shininess",
+        SETTING_FIELD("highlight.shininess", FLOAT, struct highlight_params, shininess),
         .renamed_from = "surface.shininess",
         .label = "Highlight sharpness",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct highlight_params, shininess),
         .initial = 900,
         .min = 1,
         .max = 1e5,

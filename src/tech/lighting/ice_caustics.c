@@ -336,10 +336,8 @@ static const char *const lights[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "ice_caustics.light",
+        SETTING_FIELD("ice_caustics.light", CHOICE, struct ice_caustics_params, light),
         .label = "Caustics and shadows",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct ice_caustics_params, light),
         .max = ICE_CAUSTICS_SUN,
         .choices = lights,
         .affects = SETTING_AFFECTS_PLAN,
@@ -347,11 +345,9 @@ static const struct setting rows[] = {
                 "lit by the sun select sun)",
     },
     {
-        .name = "ice_caustics.radius",
+        SETTING_FIELD("ice_caustics.radius", FLOAT, struct ice_caustics_params, reach),
         .renamed_from = "ice_caustics.reach",
         .label = "Caustics radius",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct ice_caustics_params, reach),
         .initial = 3,
         .min = 1,
         .max = 100,
@@ -359,21 +355,18 @@ static const struct setting rows[] = {
         .help = "half width of the caustic map around the shadow's centre; larger maps are coarser",
     },
     {
-        .name = "ice_caustics.shadow",
+        SETTING_FIELD("ice_caustics.shadow", SWITCH, struct ice_caustics_params, shadow),
         .label = "Shadow of the ice",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct ice_caustics_params, shadow),
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
         .help = "let the ice block direct sunlight (off: caustics are added to unblocked sunlight)",
     },
     {
-        .name = "ice_caustics.surroundings_shadow",
+        SETTING_FIELD("ice_caustics.surroundings_shadow", SWITCH, struct ice_caustics_params,
+                      ground),
         .renamed_from = "ice_caustics.ground",
         .label = "Shadows of the surroundings",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct ice_caustics_params, ground),
         .initial = 1,
         .max = 1,
         .help = "shadows that surroundings cast on each other in sunlight, up to 6 radii from the "

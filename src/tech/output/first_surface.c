@@ -32,20 +32,12 @@ static const struct rg_image first_surface_depth = {
 };
 
 /* Imported vertex positions of an animated model in the previous frame. */
-static const struct rg_image first_surface_positions = {
-    .name = "first_surface.positions",
-    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-    .width = 1,
-    .height = 1,
-};
+static const struct rg_image first_surface_positions =
+    FRAME_IMPORTED("first_surface.positions", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
-/* Imported: model.surroundings_starts. */
-static const struct rg_image first_surface_starts = {
-    .name = "first_surface.starts",
-    .format = VK_FORMAT_R8G8B8A8_UNORM, /* bytes of a 32-bit number, filterable */
-    .width = 1,
-    .height = 1,
-};
+/* Imported: model.surroundings_starts, as filterable bytes of 32-bit numbers. */
+static const struct rg_image first_surface_starts =
+    FRAME_IMPORTED("first_surface.starts", VK_FORMAT_R8G8B8A8_UNORM, false);
 
 static const struct rg_buffer first_surface_previous = {
     .name = "first_surface.previous",

@@ -18,10 +18,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "tonemap.screen",
         .color = RG_TARGETS({ &frame_display, RG_LOAD_DISCARD }),
-        .uses = RG_USES({ .image = &frame_color,
-                          .access = RG_SAMPLED,
-                          .binding = TONEMAP_COLOR,
-                          .same_texel = true }),
+        .uses = RG_USES(FRAME_SAMPLE(frame_color, TONEMAP_COLOR, .same_texel = true)),
         .vert = &fullscreen_vert,
         .frag = &tonemap_frag,
         .push_size = sizeof(struct tonemap_params),
@@ -43,20 +40,16 @@ static const char *const curves[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "tonemap.exposure",
+        SETTING_FIELD("tonemap.exposure", FLOAT, struct tonemap_values, exposure),
         .label = "Exposure",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct tonemap_values, exposure),
         .min = -16,
         .max = 16,
         .unit = "stops",
         .help = "exposure of PNG images",
     },
     {
-        .name = "tonemap.curve",
+        SETTING_FIELD("tonemap.curve", CHOICE, struct tonemap_values, curve),
         .label = "Tone curve",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct tonemap_values, curve),
         .initial = TONEMAP_NEUTRAL,
         .max = TONEMAP_LAST,
         .choices = curves,
@@ -64,10 +57,8 @@ static const struct setting rows[] = {
         .help = "tone mapping curve of PNG images",
     },
     {
-        .name = "tonemap.dither",
+        SETTING_FIELD("tonemap.dither", SWITCH, struct tonemap_values, dither),
         .label = "Dither 8-bit images",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct tonemap_values, dither),
         .max = 1,
         .help = "dither 8-bit PNG files with noise of one step, which hides banding",
     },

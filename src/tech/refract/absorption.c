@@ -2,35 +2,14 @@
 #include "src/tech/refract/absorption.h"
 #include "src/tech/frame_resources.h"
 
-static const struct setting rows[] = {
-    {
-        .name = "absorb.red",
-        .label = "Absorption, red",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct absorb_params, red),
-        .max = 1e4,
-        .unit = "1/metre",
-        .help = "absorption coefficient of the object for red light",
-    },
-    {
-        .name = "absorb.green",
-        .label = "Absorption, green",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct absorb_params, green),
-        .max = 1e4,
-        .unit = "1/metre",
-        .help = "absorption coefficient of the object for green light",
-    },
-    {
-        .name = "absorb.blue",
-        .label = "Absorption, blue",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct absorb_params, blue),
-        .max = 1e4,
-        .unit = "1/metre",
-        .help = "absorption coefficient of the object for blue light",
-    },
-};
+#define ABSORPTION(channel) \
+    { \
+        SETTING_FIELD("absorb." #channel, FLOAT, struct absorb_params, channel), \
+            .label = "Absorption, " #channel, .max = 1e4, .unit = "1/metre", \
+            .help = "absorption coefficient of the object for " #channel " light" \
+    }
+
+static const struct setting rows[] = { ABSORPTION(red), ABSORPTION(green), ABSORPTION(blue) };
 
 SETTING_GROUP(absorb, rows, struct absorb_params);
 

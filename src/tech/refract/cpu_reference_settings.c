@@ -10,10 +10,8 @@ static const char *const normals[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "reference.cutoff",
+        SETTING_FIELD("reference.cutoff", FLOAT, struct reference_params, cutoff),
         .label = "Reference: minimum throughput",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct reference_params, cutoff),
         .initial = 1e-3,
         .min = 1e-6, /* branches multiply in concave objects */
         .max = 1,
@@ -21,40 +19,32 @@ static const struct setting rows[] = {
                 "remaining",
     },
     {
-        .name = "reference.bounces",
+        SETTING_FIELD("reference.bounces", COUNT, struct reference_params, bounces),
         .label = "Reference: maximum bounces",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct reference_params, bounces),
         .initial = 64,
         .min = 1,
         .max = REFERENCE_BOUNCES_MAX,
         .help = "maximum number of object surfaces on a path",
     },
     {
-        .name = "reference.russian_roulette",
+        SETTING_FIELD("reference.russian_roulette", SWITCH, struct reference_params, roulette),
         .renamed_from = "reference.roulette",
         .label = "Reference: Russian roulette",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct reference_params, roulette),
         .max = 1,
         .help = "Russian roulette instead of termination at reference.cutoff: unbiased, "
                 "but noisy",
     },
     {
-        .name = "reference.photons",
+        SETTING_FIELD("reference.photons", COUNT, struct reference_params, photons),
         .label = "Reference: caustic photons",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct reference_params, photons),
         .initial = 1000000,
         .max = 100000000,
         .help = "number of photons from the sun with ice_caustics.light=sun (0: no caustics, no "
                 "shadow)",
     },
     {
-        .name = "reference.normals",
+        SETTING_FIELD("reference.normals", CHOICE, struct reference_params, normals),
         .label = "Reference: normals",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct reference_params, normals),
         .max = REFERENCE_NORMALS_FLAT,
         .choices = normals,
         .help = "normals of the object: interpolated from vertices, as in rasterisation, or flat",

@@ -112,6 +112,12 @@ bool refract_has_medium(const struct technique_config *config)
            medium_field_exists(config->scene, config->settings);
 }
 
+const struct refract_shaders *refract_shaders_of(const struct technique_config *config)
+{
+    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
+    return refract_has_medium(config) ? refraction->medium_shaders : refraction;
+}
+
 /* Makes a pass draw front faces. */
 static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refraction, bool bumped)
 {
@@ -120,10 +126,11 @@ static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refra
     pass->cull = VK_CULL_MODE_BACK_BIT;
 }
 
-static const struct rg_shader *plain_frag(const struct technique_config *config, bool bumped,
-                                          bool is_layers)
+/* Returns the fragment shader of the image or of the AOV layers. */
+static const struct rg_shader *frag_of(const struct technique_config *config, bool bumped,
+                                       bool is_layers)
 {
-    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
+    const struct refract_shaders *refraction = refract_shaders_of(config);
     if (config->is_nested)
         return is_layers ? refraction->nested_layers_frag : refraction->nested_frag;
     if (ice_gbuffer_has_materials(config))
@@ -131,20 +138,6 @@ static const struct rg_shader *plain_frag(const struct technique_config *config,
     if (bumped)
         return is_layers ? refraction->bump_layers_frag : refraction->bump_frag;
     return is_layers ? refraction->layers_frag : refraction->frag;
-}
-
-static const struct rg_shader *scattering_frag(const struct technique_config *config, bool bumped,
-                                               bool is_layers)
-{
-    const struct refract_medium_shaders *medium_shaders =
-        config->refraction->refraction.shaders->medium_shaders;
-    if (config->is_nested)
-        return is_layers ? medium_shaders->nested_layers_frag : medium_shaders->nested_frag;
-    if (ice_gbuffer_has_materials(config))
-        return is_layers ? medium_shaders->material_layers_frag : medium_shaders->material_frag;
-    if (bumped)
-        return is_layers ? medium_shaders->bump_layers_frag : medium_shaders->bump_frag;
-    return is_layers ? medium_shaders->layers_frag : medium_shaders->frag;
 }
 
 static struct rg_technique make_pass(const struct technique_config *config,
@@ -174,8 +167,7 @@ static struct rg_technique make_pass(const struct technique_config *config,
         pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
         draw_faces(pass, refraction, bumped);
-    pass->frag = refract_has_medium(config) ? scattering_frag(config, bumped, is_layers)
-                                            : plain_frag(config, bumped, is_layers);
+    pass->frag = frag_of(config, bumped, is_layers);
     pass->push_size = refraction->push_size;
     pass->record = refraction->record ? refraction->record : frame_draw_object;
     return (struct rg_technique){ technique->name, pass, 1 };
@@ -213,21 +205,17 @@ static const char *const lookups[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "refract.ior",
+        SETTING_FIELD("refract.ior", FLOAT, struct refract_params, ior),
         .label = "Refractive index",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_params, ior),
         .initial = 1.3091,
         .min = 1.0,
         .max = 4.0,
         .help = "refractive index of the object; also set by --material",
     },
     {
-        .name = "refract.ior_outside",
+        SETTING_FIELD("refract.ior_outside", FLOAT, struct refract_params, outside),
         .renamed_from = "refract.outside",
         .label = "Refractive index outside",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_params, outside),
         .initial = 1.0003,
         .min = 1.0,
         .max = 4.0,
@@ -237,19 +225,15 @@ static const struct setting rows[] = {
             "vacuum (1)",
     },
     {
-        .name = "refract.dispersion",
+        SETTING_FIELD("refract.dispersion", FLOAT, struct refract_params, dispersion),
         .label = "Dispersion",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_params, dispersion),
         .max = 10,
         .switches = SETTING_AFFECTS_PLAN,
         .help = "dispersion of the object as 20 / Abbe number; ice has 0.376",
     },
     {
-        .name = "refract.fresnel",
+        SETTING_FIELD("refract.fresnel", CHOICE, struct refract_params, fresnel),
         .label = "Reflectance model",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct refract_params, fresnel),
         .initial = REFRACT_FRESNEL_AUTO,
         .max = REFRACT_FRESNEL_AUTO,
         .choices = fresnels,
@@ -259,19 +243,15 @@ static const struct setting rows[] = {
             "constant refract.crossfade (auto: exact, except for the refraction model paper)",
     },
     {
-        .name = "refract.crossfade",
+        SETTING_FIELD("refract.crossfade", FLOAT, struct refract_params, crossfade),
         .label = "Refracted fraction",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_params, crossfade),
         .initial = 0.8,
         .max = 1,
         .help = "transmitted fraction of light with refract.fresnel=crossfade",
     },
     {
-        .name = "refract.lookup",
+        SETTING_FIELD("refract.lookup", CHOICE, struct refract_params, lookup),
         .label = "Environment lookup",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct refract_params, lookup),
         .initial = REFRACT_LOOKUP_AUTO,
         .max = REFRACT_LOOKUP_AUTO,
         .choices = lookups,
@@ -280,10 +260,8 @@ static const struct setting rows[] = {
                 "projection (auto: distance, except for refraction model paper: infinite)",
     },
     {
-        .name = "refract.steps",
+        SETTING_FIELD("refract.steps", COUNT, struct refract_params, steps),
         .label = "Distance search steps",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct refract_params, steps),
         .initial = 8,
         .min = 1,
         .max = 64,

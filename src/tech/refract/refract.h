@@ -50,12 +50,6 @@ struct refract_params {
 /* Returns the refractive index around the objects: refract.ior_outside, or air in a pool. */
 float refract_outside(const struct scene *scene, const struct settings *settings);
 
-/* Variants of a model's shaders for scattering media (shaders/refract/refract_medium.glsl). */
-struct refract_medium_shaders {
-    const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag, *material_frag,
-        *material_layers_frag, *nested_frag, *nested_layers_frag, *ssr_frag, *ssr_material_frag;
-};
-
 /* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
     /* Fragment shaders of the image (`frag`) and of the AOV layers (`layers_frag`), and variants
@@ -65,8 +59,9 @@ struct refract_shaders {
     const struct rg_shader *material_frag, *material_layers_frag;
     /* Variants for nested objects, if technique_config.is_nested. */
     const struct rg_shader *nested_frag, *nested_layers_frag;
-    /* NULL: scattering media are rendered clear */
-    const struct refract_medium_shaders *medium_shaders;
+    /* Fragment shaders for scattering media (shaders/refract/refract_medium.glsl); other members
+     * are not used. NULL: scattering media are rendered clear. */
+    const struct refract_shaders *medium_shaders;
     /* Variants for rays that surroundings reflect to the object (ssr.c), without and with material
      * images. If NULL, such rays read the object's colour from the image. */
     const struct rg_shader *ssr_frag, *ssr_material_frag;
@@ -81,8 +76,17 @@ struct refract_shaders {
     rg_record_fn *record;                  /* NULL: frame_draw_object() */
 };
 
+/* Initialises the fragment shaders of a model that has bump mapping and material images. */
+#define REFRACT_FRAGS(model) \
+    .frag = &model##_frag, .layers_frag = &model##_aov_frag, .bump_frag = &model##_bump_frag, \
+    .bump_layers_frag = &model##_bump_aov_frag, .material_frag = &model##_material_frag, \
+    .material_layers_frag = &model##_material_aov_frag
+
 /* Returns true if the scene has scattering media and a raster refraction model renders them. */
 bool refract_has_medium(const struct technique_config *config);
+
+/* Returns the model's fragment shaders for clear objects or, if refract_has_medium(), for media. */
+const struct refract_shaders *refract_shaders_of(const struct technique_config *config);
 
 /* Resource uses for material images and for scattering media; an empty use {0} ends each list. */
 extern const struct rg_use refract_material_uses[], refract_medium_uses[];

@@ -16,7 +16,7 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
-static const struct refract_medium_shaders medium_shaders = {
+static const struct refract_shaders medium_shaders = {
     .frag = &refract_one_sided_medium_frag,
     .layers_frag = &refract_one_sided_medium_aov_frag,
     .bump_frag = &refract_one_sided_bump_medium_frag,
@@ -26,12 +26,7 @@ static const struct refract_medium_shaders medium_shaders = {
 };
 
 static const struct refract_shaders refraction = {
-    .frag = &refract_one_sided_frag,
-    .layers_frag = &refract_one_sided_aov_frag,
-    .material_frag = &refract_one_sided_material_frag,
-    .material_layers_frag = &refract_one_sided_material_aov_frag,
-    .bump_frag = &refract_one_sided_bump_frag,
-    .bump_layers_frag = &refract_one_sided_bump_aov_frag,
+    REFRACT_FRAGS(refract_one_sided),
     .medium_shaders = &medium_shaders,
     .uses = uses,
 };

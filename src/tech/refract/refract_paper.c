@@ -26,12 +26,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct refract_shaders refraction = {
-    .frag = &refract_paper_frag,
-    .layers_frag = &refract_paper_aov_frag,
-    .material_frag = &refract_paper_material_frag,
-    .material_layers_frag = &refract_paper_material_aov_frag,
-    .bump_frag = &refract_paper_bump_frag,
-    .bump_layers_frag = &refract_paper_bump_aov_frag,
+    REFRACT_FRAGS(refract_paper),
     .uses = uses,
     .push_size = sizeof(struct refract_paper_params),
     .record = record_object,
@@ -46,11 +41,9 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct setting rows[] = {
     {
-        .name = "refract_paper.back_weight",
+        SETTING_FIELD("refract_paper.back_weight", FLOAT, struct refract_paper_params, a),
         .renamed_from = "refract_paper.a",
         .label = "Back-face normal weight (paper)",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct refract_paper_params, a),
         .initial = 0.33,
         .max = 1.0,
         .help = "weight of the back face's normal (Seipel and Nivfors, eq. 1)",

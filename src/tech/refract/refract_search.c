@@ -25,12 +25,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct refract_shaders refraction = {
-    .frag = &refract_search_frag,
-    .layers_frag = &refract_search_aov_frag,
-    .material_frag = &refract_search_material_frag,
-    .material_layers_frag = &refract_search_material_aov_frag,
-    .bump_frag = &refract_search_bump_frag,
-    .bump_layers_frag = &refract_search_bump_aov_frag,
+    REFRACT_FRAGS(refract_search),
     .uses = uses,
     .push_size = sizeof(struct refract_march),
     .record = record_object,
@@ -38,21 +33,17 @@ static const struct refract_shaders refraction = {
 
 static const struct setting rows[] = {
     {
-        .name = "refract_search.steps",
+        SETTING_FIELD("refract_search.steps", COUNT, struct refract_march, steps),
         .label = "Ray steps (search)",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct refract_march, steps),
         .initial = 8,
         .min = 1,
         .max = 256,
         .help = "maximum number of steps along a ray inside the object",
     },
     {
-        .name = "refract_search.bisections",
+        SETTING_FIELD("refract_search.bisections", COUNT, struct refract_march, halvings),
         .renamed_from = "refract_search.halvings",
         .label = "Bisections (search)",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct refract_march, halvings),
         .initial = 8,
         .max = 32,
         .help = "maximum number of bisections where a ray leaves the object; flat faces need fewer",

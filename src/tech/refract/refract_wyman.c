@@ -23,12 +23,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct refract_shaders refraction = {
-    .frag = &refract_wyman_frag,
-    .layers_frag = &refract_wyman_aov_frag,
-    .material_frag = &refract_wyman_material_frag,
-    .material_layers_frag = &refract_wyman_material_aov_frag,
-    .bump_frag = &refract_wyman_bump_frag,
-    .bump_layers_frag = &refract_wyman_bump_aov_frag,
+    REFRACT_FRAGS(refract_wyman),
     .uses = uses,
 };
 

@@ -5,7 +5,7 @@
  * of view of 90 degrees from the centre of the object, 512 x 512 texels a face. Alpha is 1 /
  * distance from the centre, or 0 for the sky; refraction models use it to intersect rays with near
  * surroundings. Faces have Vulkan's order and orientation, which is left-handed, so nothing is
- * culled by winding order. The cube map is cached: a face is redrawn only when it is due
+ * culled by winding order. The cube map is cached, and redrawn only when it is due
  * (src/render/frame/env_cube_updates.h).
  *
  * Limits: with refract.lookup=infinite, near surroundings appear as seen from the object's centre,
@@ -22,7 +22,8 @@ static rg_when_fn is_due;
 
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
 {
-    return frame->due.faces & 1u << repetition;
+    (void)repetition;
+    return frame->due.cube;
 }
 
 static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)

@@ -252,11 +252,9 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct setting rows[] = {
     {
-        .name = "ssr.steps",
+        SETTING_FIELD("ssr.steps", COUNT, struct ssr_params, steps),
         .renamed_from = "mirror.steps",
         .label = "Reflection steps",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct ssr_params, steps),
         .initial = 8,
         .max = 64,
         .switches = SETTING_AFFECTS_PLAN,
@@ -264,11 +262,9 @@ static const struct setting rows[] = {
                 "off); not used by the refraction models trace and reference",
     },
     {
-        .name = "ssr.refract",
+        SETTING_FIELD("ssr.refract", SWITCH, struct ssr_params, refract),
         .renamed_from = "mirror.refract",
         .label = "Refraction in reflections",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct ssr_params, refract),
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
@@ -296,27 +292,16 @@ bool ssr_is_drawn(const struct technique_config *config)
            !config->refraction->refraction.traces_bvh;
 }
 
-static struct rg_technique make_object_passes(const struct technique_config *config,
-                                              struct pass_arena *builder)
-{
-    (void)builder;
-    if (!ssr_is_drawn(config))
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
-}
-
 /* Returns the shader that refracts reflected rays in the object, or NULL if the rays read the image
  * instead. Several or nested objects need NULL, as they overwrite each other's depth maps. */
 static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);
-    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
-    if (!params->refract || !refraction || config->object_count > 1 || config->is_nested)
+    if (!params->refract || !config->refraction->refraction.shaders || config->object_count > 1 ||
+        config->is_nested)
         return NULL;
-    if (refract_has_medium(config))
-        return ice_gbuffer_has_materials(config) ? refraction->medium_shaders->ssr_material_frag
-                                                 : refraction->medium_shaders->ssr_frag;
-    return ice_gbuffer_has_materials(config) ? refraction->ssr_material_frag : refraction->ssr_frag;
+    return ice_gbuffer_has_materials(config) ? refract_shaders_of(config)->ssr_material_frag
+                                             : refract_shaders_of(config)->ssr_frag;
 }
 
 static struct rg_technique make_refracted_passes(const struct technique_config *config,
@@ -339,15 +324,6 @@ static struct rg_technique make_refracted_passes(const struct technique_config *
     return (struct rg_technique){ "ssr", own, 2 };
 }
 
-static struct rg_technique make_screen_passes(const struct technique_config *config,
-                                              struct pass_arena *builder)
-{
-    (void)builder;
-    if (!ssr_is_drawn(config))
-        return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("ssr", screen_passes);
-}
-
 const struct technique ssr = {
     .name = "ssr",
     .help = "screen-space reflections of the objects in glossy surroundings",
@@ -356,7 +332,9 @@ const struct technique ssr = {
     .is_traced = true,
     .is_hit = true,
     .title = "screen-space reflections",
-    .pass_groups = { { PHASE_COMPOSITE, SCENE_OF_OBJECT, .make_passes = make_object_passes },
+    .pass_groups = { { PHASE_COMPOSITE, SCENE_OF_OBJECT,
+                       .graph = RG_TECHNIQUE("ssr", object_passes), .is_drawn = ssr_is_drawn },
                      { PHASE_FINISH, SCENE_OF_OBJECT, .make_passes = make_refracted_passes },
-                     { PHASE_FINISH, SCENE_OF_OBJECT, .make_passes = make_screen_passes } },
+                     { PHASE_FINISH, SCENE_OF_OBJECT, .graph = RG_TECHNIQUE("ssr", screen_passes),
+                       .is_drawn = ssr_is_drawn } },
 };

@@ -91,9 +91,7 @@ static const struct rg_pass naive_passes[] = {
     },
     {
         LIGHT,
-        .uses = RG_USES(
-            FRAME_USE_GLOBALS,
-            { .image = &caustics_counts, .access = RG_SAMPLED, .binding = CAUSTICS_COUNTS }),
+        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_READ(caustics_counts, CAUSTICS_COUNTS)),
         .frag = &caustics_from_photon_counts_frag,
         PUSH,
     },
@@ -148,12 +146,8 @@ static const struct rg_pass backtrace_passes[] = {
 
 static const struct rg_use splat_uses[] = {
     FRAME_USE_GLOBALS,
-    {
-        .image = &caustics_landing,
-        .access = RG_SAMPLED,
-        .binding = CAUSTICS_LANDING,
-        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-    },
+    FRAME_SAMPLE(caustics_landing, CAUSTICS_LANDING,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
     { 0 },
 };
 

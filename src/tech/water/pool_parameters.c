@@ -36,10 +36,8 @@ static const char *const waves[] = {
 
 static const struct setting rows[] = {
     {
-        .name = "water.wave",
+        SETTING_FIELD("water.wave", CHOICE, struct water_params, wave),
         .label = "Wave function",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct water_params, wave),
         .initial = WATER_SERIES,
         .max = WATER_COSINE,
         .choices = waves,
@@ -55,10 +53,8 @@ static const struct setting rows[] = {
     WATER(speed, .label = "Wave speed", .initial = 2, .min = -100, .max = 100,
           .unit = "radians per second", .help = "speed of the waves"),
     {
-        .name = "water.octaves",
+        SETTING_FIELD("water.octaves", COUNT, struct water_params, octaves),
         .label = "Wave octaves",
-        .type = SETTING_COUNT,
-        .offset = offsetof(struct water_params, octaves),
         .initial = 5,
         .max = 8,
         .help = "number of octaves of the wave series",
@@ -85,10 +81,8 @@ SETTING_GROUP(water, rows, struct water_params);
 
 static const struct setting pool_rows[] = {
     {
-        .name = "pool.water",
+        SETTING_FIELD("pool.water", SWITCH, struct pool_params, water),
         .label = "Pool",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct pool_params, water),
         .max = 1,
         .help = "replace the object with a pool of water (on in the scene 'pool')",
     },
