@@ -176,26 +176,25 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
-/* Decodes a layer. If texture->other is set, one channel is taken from that image. */
+/* Decodes a layer. If texture->alpha is set, alpha is taken from that image. */
 static enum status decode_both(const char *path, const struct model_texture *texture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
     const size_t count = (size_t)side * side;
     enum status status = decode(path, texture, are_numbers, layer, side);
-    if (status != STATUS_OK || !texture->other)
+    if (status != STATUS_OK || !texture->alpha)
         return status;
-    const struct model_texture other = {
-        .name = texture->other,
-        .file = texture->other,
-        .change = texture->other_change,
+    const struct model_texture alpha = {
+        .name = texture->alpha,
+        .file = texture->alpha,
+        .change = MODEL_TEXTURE_TO_ALPHA,
     };
     assert(count > 0);
-    const size_t channel = texture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
     uint8_t *texels = malloc(count * CHANNELS);
     if (!texels)
         return log_out_of_memory(path);
-    status = decode(path, &other, true, texels, side);
-    for (size_t i = channel; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
+    status = decode(path, &alpha, true, texels, side);
+    for (size_t i = CHANNELS - 1; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
         layer[i] = texels[i];
     free(texels);
     return status;

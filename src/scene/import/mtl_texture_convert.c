@@ -1,4 +1,4 @@
-/* mtl_texture_convert.c: converts MTL map images to glTF's: alpha, roughness, metallic, normals. */
+/* mtl_texture_convert.c: converts MTL map images to glTF's: alpha and normals. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -26,28 +26,6 @@ static void convert_alpha(uint8_t *texels, size_t count)
         texel[3] = has_alpha ? texel[3] : grey_of(texel);
         memset(texel, UINT8_MAX, 3);
     }
-}
-
-/* Sets a channel to 1 everywhere, so that only the material's factor counts. */
-static void fill_channel(uint8_t *texels, size_t count, int channel)
-{
-    for (size_t i = 0; i < count; i++)
-        texels[CHANNELS * i + (size_t)channel] = UINT8_MAX;
-}
-
-/* Converts a map that scales the Phong exponent Ns to roughness in the green channel. */
-static void convert_shininess(uint8_t *texels, size_t count, float exponent)
-{
-    uint8_t table[UINT8_MAX + 1];
-    for (int i = 0; i <= UINT8_MAX; i++) {
-        const float fraction = (float)i / UINT8_MAX;
-        table[i] = (uint8_t)lroundf(UINT8_MAX * mtl_roughness_from_exponent(exponent * fraction));
-    }
-    for (size_t i = 0; i < count; i++) {
-        uint8_t *texel = &texels[CHANNELS * i];
-        texel[1] = table[grey_of(texel)];
-    }
-    fill_channel(texels, count, 2);
 }
 
 static bool are_normals(const uint8_t *texels, size_t count)
@@ -91,32 +69,12 @@ static bool convert_heights(uint8_t *texels, int width, int height)
     return true;
 }
 
-float mtl_roughness_from_exponent(float exponent)
-{
-    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F); /* GGX alpha^2 = 2/(Ns + 2) */
-}
-
 bool model_texture_convert(uint8_t *texels, int width, int height,
                            const struct model_texture *texture)
 {
-    const size_t count = (size_t)width * (size_t)height;
-    switch (texture->change) {
-    case MODEL_TEXTURE_SAME:
-        break;
-    case MODEL_TEXTURE_TO_ALPHA:
-        convert_alpha(texels, count);
-        break;
-    case MODEL_TEXTURE_ROUGHNESS:
-        fill_channel(texels, count, 2);
-        break;
-    case MODEL_TEXTURE_NS_TO_ROUGHNESS:
-        convert_shininess(texels, count, texture->exponent);
-        break;
-    case MODEL_TEXTURE_METALLIC:
-        fill_channel(texels, count, 1);
-        break;
-    case MODEL_TEXTURE_TO_NORMALS:
+    if (texture->change == MODEL_TEXTURE_TO_NORMALS)
         return convert_heights(texels, width, height);
-    }
+    if (texture->change == MODEL_TEXTURE_TO_ALPHA)
+        convert_alpha(texels, (size_t)width * (size_t)height);
     return true;
 }

@@ -8,13 +8,10 @@
 
 /* Texture maps of an MTL material. */
 enum mtl_map_use {
-    MTL_MAP_COLOR,     /* map_Kd */
-    MTL_MAP_ALPHA,     /* map_d: alpha of map_Kd's texture */
-    MTL_MAP_SPECULAR,  /* map_Ks */
-    MTL_MAP_EMISSION,  /* map_Ke */
-    MTL_MAP_ROUGHNESS, /* map_Pr: takes precedence over map_Ns */
-    MTL_MAP_SHININESS, /* map_Ns: converted to roughness */
-    MTL_MAP_METALLIC,  /* map_Pm: blue of the roughness texture */
+    MTL_MAP_COLOR,    /* map_Kd */
+    MTL_MAP_ALPHA,    /* map_d: alpha of map_Kd's texture */
+    MTL_MAP_SPECULAR, /* map_Ks */
+    MTL_MAP_EMISSION, /* map_Ke */
     /* bump, map_bump, norm: height or normal maps */
     MTL_MAP_BUMP,
     MTL_MAP_COUNT,
@@ -33,7 +30,6 @@ struct mtl_material {
     vec3s color; /* Kd, multiplied with vertex colours */
     struct material material;
     struct mtl_map maps[MTL_MAP_COUNT];
-    float exponent; /* Ns */
 };
 
 /* Triangles with the same group name and material. Their indices are relative to first_vertex. */
