@@ -247,17 +247,6 @@ static exr_result_t write_chunk(exr_context_t context, struct origin *origin, ui
     return result;
 }
 
-static bool allocate_rows(struct origin *origin, uint32_t lines)
-{
-    bool ok = true;
-    image_init(&origin->rows, origin->image->width, lines);
-    for (uint32_t p = 0; p < origin->image->plane_count && ok; p++) {
-        const struct image_plane *plane = &origin->image->planes[p];
-        ok = image_add_plane(&origin->rows, plane->name, plane->half) != NULL;
-    }
-    return ok;
-}
-
 /* Fills the next group of rows, which may be smaller at the end of the image. */
 static exr_result_t fill_rows(struct origin *origin, uint32_t y, uint32_t lines)
 {
@@ -279,7 +268,7 @@ static exr_result_t write_chunks(exr_context_t context, struct origin *origin)
         return result;
     const size_t plane_size = (size_t)lines * image->width * sizeof(uint16_t);
     uint16_t *halves = malloc(plane_size * image->plane_count);
-    if (!halves || (origin->fill && !allocate_rows(origin, (uint32_t)lines)))
+    if (!halves || (origin->fill && !image_init_like(&origin->rows, image, (uint32_t)lines)))
         result = EXR_ERR_OUT_OF_MEMORY;
     for (uint32_t y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines) {
         result = fill_rows(origin, y, (uint32_t)lines);

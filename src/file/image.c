@@ -9,6 +9,15 @@ void image_init(struct image *image, uint32_t width, uint32_t height)
     *image = (struct image){ .width = width, .height = height };
 }
 
+bool image_init_like(struct image *image, const struct image *like, uint32_t height)
+{
+    bool done = true;
+    image_init(image, like->width, height);
+    for (uint32_t p = 0; p < like->plane_count && done; p++)
+        done = image_add_plane(image, like->planes[p].name, like->planes[p].half);
+    return done;
+}
+
 void image_finish(struct image *image)
 {
     for (uint32_t i = 0; i < image->plane_count; i++)

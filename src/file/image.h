@@ -42,6 +42,10 @@ struct image_text {
 /* Initialises an image without planes. Planes can be added only if its size is not 0. */
 void image_init(struct image *image, uint32_t width, uint32_t height);
 
+/* Initialises an image with zeroed planes of the width, names and types of `like`. Returns false
+ * when out of memory. The caller finishes the image even then. */
+bool image_init_like(struct image *image, const struct image *like, uint32_t height);
+
 void image_finish(struct image *image);
 
 /*

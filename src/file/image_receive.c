@@ -98,12 +98,7 @@ static enum pipe_fault add_planes(struct image *image, const struct image_header
     const uint64_t plane_size = (uint64_t)found->width * found->height * sizeof(float);
     if (plane_size * found->plane_count > size_max / 4)
         return PIPE_LARGE;
-    image_init(image, found->width, found->height);
-    for (uint32_t p = 0; p < found->plane_count; p++) {
-        if (!image_add_plane(image, found->planes[p].name, found->planes[p].half))
-            return PIPE_MEMORY;
-    }
-    return PIPE_OK;
+    return image_init_like(image, found, found->height) ? PIPE_OK : PIPE_MEMORY;
 }
 
 static enum pipe_fault read_texels(const struct pipe_source *source, struct image *image)

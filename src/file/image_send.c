@@ -1,6 +1,5 @@
 /* image_send.c: decodes an image in the reader process and sends it to the parent. */
 #include <stdlib.h>
-#include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/file/exr.h"
 #include "src/file/hdr.h"
@@ -10,12 +9,11 @@
 /* Image formats that are decoded as a whole; EXR is decoded row by row. */
 static const struct format {
     const char *end;
-    enum status (*head)(const char *path, struct image_header *head);
     enum status (*read)(const char *path, struct image *image);
     enum status (*check)(const char *path, struct image_header *head); /* NULL: decode by `read` */
 } formats[] = {
-    { ".hdr", hdr_read_header, hdr_read, NULL },
-    { ".png", png_read_header, png_read, png_check },
+    { ".hdr", hdr_read, NULL },
+    { ".png", png_read, png_check },
 };
 
 enum {
@@ -68,26 +66,14 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
-/* Sends an image's header before decoding its rows, so that the parent can reject it early. */
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {
-    struct image_header head;
-    struct image image = { 0 };
-    enum status status = format->head(path, &head);
-    if (status == STATUS_OK && !image_pipe_write_header(sink, &head))
-        status = STATUS_WRITE;
-    if (status == STATUS_OK)
-        status = format->read(path, &image);
+    struct image_header head = { 0 };
+    enum status status = format->read(path, &head.image);
     if (status == STATUS_OK &&
-        (image.width != head.image.width || image.height != head.image.height ||
-         image.plane_count != head.image.plane_count)) {
-        log_error("%s: the file changed while it was read", path);
-        status = STATUS_DATA;
-    }
-    if (status == STATUS_OK && !send_rows(&image, sink))
+        !(image_pipe_write_header(sink, &head) && send_rows(&head.image, sink)))
         status = STATUS_WRITE;
-    image_finish(&image);
     image_header_finish(&head);
     return status;
 }
@@ -102,16 +88,10 @@ enum status image_send(const char *path, const struct pipe_sink *sink)
 static enum status check(const char *path, struct image_header *head)
 {
     const struct format *format = find_format(path);
-    struct image image = { 0 };
+    *head = (struct image_header){ 0 };
     if (!format)
         return exr_check(path, head);
-    if (format->check)
-        return format->check(path, head);
-    enum status status = format->head(path, head);
-    if (status == STATUS_OK)
-        status = format->read(path, &image);
-    image_finish(&image);
-    return status;
+    return format->check ? format->check(path, head) : format->read(path, &head->image);
 }
 
 enum status image_send_header(const char *path, const struct pipe_sink *sink)

@@ -34,9 +34,6 @@ MUST_USE enum status png_encode(const struct png_image_source *picture, void **d
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 
-/* Reads only the file's header, and returns the size and planes that png_read() would return. */
-MUST_USE enum status png_read_header(const char *path, struct image_header *head);
-
 /* Checks a file by decoding it and comparing all CRCs. Reads the header into *head, which the
  * caller frees. png_read() describes the errors. */
 MUST_USE enum status png_check(const char *path, struct image_header *head);

@@ -1,4 +1,4 @@
-/* preset_transfer.c: transfers a preset between processes: the number of lines, then all lines. */
+/* preset_transfer.c: transfers a preset between processes: their number, then all lines. */
 #include "src/file/preset_transfer.h"
 #include <stdlib.h>
 #include <string.h>
@@ -11,10 +11,6 @@ struct head {
     uint32_t magic, count;
 };
 
-struct line {
-    uint32_t number, length; /* line number; assignment length without '\0' */
-};
-
 void preset_finish(struct preset *preset)
 {
     free(preset->lines);
@@ -24,38 +20,19 @@ void preset_finish(struct preset *preset)
 bool preset_pipe_write(const struct pipe_sink *sink, const struct preset *preset)
 {
     const struct head head = { MAGIC_PRESET, preset->count };
-    bool done = pipe_write(sink, &head, sizeof(head));
-    for (uint32_t i = 0; i < preset->count && done; i++) {
-        const struct preset_line *from = &preset->lines[i];
-        const struct line line = { from->number, (uint32_t)strlen(from->assignment) };
-        done = pipe_write(sink, &line, sizeof(line)) &&
-               pipe_write(sink, from->assignment, line.length);
-    }
-    return done && pipe_write_end(sink);
+    return pipe_write(sink, &head, sizeof(head)) &&
+           pipe_write(sink, preset->lines, preset->count * sizeof(*preset->lines)) &&
+           pipe_write_end(sink);
 }
 
-static bool is_text(const char *text, size_t length)
+static bool is_text(const struct preset_line *line)
 {
-    for (size_t i = 0; i < length; i++) {
-        if (text[i] < ' ' || text[i] > '~')
+    const char *end = memchr(line->assignment, '\0', sizeof(line->assignment));
+    for (const char *c = line->assignment; c < end; c++) {
+        if (*c < ' ' || *c > '~')
             return false;
     }
-    return true;
-}
-
-static enum pipe_fault read_line(const struct pipe_source *source, struct preset_line *line)
-{
-    struct line sent;
-    enum pipe_fault fault = pipe_read(source, &sent, sizeof(sent));
-    if (fault == PIPE_OK && sent.length >= sizeof(line->assignment))
-        fault = PIPE_TEXT;
-    if (fault == PIPE_OK)
-        fault = pipe_read(source, line->assignment, sent.length);
-    if (fault != PIPE_OK)
-        return fault;
-    line->number = sent.number;
-    line->assignment[sent.length] = '\0';
-    return is_text(line->assignment, sent.length) ? PIPE_OK : PIPE_TEXT;
+    return end;
 }
 
 enum pipe_fault preset_pipe_read(const struct pipe_source *source, struct preset *preset)
@@ -73,8 +50,9 @@ enum pipe_fault preset_pipe_read(const struct pipe_source *source, struct preset
     if (!preset->lines)
         return PIPE_MEMORY;
     preset->count = head.count;
+    fault = pipe_read(source, preset->lines, head.count * sizeof(*preset->lines));
     for (uint32_t i = 0; i < head.count && fault == PIPE_OK; i++)
-        fault = read_line(source, &preset->lines[i]);
+        fault = is_text(&preset->lines[i]) ? PIPE_OK : PIPE_TEXT;
     if (fault == PIPE_OK)
         fault = pipe_read_end(source);
     if (fault != PIPE_OK)
