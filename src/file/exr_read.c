@@ -418,7 +418,7 @@ enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const flo
     return STATUS_OK;
 }
 
-enum status exr_read_all(const char *path, struct image *image, struct image_header *head)
+enum status exr_read(const char *path, struct image *image, struct image_header *head)
 {
     struct exr_file *file;
     enum status status = exr_open(&file, path, head);
@@ -438,14 +438,6 @@ enum status exr_read_all(const char *path, struct image *image, struct image_hea
         image_header_finish(head);
     }
     exr_close(file);
-    return status;
-}
-
-enum status exr_read(const char *path, struct image *image)
-{
-    struct image_header head;
-    const enum status status = exr_read_all(path, image, &head);
-    image_header_finish(&head);
     return status;
 }
 

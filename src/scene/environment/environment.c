@@ -75,7 +75,7 @@ vec3s environment_direction(float azimuth_deg, float elevation_deg)
 static enum status read_exr(const char *path, struct image *image, struct header_info *header_info)
 {
     struct image_header head;
-    const enum status status = exr_read_all(path, image, &head);
+    const enum status status = exr_read(path, image, &head);
     if (status == STATUS_OK && head.has_primaries)
         convert_colors(image, &head.primaries, path);
     header_info->is_cube_map = head.is_cube_map;
