@@ -61,7 +61,8 @@ struct obj_ply {
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Reads a file. Only .import may be set in *obj_ply. Call obj_ply_finish() even after a failure. */
+/* Reads a file. Only .import may be set in *obj_ply. The caller frees the contents, also after a
+ * failure. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 
@@ -71,18 +72,12 @@ MUST_USE enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *n
 /* Appends a line to a list unless it is already there. If the list is full, appends "...". */
 void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words);
 
-/* Builds a model's meshes, objects, materials and textures. */
-MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
-                                   enum model_role default_role);
-
 /* Loads the images of all materials whose parts have texture coordinates. Sets the materials'
  * textures. Converts the texture coordinates to those of the base colour map. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
 /* Returns map_Kd, else map_d, else an identity map. Its options -s and -o apply to all vertices. */
 const struct mtl_map *mtl_base_map(const struct mtl_material *material);
-
-void obj_ply_finish(struct obj_ply *obj_ply);
 
 /* Reads a whole file into memory that the caller frees. On failure, logs an error and returns NULL.
  * If the file cannot be opened, sets *is_found to false, logs nothing and returns NULL. */

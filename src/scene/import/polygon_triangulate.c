@@ -127,7 +127,8 @@ static void cut_ears(struct outline *o, uint32_t *indices)
     }
 }
 
-bool polygon_triangulate(const struct polygon *polygon, uint32_t *indices, uint32_t count)
+/* Replaces the triangle fan of a polygon with `count` corners. Returns false if out of memory. */
+static bool triangulate(const struct polygon *polygon, uint32_t *indices, uint32_t count)
 {
     uint32_t small_corners[SMALL_COUNT];
     double small_points[SMALL_COUNT][2];
@@ -156,7 +157,7 @@ bool polygon_triangulate_all(const struct polygon *polygon, const struct polygon
                              size_t count, uint32_t *indices)
 {
     for (size_t i = 0; i < count; i++) {
-        if (!polygon_triangulate(polygon, &indices[polygons[i].first_index], polygons[i].count))
+        if (!triangulate(polygon, &indices[polygons[i].first_index], polygons[i].count))
             return false;
     }
     return true;

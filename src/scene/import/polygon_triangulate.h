@@ -12,19 +12,16 @@ struct polygon {
     uint32_t vertex_stride;    /* elements per corner in vertex_of */
 };
 
-/* Replaces a polygon's triangle fan by an ear-clipping triangulation with the same corners and
- * winding. On entry `indices` holds the fan of a polygon with `count` corners c, 3 (count - 2)
- * elements: c0 c1 c2, c0 c2 c3, ... Convex polygons keep the fan; in others no triangle lies
- * outside, if the polygon is planar and simple. Returns false when out of memory. */
-bool polygon_triangulate(const struct polygon *polygon, uint32_t *indices, uint32_t count);
-
 /* Polygon of more than three corners within an index list. */
 struct polygon_range {
     /* first index of the polygon's triangle fan, and number of its corners */
     uint32_t first_index, count;
 };
 
-/* Triangulates all polygons of a list. Returns false when out of memory. */
+/* Replaces the triangle fans of polygons by ear-clipping triangulations with the same corners and
+ * winding. The fan of corners c has 3 (count - 2) indices: c0 c1 c2, c0 c2 c3, ... Convex polygons
+ * keep the fan; in others no triangle lies outside, if the polygon is planar and simple. Returns
+ * false when out of memory. */
 bool polygon_triangulate_all(const struct polygon *polygon, const struct polygon_range *polygons,
                              size_t count, uint32_t *indices);
 
