@@ -129,7 +129,7 @@ static enum status read_texels(const char *path, struct source *source, struct i
     return status;
 }
 
-enum status hdr_read(const char *path, struct image *image)
+enum status hdr_read(const char *path, struct image *image, image_size_fn *begin, void *user)
 {
     struct source source = { 0 };
     int64_t file_size;
@@ -138,7 +138,12 @@ enum status hdr_read(const char *path, struct image *image)
     if (status != STATUS_OK)
         return status;
     const char *fault = find_fault(&source, file_size, &width, &height);
-    status = fault ? reject(&source, path, fault) : read_texels(path, &source, image);
+    if (fault)
+        status = reject(&source, path, fault);
+    else if (begin)
+        status = begin(user, (uint32_t)width, (uint32_t)height, 3);
+    if (status == STATUS_OK)
+        status = read_texels(path, &source, image);
     fclose(source.file);
     return status;
 }

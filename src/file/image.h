@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "src/base/status.h"
 
 enum {
     IMAGE_NAME_SIZE = 64
@@ -32,6 +33,11 @@ struct image {
     uint32_t plane_count;
     struct image_plane *planes;
 };
+
+/* Callback of a reader that knows an image's size and the number of its planes R, G, B and A, before
+ * it decodes texels. After a failure the reader returns its status. */
+typedef enum status image_size_fn(void *user, uint32_t width, uint32_t height,
+                                  uint32_t plane_count);
 
 /* Text metadata of an image file, such as {"firn/settings", "..."}. */
 struct image_text {

@@ -9,7 +9,7 @@
 /* Image formats that are decoded as a whole; EXR is decoded row by row. */
 static const struct format {
     const char *end;
-    enum status (*read)(const char *path, struct image *image);
+    enum status (*read)(const char *path, struct image *image, image_size_fn *begin, void *user);
     enum status (*check)(const char *path, struct image_header *head); /* NULL: decode by `read` */
 } formats[] = {
     { ".hdr", hdr_read, NULL },
@@ -66,15 +66,23 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
+/* Sends a header before texels are decoded, so that the parent can reject the image early. */
+static enum status send_size(void *user, uint32_t width, uint32_t height, uint32_t plane_count)
+{
+    struct image_plane planes[] = { { "R" }, { "G" }, { "B" }, { "A" } };
+    const struct image_header head = { .image = { width, height, plane_count, planes } };
+    return image_pipe_write_header(user, &head) ? STATUS_OK : STATUS_WRITE;
+}
+
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {
-    struct image_header head = { 0 };
-    enum status status = format->read(path, &head.image);
-    if (status == STATUS_OK &&
-        !(image_pipe_write_header(sink, &head) && send_rows(&head.image, sink)))
+    struct image image = { 0 };
+    struct pipe_sink copy = *sink; /* the callback's argument is not const */
+    enum status status = format->read(path, &image, send_size, &copy);
+    if (status == STATUS_OK && !send_rows(&image, sink))
         status = STATUS_WRITE;
-    image_header_finish(&head);
+    image_finish(&image);
     return status;
 }
 
@@ -91,7 +99,7 @@ static enum status check(const char *path, struct image_header *head)
     *head = (struct image_header){ 0 };
     if (!format)
         return exr_check(path, head);
-    return format->check ? format->check(path, head) : format->read(path, &head->image);
+    return format->check ? format->check(path, head) : format->read(path, &head->image, NULL, NULL);
 }
 
 enum status image_send_header(const char *path, const struct pipe_sink *sink)

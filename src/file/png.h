@@ -30,9 +30,10 @@ MUST_USE enum status png_encode(const struct png_image_source *picture, void **d
  * Reads a PNG file of any colour type into *image, which must be {0}. The planes are R, G, B and,
  * if the file has alpha or a transparent colour, A. Colours become linear and are not
  * premultiplied. 16-bit channels are rounded to 8 bits. Files without a colour space are taken as
- * sRGB. Limits and errors are those of exr_read().
+ * sRGB. `begin` may be NULL. Limits and errors are those of exr_read().
  */
-MUST_USE enum status png_read(const char *path, struct image *image);
+MUST_USE enum status png_read(const char *path, struct image *image, image_size_fn *begin,
+                              void *user);
 
 /* Checks a file by decoding it and comparing all CRCs. Reads the header into *head, which the
  * caller frees. png_read() describes the errors. */

@@ -43,11 +43,16 @@ static enum status damaged(const char *path, const char *why)
     return STATUS_DATA;
 }
 
+static uint32_t count_planes(const png_image *png)
+{
+    return png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
+}
+
 /* Fills the planes with linear colours. Returns false when out of memory. */
 static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
 {
     static const char names[4][2] = { "R", "G", "B", "A" };
-    const uint32_t plane_count = png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
+    const uint32_t plane_count = count_planes(png);
     const size_t count = (size_t)png->width * png->height;
     float linear[256];
 
@@ -98,7 +103,7 @@ static enum status begin_read(const char *path, png_image *png, FILE *file, int6
     return STATUS_OK;
 }
 
-enum status png_read(const char *path, struct image *image)
+enum status png_read(const char *path, struct image *image, image_size_fn *begin, void *user)
 {
     png_image png = { .version = PNG_IMAGE_VERSION };
     FILE *file;
@@ -107,6 +112,8 @@ enum status png_read(const char *path, struct image *image)
     if (status != STATUS_OK)
         return status;
     status = begin_read(path, &png, file, size);
+    if (status == STATUS_OK && begin)
+        status = begin(user, png.width, png.height, count_planes(&png));
     if (status == STATUS_OK)
         status = read_texels(path, &png, image);
     if (status == STATUS_DATA && ferror(file))

@@ -89,7 +89,7 @@ static enum status read_image(const char *path, struct image *image,
                               struct header_info *header_info)
 {
     if (path_ends_in(path, ".hdr"))
-        return hdr_read(path, image);
+        return hdr_read(path, image, NULL, NULL);
     if (path_ends_in(path, ".exr"))
         return read_exr(path, image, header_info);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);
