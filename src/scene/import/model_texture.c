@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 
@@ -15,43 +16,22 @@ enum {
     CHANNELS = 4,
 };
 
-/* An encoded image file in memory, and its dimensions. */
-struct encoded {
-    const uint8_t *bytes;
-    uint8_t *owned; /* `bytes` if owned, else NULL */
-    int size;       /* bytes */
-    int width, height;
-};
-
 static enum status fault(const char *path, const struct model_texture *texture, const char *what)
 {
     log_error("%s: texture %s: %s", path, texture->name, what);
     return STATUS_DATA;
 }
 
-static enum status read_file(const char *path, const struct model_texture *texture,
-                             struct encoded *encoded)
+/* Checks that a file can be read: only regular files, because opening a named pipe would block. */
+static enum status check_file(const char *path, const struct model_texture *texture)
 {
     struct stat info;
-    /* Opens only regular files, because opening a named pipe would block. */
     if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
         return fault(path, texture, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
         return fault(path, texture, "expected a file of 1 byte to 256 MiB");
-    size_t size = (size_t)info.st_size;
-    FILE *file = fopen(texture->file, "rb");
-    if (!file)
-        return fault(path, texture, "the file cannot be opened");
-    encoded->owned = malloc(size);
-    bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
-    fclose(file);
-    if (!encoded->owned)
-        return log_out_of_memory(path);
-    if (!is_read)
-        return fault(path, texture, "the file cannot be read");
-    encoded->bytes = encoded->owned;
-    encoded->size = (int)size;
-    return STATUS_OK;
+    return access(texture->file, R_OK) == 0 ? STATUS_OK
+                                            : fault(path, texture, "the file cannot be opened");
 }
 
 const char *model_texture_unsupported_format(const struct model_texture *texture)
@@ -84,25 +64,20 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
     return NULL;
 }
 
-/* Loads an encoded image and reads its size. The caller frees encoded->owned, even on failure. */
-static enum status open_image(const char *path, const struct model_texture *texture,
-                              struct encoded *encoded)
+/* Checks an image and reads its size. */
+static enum status read_size(const char *path, const struct model_texture *texture, int *width,
+                             int *height)
 {
-    *encoded = (struct encoded){ 0 };
-    if (!texture->bytes) {
-        enum status status = read_file(path, texture, encoded);
-        if (status != STATUS_OK)
-            return status;
-    } else if (texture->size <= FILE_SIZE_MAX) {
-        encoded->bytes = texture->bytes;
-        encoded->size = (int)texture->size;
-    }
     int channels;
-    if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
-                               &channels))
+    const enum status status = texture->bytes ? STATUS_OK : check_file(path, texture);
+    if (status != STATUS_OK)
+        return status;
+    if (!(texture->bytes ? texture->size <= FILE_SIZE_MAX &&
+                               stbi_info_from_memory(texture->bytes, (int)texture->size, width,
+                                                     height, &channels)
+                         : stbi_info(texture->file, width, height, &channels)))
         return fault(path, texture, "not a supported image format");
-    if (encoded->width < 1 || encoded->width > IMAGE_SIDE_MAX || encoded->height < 1 ||
-        encoded->height > IMAGE_SIDE_MAX)
+    if (*width < 1 || *width > IMAGE_SIDE_MAX || *height < 1 || *height > IMAGE_SIDE_MAX)
         return fault(path, texture, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
@@ -133,21 +108,20 @@ static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int w
 static enum status decode(const char *path, const struct model_texture *texture, bool are_numbers,
                           uint8_t *layer, uint32_t side)
 {
-    uint8_t *texels = NULL;
-    struct encoded encoded;
-    enum status status = open_image(path, texture, &encoded);
+    int width, height, channels;
+    enum status status = read_size(path, texture, &width, &height);
     if (status != STATUS_OK)
-        goto fail;
-    texels = stbi_load_from_memory(encoded.bytes, encoded.size, &encoded.width, &encoded.height,
-                                   &(int){ 0 }, CHANNELS);
+        return status;
+    uint8_t *texels = texture->bytes
+                          ? stbi_load_from_memory(texture->bytes, (int)texture->size, &width,
+                                                  &height, &channels, CHANNELS)
+                          : stbi_load(texture->file, &width, &height, &channels, CHANNELS);
     if (!texels)
         status = fault(path, texture, stbi_failure_reason());
-    else if (!model_texture_convert(texels, encoded.width, encoded.height, texture) ||
-             !resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
+    else if (!model_texture_convert(texels, width, height, texture) ||
+             !resample(layer, side, texels, width, height, are_numbers))
         status = log_out_of_memory(path);
-fail:
     free(texels);
-    free(encoded.owned);
     return status;
 }
 
@@ -207,13 +181,12 @@ enum status model_texture_load(const char *path, const struct model_texture *tex
     if (count == 0)
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
-        struct encoded encoded;
-        enum status status = open_image(path, &textures[i], &encoded);
-        free(encoded.owned);
+        int width, height;
+        enum status status = read_size(path, &textures[i], &width, &height);
         if (status != STATUS_OK)
             return status;
-        side_max = encoded.width > side_max ? encoded.width : side_max;
-        side_max = encoded.height > side_max ? encoded.height : side_max;
+        side_max = width > side_max ? width : side_max;
+        side_max = height > side_max ? height : side_max;
     }
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);
