@@ -10,7 +10,6 @@
 
 #include "src/base/status.h"
 #include "src/file/image.h"
-#include "src/file/image_metadata.h"
 
 struct exr_header {
     const struct image_text *texts; /* string attributes; may be NULL */

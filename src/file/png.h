@@ -7,7 +7,6 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/file/image.h"
-#include "src/file/image_metadata.h"
 
 struct png_image_source {
     const uint8_t *rgba;            /* sRGB-encoded, rows from the top */

@@ -155,8 +155,9 @@ class Mtl(features.Cards):
             'map_Ks of transmissive materials', 'Tr 1 (taken as opaque, as MeshLab writes it)',
             'points and lines', 'free-form curves and surfaces'])
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
-                         b'disp, decal, refl, spectral, aniso, -cc, map_Pm, map_Kd of fully transmissive '
-                         b'materials, map_Ke of transmissive materials, map_Ks of transmissive materials, '
+                         b'disp, decal, refl, spectral, aniso, -cc, map_Pm, map_Kd of fully '
+                         b'transmissive materials, map_Ke of transmissive materials, map_Ks of '
+                         b'transmissive materials, '
                          b'Tr 1 (taken as opaque, as MeshLab writes it)\n'
                          b'firn: warning: cards.obj: not drawn: points and lines, '
                          b'free-form curves and surfaces\n')

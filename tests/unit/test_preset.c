@@ -1,5 +1,5 @@
 /* test_preset.c: lines come through the pipe the same, and nothing else does. */
-#include "src/file/preset_transfer.h"
+#include "src/file/preset.h"
 #include "tests/support/assertions.h"
 #include "tests/support/memory_pipe.h"
 

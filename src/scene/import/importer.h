@@ -89,10 +89,6 @@ MUST_USE enum status model_texture_load(const char *path, const struct model_tex
 /* Returns the name of an image's unsupported format, such as "KTX2"; NULL if it is supported. */
 const char *model_texture_unsupported_format(const struct model_texture *texture);
 
-/* Converts RGBA texels as texture->change specifies. Returns false when out of memory. */
-MUST_USE bool model_texture_convert(uint8_t *texels, int width, int height,
-                                    const struct model_texture *texture);
-
 /* Merges two texture arrays, resampled to the larger size; the caller frees both->texels. */
 MUST_USE enum status model_texture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,

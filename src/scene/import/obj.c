@@ -5,7 +5,6 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
-#include "src/scene/import/polygon_triangulate.h"
 
 static const uint32_t none = UINT32_MAX;
 

@@ -6,7 +6,6 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
-#include "src/scene/import/polygon_triangulate.h"
 
 enum format {
     FORMAT_TEXT,

@@ -1,9 +1,9 @@
 /* polygon_triangulate.c: triangulation by ear clipping (Meisters 1975, Polygons have ears). The
  * work per polygon is limited, because ear clipping takes O(n^2) time or more. */
-#include "src/scene/import/polygon_triangulate.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
+#include "src/scene/import/obj_ply.h"
 
 enum {
     /* maximum number of point-in-ear tests per polygon; any remaining corners form a fan */
