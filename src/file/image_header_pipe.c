@@ -34,14 +34,6 @@ bool image_pipe_write_header(const struct pipe_sink *sink, const struct image_he
            write_texts(sink, head);
 }
 
-/* Returns true if a received bool is 0 or 1; reading any other value is undefined. */
-static bool is_bool(const bool *value)
-{
-    unsigned char byte;
-    memcpy(&byte, value, sizeof(byte));
-    return byte <= 1;
-}
-
 static bool has_plane(const struct image *image, const char *name)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -59,7 +51,7 @@ static enum pipe_fault read_planes(const struct pipe_source *source, uint32_t co
         const enum pipe_fault fault = pipe_read(source, &plane, sizeof(plane));
         if (fault != PIPE_OK)
             return fault;
-        if (!memchr(plane.name, '\0', sizeof(plane.name)) || !is_bool(&plane.half) ||
+        if (!memchr(plane.name, '\0', sizeof(plane.name)) || !pipe_is_bool(&plane.half) ||
             has_plane(&head->image, plane.name))
             return PIPE_TEXT;
         if (!image_header_add_plane(head, plane.name, plane.half))
@@ -94,8 +86,8 @@ static enum pipe_fault check_head(const struct image_header *head)
 {
     const struct image *image = &head->image;
     const struct image_window *window = &head->window;
-    if (!is_bool(&head->has_window) || !is_bool(&head->has_world_to_camera) ||
-        !is_bool(&head->has_world_to_ndc))
+    if (!pipe_is_bool(&head->has_window) || !pipe_is_bool(&head->has_world_to_camera) ||
+        !pipe_is_bool(&head->has_world_to_ndc))
         return PIPE_HEAD;
     if (image->width < 1 || image->width > IMAGE_MAX_SIDE || image->height < 1 ||
         image->height > IMAGE_MAX_SIDE || image->width > IMAGE_MAX_TEXELS / image->height ||

@@ -335,19 +335,11 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
     return size <= source->size_max ? PIPE_OK : PIPE_SIZE;
 }
 
-/* Returns true if a received bool is 0 or 1; reading any other value is undefined. */
-static bool is_bool(const bool *value)
-{
-    unsigned char byte;
-    memcpy(&byte, value, sizeof(byte));
-    return byte <= 1;
-}
-
 /* Checks the members of a received struct that are no arrays. */
 static enum pipe_fault check_head(const struct model *head)
 {
-    if (!is_bool(&head->has_camera) || !is_bool(&head->has_box) || !is_bool(&head->has_ior) ||
-        (head->has_box && !is_box(&head->box)) ||
+    if (!pipe_is_bool(&head->has_camera) || !pipe_is_bool(&head->has_box) ||
+        !pipe_is_bool(&head->has_ior) || (head->has_box && !is_box(&head->box)) ||
         (head->has_ior && !is_in_range(head->ior, 1, 4)) ||
         (head->has_camera && !is_camera(&head->camera)))
         return PIPE_CAMERA;
