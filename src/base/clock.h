@@ -2,10 +2,20 @@
 #ifndef FIRN_BASE_CLOCK_H
 #define FIRN_BASE_CLOCK_H
 
+#include <time.h>
+
 /* Returns seconds since an unspecified time; the value never decreases. */
-double clock_seconds(void);
+static inline double clock_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
 
 /* Returns clock_seconds() in milliseconds. */
-double clock_ms(void);
+static inline double clock_ms(void)
+{
+    return clock_seconds() * 1e3;
+}
 
 #endif

@@ -3,8 +3,14 @@
 #define FIRN_BASE_PATH_H
 
 #include <stdbool.h>
+#include <string.h>
+#include <strings.h>
 
 /* Returns true if a file name ends in an extension such as ".exr", ignoring case. */
-bool path_ends_in(const char *path, const char *ending);
+static inline bool path_ends_in(const char *path, const char *ending)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && strcasecmp(dot, ending) == 0;
+}
 
 #endif

@@ -1,12 +1,9 @@
 /* color_primaries.c: RGB to XYZ matrices (SMPTE RP 177) and Bradford chromatic adaptation to D65.
  */
 #include "src/file/color_primaries.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
-
-struct matrix {
-    double m[3][3]; /* row-major */
-};
 
 static const struct primaries rec709 = {
     { 0.64f, 0.33f },
@@ -15,103 +12,46 @@ static const struct primaries rec709 = {
     { 0.3127f, 0.3290f },
 };
 
-static const struct matrix bradford = { {
-    { 0.8951, 0.2664, -0.1614 },
-    { -0.7502, 1.7135, 0.0367 },
-    { 0.0389, -0.0685, 1.0296 },
-} };
+static const mat3s bradford = { .col = {
+                                    { { 0.8951f, -0.7502f, 0.0389f } },
+                                    { { 0.2664f, 1.7135f, -0.0685f } },
+                                    { { -0.1614f, 0.0367f, 1.0296f } },
+                                } };
 
-static struct matrix multiply(const struct matrix *a, const struct matrix *b)
+static bool is_positive(vec3s v)
 {
-    struct matrix c = { 0 };
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            for (int j = 0; j < 3; j++)
-                c.m[i][k] += a->m[i][j] * b->m[j][k];
-        }
-    }
-    return c;
+    return v.x > 0 && v.y > 0 && v.z > 0 && isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
-static void apply(const struct matrix *a, const double v[static 3], double result[static 3])
+static vec3s xyz_of(const float at[static 2])
 {
-    for (int i = 0; i < 3; i++)
-        result[i] = a->m[i][0] * v[0] + a->m[i][1] * v[1] + a->m[i][2] * v[2];
-}
-
-/* Returns the cofactor of a matrix element: the signed determinant without its row and column. */
-static double cofactor(const struct matrix *a, int row, int column)
-{
-    const int i = (row + 1) % 3, j = (row + 2) % 3, k = (column + 1) % 3, l = (column + 2) % 3;
-    return a->m[i][k] * a->m[j][l] - a->m[i][l] * a->m[j][k];
-}
-
-static bool invert(const struct matrix *a, struct matrix *inverse)
-{
-    double determinant = 0.0;
-    for (int k = 0; k < 3; k++)
-        determinant += a->m[0][k] * cofactor(a, 0, k);
-    if (!(fabs(determinant) > 1e-9) || !isfinite(determinant))
-        return false;
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            inverse->m[k][i] = cofactor(a, i, k) / determinant;
-    }
-    return true;
-}
-
-static void xyz_of(const float at[static 2], double xyz[static 3])
-{
-    const double x = (double)at[0], y = (double)at[1];
-    xyz[0] = x / y;
-    xyz[1] = 1.0;
-    xyz[2] = (1.0 - x - y) / y;
+    return (vec3s){ { at[0] / at[1], 1, (1 - at[0] - at[1]) / at[1] } };
 }
 
 /* Computes the matrix that converts linear RGB to XYZ, scaled so that white has Y = 1. */
-static bool xyz_from_rgb(const struct primaries *p, struct matrix *matrix)
+static bool xyz_from_rgb(const struct primaries *p, mat3s *matrix)
 {
     const float *const colors[3] = { p->red, p->green, p->blue };
-    double white[3], scale[3];
-    struct matrix inverse;
-    for (int c = 0; c < 3; c++) {
-        const double x = (double)colors[c][0], y = (double)colors[c][1];
-        matrix->m[0][c] = x;
-        matrix->m[1][c] = y;
-        matrix->m[2][c] = 1.0 - x - y;
-    }
-    if (!(p->white[1] > 0.0f) || !invert(matrix, &inverse))
+    for (int c = 0; c < 3; c++)
+        matrix->col[c] = (vec3s){ { colors[c][0], colors[c][1], 1 - colors[c][0] - colors[c][1] } };
+    if (!(p->white[1] > 0) || !(fabsf(glms_mat3_det(*matrix)) > 1e-6f))
         return false;
-    xyz_of(p->white, white);
-    apply(&inverse, white, scale);
-    for (int c = 0; c < 3; c++) {
-        for (int i = 0; i < 3; i++)
-            matrix->m[i][c] *= scale[c];
-        if (!(scale[c] > 0.0) || !isfinite(scale[c]))
-            return false;
-    }
-    return true;
+    const vec3s scale = glms_mat3_mulv(glms_mat3_inv(*matrix), xyz_of(p->white));
+    for (int c = 0; c < 3; c++)
+        matrix->col[c] = glms_vec3_scale(matrix->col[c], scale.raw[c]);
+    return is_positive(scale);
 }
 
 /* Computes the chromatic adaptation matrix from XYZ under `white` to XYZ under D65. */
-static bool adapt(const float white[static 2], struct matrix *matrix)
+static bool adapt(const float white[static 2], mat3s *matrix)
 {
-    double from[3], to[3], from_cones[3], to_cones[3];
-    struct matrix inverse, scale = { 0 };
-    xyz_of(white, from);
-    xyz_of(rec709.white, to);
-    apply(&bradford, from, from_cones);
-    apply(&bradford, to, to_cones);
-    for (int i = 0; i < 3; i++) {
-        scale.m[i][i] = to_cones[i] / from_cones[i];
-        if (!(scale.m[i][i] > 0.0) || !isfinite(scale.m[i][i]))
-            return false;
-    }
-    const struct matrix scaled = multiply(&scale, &bradford);
-    if (!invert(&bradford, &inverse))
-        return false;
-    *matrix = multiply(&inverse, &scaled);
-    return true;
+    const vec3s from = glms_mat3_mulv(bradford, xyz_of(white));
+    const vec3s scale = glms_vec3_div(glms_mat3_mulv(bradford, xyz_of(rec709.white)), from);
+    mat3s scaling = glms_mat3_zero();
+    for (int i = 0; i < 3; i++)
+        scaling.col[i].raw[i] = scale.raw[i];
+    *matrix = glms_mat3_mul(glms_mat3_inv(bradford), glms_mat3_mul(scaling, bradford));
+    return is_positive(scale);
 }
 
 static bool is_rec709(const struct primaries *p)
@@ -128,21 +68,20 @@ static bool is_rec709(const struct primaries *p)
 enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9])
 {
     static const float identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-    struct matrix xyz, to_d65, xyz_from_rec709, rgb;
+    mat3s xyz, to_d65, xyz_from_rec709;
     memcpy(matrix, identity, sizeof(identity));
     if (is_rec709(from))
         return PRIMARIES_REC709;
     if (!xyz_from_rgb(from, &xyz) || !adapt(from->white, &to_d65) ||
-        !xyz_from_rgb(&rec709, &xyz_from_rec709) || !invert(&xyz_from_rec709, &rgb))
+        !xyz_from_rgb(&rec709, &xyz_from_rec709))
         return PRIMARIES_INVALID;
-    const struct matrix adapted = multiply(&to_d65, &xyz);
-    const struct matrix all = multiply(&rgb, &adapted);
+    const mat3s all = glms_mat3_mul(glms_mat3_inv(xyz_from_rec709), glms_mat3_mul(to_d65, xyz));
     for (int i = 0; i < 9; i++) {
-        if (!(fabs(all.m[i / 3][i % 3]) < 1e6)) {
+        matrix[i] = all.col[i % 3].raw[i / 3];
+        if (!(fabsf(matrix[i]) < 1e6f)) {
             memcpy(matrix, identity, sizeof(identity));
             return PRIMARIES_INVALID;
         }
-        matrix[i] = (float)all.m[i / 3][i % 3];
     }
     return PRIMARIES_OTHER;
 }

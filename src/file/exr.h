@@ -10,7 +10,6 @@
 
 #include "src/base/status.h"
 #include "src/file/image.h"
-#include "src/file/image_metadata.h"
 
 struct exr_header {
     const struct image_text *texts; /* string attributes; may be NULL */
@@ -59,12 +58,9 @@ MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, 
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a whole image into *image, which must be zeroed. If reading fails, *image is zeroed.
- * exr_open() describes the limits and errors. */
-MUST_USE enum status exr_read(const char *path, struct image *image);
-
-/* Reads an image and its header. On failure *image and *head are zeroed. The caller frees *head. */
-MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
+/* Reads a whole image into *image, which must be zeroed, and its header. On failure *image and
+ * *head are zeroed. The caller frees *head. exr_open() describes the limits and errors. */
+MUST_USE enum status exr_read(const char *path, struct image *image, struct image_header *head);
 
 /* Checks a file by decoding all texels. Reads the header into *head, which the caller frees. */
 MUST_USE enum status exr_check(const char *path, struct image_header *head);

@@ -418,22 +418,11 @@ enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const flo
     return STATUS_OK;
 }
 
-static bool add_image(struct image *image, const struct image_header *head)
-{
-    image_init(image, head->image.width, head->image.height);
-    for (uint32_t p = 0; p < head->image.plane_count; p++) {
-        const struct image_plane *plane = &head->image.planes[p];
-        if (!image_add_plane(image, plane->name, plane->half))
-            return false;
-    }
-    return true;
-}
-
-enum status exr_read_all(const char *path, struct image *image, struct image_header *head)
+enum status exr_read(const char *path, struct image *image, struct image_header *head)
 {
     struct exr_file *file;
     enum status status = exr_open(&file, path, head);
-    if (status == STATUS_OK && !add_image(image, head))
+    if (status == STATUS_OK && !image_init_like(image, &head->image, head->image.height))
         status = log_out_of_memory(path);
     for (uint32_t y = 0; y < head->image.height && status == STATUS_OK; y++) {
         for (uint32_t p = 0; p < head->image.plane_count && status == STATUS_OK; p++) {
@@ -449,14 +438,6 @@ enum status exr_read_all(const char *path, struct image *image, struct image_hea
         image_header_finish(head);
     }
     exr_close(file);
-    return status;
-}
-
-enum status exr_read(const char *path, struct image *image)
-{
-    struct image_header head;
-    const enum status status = exr_read_all(path, image, &head);
-    image_header_finish(&head);
     return status;
 }
 

@@ -164,35 +164,34 @@ static const struct image_plane *find_plane(const struct image *image, const cha
     return plane;
 }
 
-/* Source of texels: a whole image, or groups of rows from a callback. */
+/* Source of texels. */
 struct origin {
-    const struct image *image;
-    uint32_t y;        /* display window row of `image`'s top */
-    exr_rows_fn *fill; /* NULL for a whole image */
+    const struct image *image; /* size and planes */
+    uint32_t y;                /* display window row of the image's top */
+    exr_rows_fn *fill;
     void *user;
     struct image rows;  /* row group filled by `fill` */
     enum status status; /* last result of `fill` */
 };
 
-/* Gives the encoder pointers to the rows from y on. Half planes are converted into `halves`. */
-static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
+/* Gives the encoder pointers to the rows. Half planes are converted into `halves`. */
+static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *rows,
                          uint16_t *halves)
 {
     for (int c = 0; c < pipeline->channel_count; c++) {
         exr_coding_channel_info_t *channel = &pipeline->channels[c];
-        const struct image_plane *plane = find_plane(image, channel->channel_name);
-        const float *texels = plane->texels + (size_t)y * image->width;
+        const struct image_plane *plane = find_plane(rows, channel->channel_name);
         const size_t count = (size_t)channel->width * (size_t)channel->height;
 
         if (plane->half) {
             for (size_t t = 0; t < count; t++)
-                halves[t] = half_from_float(texels[t]);
+                halves[t] = half_from_float(plane->texels[t]);
             channel->encode_from_ptr = (const uint8_t *)halves;
             channel->user_pixel_stride = sizeof(*halves);
             halves += count;
         } else {
-            channel->encode_from_ptr = (const uint8_t *)texels;
-            channel->user_pixel_stride = sizeof(*texels);
+            channel->encode_from_ptr = (const uint8_t *)plane->texels;
+            channel->user_pixel_stride = sizeof(*plane->texels);
         }
         channel->user_line_stride = channel->width * channel->user_pixel_stride;
     }
@@ -219,7 +218,7 @@ static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 }
 
 /* Encodes a chunk with a new pipeline, because a reused one has stale pointers and buffers. */
-static exr_result_t write_chunk(exr_context_t context, struct origin *origin, uint32_t y,
+static exr_result_t write_chunk(exr_context_t context, const struct origin *origin, uint32_t y,
                                 uint16_t *halves)
 {
     exr_chunk_info_t chunk;
@@ -231,10 +230,7 @@ static exr_result_t write_chunk(exr_context_t context, struct origin *origin, ui
         return result;
     result = exr_encoding_initialize(context, 0, &chunk, &pipeline);
     if (result == EXR_ERR_SUCCESS) {
-        if (origin->fill)
-            set_channels(&pipeline, &origin->rows, 0, halves);
-        else
-            set_channels(&pipeline, origin->image, y, halves);
+        set_channels(&pipeline, &origin->rows, halves);
         result = exr_encoding_choose_default_routines(context, 0, &pipeline);
     }
     if (result == EXR_ERR_SUCCESS) {
@@ -247,23 +243,10 @@ static exr_result_t write_chunk(exr_context_t context, struct origin *origin, ui
     return result;
 }
 
-static bool allocate_rows(struct origin *origin, uint32_t lines)
-{
-    bool ok = true;
-    image_init(&origin->rows, origin->image->width, lines);
-    for (uint32_t p = 0; p < origin->image->plane_count && ok; p++) {
-        const struct image_plane *plane = &origin->image->planes[p];
-        ok = image_add_plane(&origin->rows, plane->name, plane->half) != NULL;
-    }
-    return ok;
-}
-
 /* Fills the next group of rows, which may be smaller at the end of the image. */
 static exr_result_t fill_rows(struct origin *origin, uint32_t y, uint32_t lines)
 {
     const uint32_t left = origin->image->height - y;
-    if (!origin->fill)
-        return EXR_ERR_SUCCESS;
     origin->rows.height = left < lines ? left : lines;
     origin->status = origin->fill(origin->user, y, &origin->rows);
     return origin->status == STATUS_OK ? EXR_ERR_SUCCESS : EXR_ERR_READ_IO;
@@ -279,7 +262,7 @@ static exr_result_t write_chunks(exr_context_t context, struct origin *origin)
         return result;
     const size_t plane_size = (size_t)lines * image->width * sizeof(uint16_t);
     uint16_t *halves = malloc(plane_size * image->plane_count);
-    if (!halves || (origin->fill && !allocate_rows(origin, (uint32_t)lines)))
+    if (!halves || !image_init_like(&origin->rows, image, (uint32_t)lines))
         result = EXR_ERR_OUT_OF_MEMORY;
     for (uint32_t y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines) {
         result = fill_rows(origin, y, (uint32_t)lines);
@@ -340,13 +323,6 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     return result == EXR_ERR_OUT_OF_MEMORY ? STATUS_TRY_AGAIN : STATUS_FAILED;
 }
 
-enum status exr_encode(const struct image *image, const struct exr_header *header, void **data,
-                       size_t *size)
-{
-    struct origin origin = { .image = image };
-    return encode(&origin, header, data, size);
-}
-
 enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
                             exr_rows_fn *fill, void *user, void **data, size_t *size)
 {
@@ -354,4 +330,21 @@ enum status exr_encode_rows(const struct image *image, const struct exr_header *
     const enum status status = encode(&origin, header, data, size);
     image_finish(&origin.rows);
     return status;
+}
+
+static enum status copy_rows(void *user, uint32_t y, struct image *rows)
+{
+    const struct image *image = user;
+    const size_t count = (size_t)rows->height * rows->width;
+    for (uint32_t p = 0; p < rows->plane_count; p++)
+        memcpy(rows->planes[p].texels, image->planes[p].texels + (size_t)y * rows->width,
+               count * sizeof(float));
+    return STATUS_OK;
+}
+
+enum status exr_encode(const struct image *image, const struct exr_header *header, void **data,
+                       size_t *size)
+{
+    struct image source = *image; /* the callback's argument is not const */
+    return exr_encode_rows(image, header, copy_rows, &source, data, size);
 }

@@ -85,10 +85,9 @@ static const char *find_fault(struct source *source, int64_t file_size, int *wid
     return NULL;
 }
 
-static const char names[3][2] = { "R", "G", "B" };
-
 static bool fill_image(struct image *image, const float *texels, int width, int height)
 {
+    static const char names[3][2] = { "R", "G", "B" };
     const size_t count = (size_t)width * (size_t)height;
 
     image_init(image, (uint32_t)width, (uint32_t)height);
@@ -114,18 +113,6 @@ static enum status reject(const struct source *source, const char *path, const c
     return STATUS_DATA;
 }
 
-/* Opens a file and checks its header. The caller closes source->file, also on failure. */
-static enum status open_hdr(const char *path, struct source *source, int *width, int *height)
-{
-    int64_t file_size;
-    *source = (struct source){ 0 };
-    const enum status status = file_io_open(path, &source->file, &file_size);
-    if (status != STATUS_OK)
-        return status;
-    const char *fault = find_fault(source, file_size, width, height);
-    return fault ? reject(source, path, fault) : STATUS_OK;
-}
-
 static enum status read_texels(const char *path, struct source *source, struct image *image)
 {
     int width, height, channels;
@@ -142,36 +129,21 @@ static enum status read_texels(const char *path, struct source *source, struct i
     return status;
 }
 
-static enum status close_hdr(struct source *source, enum status status)
+enum status hdr_read(const char *path, struct image *image, image_size_fn *begin, void *user)
 {
-    if (source->file)
-        fclose(source->file);
-    return status;
-}
-
-enum status hdr_read_header(const char *path, struct image_header *head)
-{
-    struct source source;
+    struct source source = { 0 };
+    int64_t file_size;
     int width = 0, height = 0;
-    enum status status = open_hdr(path, &source, &width, &height);
-    *head = (struct image_header){ 0 };
-    if (status == STATUS_OK)
-        image_init(&head->image, (uint32_t)width, (uint32_t)height);
-    for (size_t p = 0; p < 3 && status == STATUS_OK; p++) {
-        if (!image_header_add_plane(head, names[p], false))
-            status = log_out_of_memory(path);
-    }
+    enum status status = file_io_open(path, &source.file, &file_size);
     if (status != STATUS_OK)
-        image_header_finish(head);
-    return close_hdr(&source, status);
-}
-
-enum status hdr_read(const char *path, struct image *image)
-{
-    struct source source;
-    int width = 0, height = 0;
-    enum status status = open_hdr(path, &source, &width, &height);
+        return status;
+    const char *fault = find_fault(&source, file_size, &width, &height);
+    if (fault)
+        status = reject(&source, path, fault);
+    else if (begin)
+        status = begin(user, (uint32_t)width, (uint32_t)height, 3);
     if (status == STATUS_OK)
         status = read_texels(path, &source, image);
-    return close_hdr(&source, status);
+    fclose(source.file);
+    return status;
 }

@@ -90,22 +90,7 @@ void image_reader_close(struct image_reader *image_reader)
     free(image_reader);
 }
 
-/* Allocates an image's planes unless they need more than a quarter of the memory limit. */
-static enum pipe_fault add_planes(struct image *image, const struct image_header *head,
-                                  uint64_t size_max)
-{
-    const struct image *found = &head->image;
-    const uint64_t plane_size = (uint64_t)found->width * found->height * sizeof(float);
-    if (plane_size * found->plane_count > size_max / 4)
-        return PIPE_LARGE;
-    image_init(image, found->width, found->height);
-    for (uint32_t p = 0; p < found->plane_count; p++) {
-        if (!image_add_plane(image, found->planes[p].name, found->planes[p].half))
-            return PIPE_MEMORY;
-    }
-    return PIPE_OK;
-}
-
+/* Reads all rows into an image whose planes are allocated. */
 static enum pipe_fault read_texels(const struct pipe_source *source, struct image *image)
 {
     enum pipe_fault fault = PIPE_OK;
@@ -126,7 +111,11 @@ enum status image_reader_read(struct image *image, const char *path,
     if (status != STATUS_OK)
         return status;
     const struct pipe_source source = reader_source(reader);
-    enum pipe_fault fault = add_planes(image, &head, source.size_max);
+    const struct image *found = &head.image;
+    const uint64_t plane_size = (uint64_t)found->width * found->height * sizeof(float);
+    enum pipe_fault fault = PIPE_LARGE;
+    if (plane_size * found->plane_count <= source.size_max / 4)
+        fault = image_init_like(image, found, found->height) ? PIPE_OK : PIPE_MEMORY;
     if (fault == PIPE_OK)
         fault = read_texels(&source, image);
     status = reader_end(reader, fault);

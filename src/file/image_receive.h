@@ -4,7 +4,6 @@
 #define FIRN_FILE_IMAGE_RECEIVE_H
 
 #include "src/file/image.h"
-#include "src/file/image_metadata.h"
 #include "src/file/reader_process.h"
 
 /* Returns true if a path has the suffix of a supported image format. */

@@ -1,6 +1,5 @@
 /* image_send.c: decodes an image in the reader process and sends it to the parent. */
 #include <stdlib.h>
-#include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/file/exr.h"
 #include "src/file/hdr.h"
@@ -10,12 +9,11 @@
 /* Image formats that are decoded as a whole; EXR is decoded row by row. */
 static const struct format {
     const char *end;
-    enum status (*head)(const char *path, struct image_header *head);
-    enum status (*read)(const char *path, struct image *image);
+    enum status (*read)(const char *path, struct image *image, image_size_fn *begin, void *user);
     enum status (*check)(const char *path, struct image_header *head); /* NULL: decode by `read` */
 } formats[] = {
-    { ".hdr", hdr_read_header, hdr_read, NULL },
-    { ".png", png_read_header, png_read, png_check },
+    { ".hdr", hdr_read, NULL },
+    { ".png", png_read, png_check },
 };
 
 enum {
@@ -68,27 +66,23 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
-/* Sends an image's header before decoding its rows, so that the parent can reject it early. */
+/* Sends a header before texels are decoded, so that the parent can reject the image early. */
+static enum status send_size(void *user, uint32_t width, uint32_t height, uint32_t plane_count)
+{
+    struct image_plane planes[] = { { "R" }, { "G" }, { "B" }, { "A" } };
+    const struct image_header head = { .image = { width, height, plane_count, planes } };
+    return image_pipe_write_header(user, &head) ? STATUS_OK : STATUS_WRITE;
+}
+
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {
-    struct image_header head;
     struct image image = { 0 };
-    enum status status = format->head(path, &head);
-    if (status == STATUS_OK && !image_pipe_write_header(sink, &head))
-        status = STATUS_WRITE;
-    if (status == STATUS_OK)
-        status = format->read(path, &image);
-    if (status == STATUS_OK &&
-        (image.width != head.image.width || image.height != head.image.height ||
-         image.plane_count != head.image.plane_count)) {
-        log_error("%s: the file changed while it was read", path);
-        status = STATUS_DATA;
-    }
+    struct pipe_sink copy = *sink; /* the callback's argument is not const */
+    enum status status = format->read(path, &image, send_size, &copy);
     if (status == STATUS_OK && !send_rows(&image, sink))
         status = STATUS_WRITE;
     image_finish(&image);
-    image_header_finish(&head);
     return status;
 }
 
@@ -102,16 +96,10 @@ enum status image_send(const char *path, const struct pipe_sink *sink)
 static enum status check(const char *path, struct image_header *head)
 {
     const struct format *format = find_format(path);
-    struct image image = { 0 };
+    *head = (struct image_header){ 0 };
     if (!format)
         return exr_check(path, head);
-    if (format->check)
-        return format->check(path, head);
-    enum status status = format->head(path, head);
-    if (status == STATUS_OK)
-        status = format->read(path, &image);
-    image_finish(&image);
-    return status;
+    return format->check ? format->check(path, head) : format->read(path, &head->image, NULL, NULL);
 }
 
 enum status image_send_header(const char *path, const struct pipe_sink *sink)

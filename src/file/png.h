@@ -7,7 +7,6 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/file/image.h"
-#include "src/file/image_metadata.h"
 
 struct png_image_source {
     const uint8_t *rgba;            /* sRGB-encoded, rows from the top */
@@ -30,15 +29,13 @@ MUST_USE enum status png_encode(const struct png_image_source *picture, void **d
  * Reads a PNG file of any colour type into *image, which must be {0}. The planes are R, G, B and,
  * if the file has alpha or a transparent colour, A. Colours become linear and are not
  * premultiplied. 16-bit channels are rounded to 8 bits. Files without a colour space are taken as
- * sRGB. Limits and errors are those of exr_read().
+ * sRGB. `begin` may be NULL. Limits and errors are those of exr_read().
  */
-MUST_USE enum status png_read(const char *path, struct image *image);
+MUST_USE enum status png_read(const char *path, struct image *image, image_size_fn *begin,
+                              void *user);
 
-/* Reads only the file's header, and returns the size and planes that png_read() would return. */
-MUST_USE enum status png_read_header(const char *path, struct image_header *head);
-
-/* Checks the CRCs of all chunks of a file, without decompressing texels. Reads the header into
- * *head, which the caller frees. png_read() describes the errors. */
+/* Checks a file by decoding it and comparing all CRCs. Reads the header into *head, which the
+ * caller frees. png_read() describes the errors. */
 MUST_USE enum status png_check(const char *path, struct image_header *head);
 
 /* Returns true if `head` has the size, channels and texts that png_encode() would write for the

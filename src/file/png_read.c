@@ -43,8 +43,6 @@ static enum status damaged(const char *path, const char *why)
     return STATUS_DATA;
 }
 
-static const char names[4][2] = { "R", "G", "B", "A" };
-
 static uint32_t count_planes(const png_image *png)
 {
     return png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
@@ -53,6 +51,7 @@ static uint32_t count_planes(const png_image *png)
 /* Fills the planes with linear colours. Returns false when out of memory. */
 static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
 {
+    static const char names[4][2] = { "R", "G", "B", "A" };
     const uint32_t plane_count = count_planes(png);
     const size_t count = (size_t)png->width * png->height;
     float linear[256];
@@ -90,18 +89,12 @@ static enum status read_texels(const char *path, png_image *png, struct image *i
     return status;
 }
 
-/* Opens a file and reads its header. The caller closes both `png` and `file`, also on failure. */
-static enum status open_png(const char *path, png_image *png, FILE **file)
+/* Reads the header and checks the size. */
+static enum status begin_read(const char *path, png_image *png, FILE *file, int64_t size)
 {
-    int64_t size;
-    enum status status = file_io_open(path, file, &size);
-
-    *png = (png_image){ .version = PNG_IMAGE_VERSION };
-    if (status != STATUS_OK)
-        return status;
-    if (is_png(*file) && !has_whole_chunks(*file, size))
+    if (is_png(file) && !has_whole_chunks(file, size))
         return damaged(path, "a chunk is longer than the file");
-    if (!png_image_begin_read_from_stdio(png, *file))
+    if (!png_image_begin_read_from_stdio(png, file))
         return damaged(path, png->message);
     if (png->width > IMAGE_MAX_SIDE || png->height > IMAGE_MAX_SIDE ||
         png->height > IMAGE_MAX_TEXELS / png->width)
@@ -110,41 +103,22 @@ static enum status open_png(const char *path, png_image *png, FILE **file)
     return STATUS_OK;
 }
 
-static enum status close_png(png_image *png, FILE *file, enum status status)
+enum status png_read(const char *path, struct image *image, image_size_fn *begin, void *user)
 {
-    if (status == STATUS_DATA && ferror(file))
-        status = STATUS_NO_INPUT; /* "read error" is already logged */
-    png_image_free(png);
-    if (file)
-        fclose(file);
-    return status;
-}
-
-enum status png_read_header(const char *path, struct image_header *head)
-{
-    png_image png;
+    png_image png = { .version = PNG_IMAGE_VERSION };
     FILE *file;
-    enum status status = open_png(path, &png, &file);
-
-    *head = (struct image_header){ 0 };
-    if (status == STATUS_OK)
-        image_init(&head->image, png.width, png.height);
-    for (uint32_t p = 0; p < count_planes(&png) && status == STATUS_OK; p++) {
-        if (!image_header_add_plane(head, names[p], false))
-            status = log_out_of_memory(path);
-    }
+    int64_t size;
+    enum status status = file_io_open(path, &file, &size);
     if (status != STATUS_OK)
-        image_header_finish(head);
-    return close_png(&png, file, status);
-}
-
-enum status png_read(const char *path, struct image *image)
-{
-    png_image png;
-    FILE *file;
-    enum status status = open_png(path, &png, &file);
-
+        return status;
+    status = begin_read(path, &png, file, size);
+    if (status == STATUS_OK && begin)
+        status = begin(user, png.width, png.height, count_planes(&png));
     if (status == STATUS_OK)
         status = read_texels(path, &png, image);
-    return close_png(&png, file, status);
+    if (status == STATUS_DATA && ferror(file))
+        status = STATUS_NO_INPUT; /* "read error" is already logged */
+    png_image_free(&png);
+    fclose(file);
+    return status;
 }

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 #include "src/base/status.h"
 
 /* Callback that transfers `size` bytes. After returning false, it must not be called again. */
@@ -49,6 +50,14 @@ const char *pipe_fault_text(enum pipe_fault fault);
 /* Writes `size` bytes, which pipe_read() receives. `bytes` may be NULL if `size` is 0. */
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
 MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
+
+/* Returns true if a received bool is 0 or 1; reading any other value is undefined. */
+static inline bool pipe_is_bool(const bool *value)
+{
+    unsigned char byte;
+    memcpy(&byte, value, sizeof(byte));
+    return byte <= 1;
+}
 
 /* Writes the marker that ends every stream. pipe_read_end() checks the marker. */
 MUST_USE bool pipe_write_end(const struct pipe_sink *sink);

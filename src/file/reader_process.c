@@ -332,64 +332,22 @@ static int repeat_log(const struct reader *reader, int max)
     return count;
 }
 
-/* Returns true if the program was started with a resource limit below `size`. */
-static bool has_inherited_limit(int resource, uint64_t size)
+/* Logs that the child exceeded its limit of CPU time or memory, or that of the program itself. */
+static enum status report_limit(const struct reader *reader, bool is_time)
 {
-    struct rlimit limits;
-    return getrlimit((unsigned)resource, &limits) == 0 && limits.rlim_cur < size;
-}
-
-static enum status report_inherited_limit(const struct reader *reader, const char *what,
-                                          const char *option)
-{
-    log_error("%s: reading the file exceeded the %s limit that the program was started with: raise "
-              "ulimit %s",
-              reader->path, what, option);
-    return STATUS_TRY_AGAIN;
-}
-
-static enum status report_cpu_limit(const struct reader *reader)
-{
-    if (has_inherited_limit(RLIMIT_CPU, reader->params.seconds))
-        return report_inherited_limit(reader, "time", "-t");
-    log_error("%s: reading the file exceeded the limit of %u s of CPU time (raise it with "
-              "--load-seconds)",
-              reader->path, reader->params.seconds);
-    return STATUS_DATA;
-}
-
-static enum status report_idle(const struct reader *reader)
-{
-    log_error(
-        "%s: no data arrived for %u s: expected a regular file, not a pipe that waits for a writer",
-        reader->path, reader->params.idle_seconds);
-    return STATUS_DATA;
-}
-
-static enum status report_memory_limit(const struct reader *reader)
-{
-    if (has_inherited_limit(RLIMIT_AS, (uint64_t)reader->params.memory_gib << 30))
-        return report_inherited_limit(reader, "memory", "-v");
-    log_error(
-        "%s: reading the file exceeded the memory limit of %u GiB (raise it with --load-memory)",
-        reader->path, reader->params.memory_gib);
-    return STATUS_DATA;
-}
-
-static enum status report_large_image(const struct reader *reader)
-{
-    log_error("%s: the image needs more than a quarter of the memory limit of %u GiB (raise it "
-              "with --load-memory)",
-              reader->path, reader->params.memory_gib);
-    return STATUS_DATA;
-}
-
-static enum status report_crash(const struct reader *reader)
-{
-    const bool by_signal = reader->has_ended && WIFSIGNALED(reader->exit_status);
-    log_error("%s: the reader crashed (%s %d): the file is damaged or unsupported; export it again",
-              reader->path, by_signal ? "signal" : "exit code",
-              by_signal ? WTERMSIG(reader->exit_status) : WEXITSTATUS(reader->exit_status));
+    const uint32_t value = is_time ? reader->params.seconds : reader->params.memory_gib;
+    const uint64_t limit = is_time ? value : (uint64_t)value << 30;
+    struct rlimit inherited;
+    if (getrlimit(is_time ? RLIMIT_CPU : RLIMIT_AS, &inherited) == 0 &&
+        inherited.rlim_cur < limit) {
+        log_error("%s: reading the file exceeded the %s limit that the program was started with: "
+                  "raise ulimit %s",
+                  reader->path, is_time ? "time" : "memory", is_time ? "-t" : "-v");
+        return STATUS_TRY_AGAIN;
+    }
+    log_error("%s: reading the file exceeded the limit of %u %s (raise it with --load-%s)",
+              reader->path, value, is_time ? "s of CPU time" : "GiB of memory",
+              is_time ? "seconds" : "memory");
     return STATUS_DATA;
 }
 
@@ -399,10 +357,14 @@ static enum status report_failure(const struct reader *reader)
     const int status = reader->has_ended ? reader->exit_status : 0;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-    if (reader->is_idle)
-        return report_idle(reader);
+    if (reader->is_idle) {
+        log_error("%s: no data arrived for %u s: expected a regular file, not a pipe that waits "
+                  "for a writer",
+                  reader->path, reader->params.idle_seconds);
+        return STATUS_DATA;
+    }
     if (signal == SIGXCPU)
-        return report_cpu_limit(reader);
+        return report_limit(reader, true);
     if (code == NO_PROGRAM || code == STATUS_USAGE) {
         log_error("%s: the reader process cannot start: raise the limits that the program was "
                   "started with (ulimit -v, -n)",
@@ -410,10 +372,12 @@ static enum status report_failure(const struct reader *reader)
         return STATUS_TRY_AGAIN;
     }
     if (code == STATUS_TRY_AGAIN || strstr(reader->log_text, "bad_alloc"))
-        return report_memory_limit(reader);
+        return report_limit(reader, false);
     if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat_log(reader, 1) == 1)
         return (enum status)code;
-    return report_crash(reader);
+    log_error("%s: the reader crashed (%s %d): the file is damaged or unsupported; export it again",
+              reader->path, signal ? "signal" : "exit code", signal ? signal : code);
+    return STATUS_DATA;
 }
 
 static enum status report_result(const struct reader *reader, enum pipe_fault fault)
@@ -422,8 +386,12 @@ static enum status report_result(const struct reader *reader, enum pipe_fault fa
         return report_failure(reader);
     if (fault == PIPE_MEMORY)
         return log_out_of_memory(reader->path);
-    if (fault == PIPE_LARGE)
-        return report_large_image(reader);
+    if (fault == PIPE_LARGE) {
+        log_error("%s: the image needs more than a quarter of the memory limit of %u GiB (raise it "
+                  "with --load-memory)",
+                  reader->path, reader->params.memory_gib);
+        return STATUS_DATA;
+    }
     if (fault != PIPE_OK) {
         log_error("%s: the file's data is invalid: %s; export the file again", reader->path,
                   pipe_fault_text(fault));

@@ -1,7 +1,7 @@
 /* apply_preset.c: applies the settings of --preset. */
 #include "src/setup/apply_preset.h"
 #include <string.h>
-#include "src/file/preset_transfer.h"
+#include "src/file/preset.h"
 #include "src/scene/scene.h"
 
 /* Name of the built-in preset, which restores the paper's surroundings and lighting. */

@@ -3,7 +3,7 @@
 #ifndef FIRN_SETUP_IMAGE_OUTPUT_H
 #define FIRN_SETUP_IMAGE_OUTPUT_H
 
-#include "src/file/image_metadata.h"
+#include "src/file/image.h"
 #include "src/render/renderer.h"
 #include "src/setup/setup.h"
 

@@ -73,18 +73,6 @@ class Mtl(features.Cards):
         self.twin(('Kd 0 0 0', 'Ke 1 .5 1', 'illum 1', f'map_Ke {name}'), extended(
             pbr((0, 0, 0, 1), emissiveFactor=[1, 0.5, 1], emissiveTexture=texture(stored)),
             materials_specular=NO_LIGHT))
-        half = self.picture('half.png', [(128, 128, 128, 255)])
-        self.twin(('Kd 0 0 0', 'Pm 1', 'Ns 200', f'map_Ns {half}'), pbr(
-            (0, 0, 0, 1), 1, (2 / (200 * 128 / 255 + 2)) ** 0.25))
-        packed = self.picture('packed.png', [(9, 102, 204, 255)])
-        self.twin(('Kd .9 .5 .1', 'Pr .5', 'Pm 0', f'map_Pr {packed}', f'map_Pm {packed}'), pbr(
-            (0.9, 0.5, 0.1, 1), 0.8, 0.4))
-        self.twin(('Kd .9 .5 .1', 'Pm .8', 'Ns 5', f'map_Ns {name}', f'map_Pr {half}'), pbr(
-            (0.9, 0.5, 0.1, 1), 0.8, 128 / 255))
-        self.twin(('Kd .9 .5 .1', 'Pr .4', f'map_Pm {half}'), pbr(
-            (0.9, 0.5, 0.1, 1), 128 / 255, 0.4))
-        self.twin(('Kd .9 .5 .1', 'Ns 200', f'map_Ns {half}', f'map_Pm {packed}'), pbr(
-            (0.9, 0.5, 0.1, 1), 0.8, (2 / (200 * 128 / 255 + 2)) ** 0.25))
         slope = (166, 100, 250, 255)
         bent = self.picture('bent.png', [slope])
         for statement in f'norm {bent}', f'map_bump -bm 1 {bent}', f'bump {bent}':
@@ -153,9 +141,8 @@ class Mtl(features.Cards):
         self.twin(('disp -mm 0 1 a.png', 'decal b.png', 'refl -type sphere c.png', 'Ks spectral x',
                    'illum 1', 'Kd 1 1 1', 'aniso .5', 'disp c.png',
                    f'map_Kd -cc on {self.picture("a.png", [(255,) * 4])}'), pbr())
-        self.twin(('illum 7', 'map_Kd a.png', 'map_Ke a.png', 'map_Ns a.png', 'norm a.png',
+        self.twin(('illum 7', 'map_Kd a.png', 'map_Ke a.png', 'norm a.png',
                    'map_Pm a.png'), pbr())
-        self.twin(('map_Pr a.png', 'map_Pm -o .5 a.png'), pbr())
         self.twin(('d .5', 'map_Kd a.png', 'map_Ks a.png'), pbr())
         self.twin(('Tr 1', 'illum 2'), pbr())
         more = ['l 1 2', 'p 1', 'curv 0 1 1 2', 'surf 0 1 0 1 1 2 3', 'curv2 1 2']
@@ -163,14 +150,14 @@ class Mtl(features.Cards):
         (self.folder / 'some cards.mtl').write_text('\n'.join(self.mtl))
         done = self.succeed('info', 'cards.obj', '--json')
         self.assertEqual([found['kind'] for found in json.loads(done.stdout)['materials']],
-                         ['opaque', 'thin wall', 'opaque', 'thin wall', 'opaque'])
+                         ['opaque', 'thin wall', 'thin wall', 'opaque'])
         self.assertEqual(json.loads(done.stdout)['not_drawn'][-4:], [
             'map_Ks of transmissive materials', 'Tr 1 (taken as opaque, as MeshLab writes it)',
             'points and lines', 'free-form curves and surfaces'])
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
-                         b'disp, decal, refl, spectral, aniso, -cc, map_Kd of fully transmissive '
-                         b'materials, map_Ke of transmissive materials, map_Pm of transmissive '
-                         b'materials, options of map_Pm, map_Ks of transmissive materials, '
+                         b'disp, decal, refl, spectral, aniso, -cc, map_Pm, map_Kd of fully '
+                         b'transmissive materials, map_Ke of transmissive materials, map_Ks of '
+                         b'transmissive materials, '
                          b'Tr 1 (taken as opaque, as MeshLab writes it)\n'
                          b'firn: warning: cards.obj: not drawn: points and lines, '
                          b'free-form curves and surfaces\n')

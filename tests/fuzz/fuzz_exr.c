@@ -94,7 +94,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (is_large(data, size))
         return 0;
     fuzz_file_write(path, "a.exr", data, size);
-    const enum status status = exr_read(path, &image);
+    const enum status status = exr_read(path, &image, &head);
+    image_header_finish(&head);
     fuzz_check_image(&image, status);
     FUZZ_CHECK(exr_check(path, &head) == status);
     FUZZ_CHECK((head.image.planes != NULL) == (status == STATUS_OK));

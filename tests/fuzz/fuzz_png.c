@@ -57,12 +57,8 @@ static void repair(uint8_t *bytes, size_t size)
 static void read_texels(const char *path)
 {
     struct image image = { 0 };
-    struct image_header head;
-    const enum status status = png_read(path, &image);
+    const enum status status = png_read(path, &image, NULL, NULL);
     fuzz_check_image(&image, status);
-    FUZZ_CHECK(png_read_header(path, &head) == STATUS_OK || status != STATUS_OK);
-    FUZZ_CHECK(status != STATUS_OK || image_header_matches(&head, &image, NULL, 0));
-    image_header_finish(&head);
     for (uint32_t p = 0; p < image.plane_count; p++) {
         for (size_t i = 0; i < (size_t)image.width * image.height; i++)
             FUZZ_CHECK(image.planes[p].texels[i] >= 0 && image.planes[p].texels[i] <= 1);

@@ -3,7 +3,7 @@
  * they are what the reader of such a file sends. Every line that is taken is text, and settings
  * take it or refuse it as a file's.
  */
-#include "src/file/preset_transfer.h"
+#include "src/file/preset.h"
 #include "src/settings/settings.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"

@@ -7,7 +7,7 @@
 #include "src/file/reader_pipe.h"
 
 enum {
-    MEMORY_PIPE_SIZE = 4096
+    MEMORY_PIPE_SIZE = 8192
 };
 
 struct memory_pipe {

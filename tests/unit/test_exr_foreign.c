@@ -14,13 +14,21 @@ struct bytes {
     size_t size;
 };
 
+static enum status read_image(struct image *image)
+{
+    struct image_header head;
+    const enum status status = exr_read(path, image, &head);
+    image_header_finish(&head);
+    return status;
+}
+
 static enum status read_bytes(const struct bytes *bytes, struct image *image)
 {
     FILE *file = fopen(path, "wb");
     assert_non_null(file);
     assert_int_equal(fwrite(bytes->data, 1, bytes->size, file), bytes->size);
     assert_int_equal(fclose(file), 0);
-    return exr_read(path, image);
+    return read_image(image);
 }
 
 static int64_t write_memory(exr_const_context_t context, void *user, const void *from,

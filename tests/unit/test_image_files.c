@@ -124,7 +124,7 @@ static void put_text(struct hdr *hdr, const char *text)
 static enum status read_hdr(const struct hdr *hdr, size_t size, struct image *image)
 {
     save("a.hdr", hdr->bytes, size);
-    return hdr_read("a.hdr", image);
+    return hdr_read("a.hdr", image, NULL, NULL);
 }
 
 static void check_refused(const struct hdr *hdr, size_t size)
@@ -277,8 +277,8 @@ static void test_hdr_no_input(void **state)
 {
     struct image image = { 0 };
     (void)state;
-    assert_int_equal(hdr_read("none.hdr", &image), STATUS_NO_INPUT);
-    assert_int_equal(hdr_read(".", &image), STATUS_NO_INPUT);
+    assert_int_equal(hdr_read("none.hdr", &image, NULL, NULL), STATUS_NO_INPUT);
+    assert_int_equal(hdr_read(".", &image, NULL, NULL), STATUS_NO_INPUT);
     assert_int_equal(image.plane_count, 0);
 }
 
@@ -294,7 +294,7 @@ static void test_hdr_refuses_png(void **state)
     assert_int_equal(encode_png(rgba, PNG_WIDTH, PNG_HEIGHT, &data, &size), STATUS_OK);
     save("a.png", data, size);
     free(data);
-    assert_int_equal(hdr_read("a.png", &image), STATUS_DATA);
+    assert_int_equal(hdr_read("a.png", &image, NULL, NULL), STATUS_DATA);
 }
 
 #define TEST(name) \

@@ -5,12 +5,13 @@
 #include "tests/support/memory_pipe.h"
 
 enum {
-    WIDTH_AT = 8, /* bytes from the beginning */
-    PLANE_COUNT_AT = 16,
-    PLACE_AT = 24,
-    MATRIX_AT = 40,
-    PLANES_AT = 168,
-    PLANE_SIZE = 68,
+    WIDTH_AT = 4 + offsetof(struct image_header, image.width),
+    PLANE_COUNT_AT = 4 + offsetof(struct image_header, image.plane_count),
+    TEXT_COUNT_AT = 4 + offsetof(struct image_header, text_count),
+    WINDOW_AT = 4 + offsetof(struct image_header, window),
+    MATRIX_AT = 4 + offsetof(struct image_header, world_to_ndc),
+    PLANES_AT = 4 + sizeof(struct image_header),
+    PLANE_SIZE = sizeof(struct image_plane),
     TEXT_AT = PLANES_AT + 2 * PLANE_SIZE,
 };
 
@@ -94,16 +95,16 @@ static void lies_are_refused(void **state)
     uint32_t bits;
     memcpy(&bits, &nan, sizeof(bits));
     refuse(0, 1, PIPE_HEAD);
-    refuse(4, 8, PIPE_HEAD);
+    refuse(4 + offsetof(struct image_header, has_window), 2, PIPE_HEAD);
     refuse(WIDTH_AT, 0, PIPE_SIZE);
     refuse(WIDTH_AT, IMAGE_MAX_SIDE + 1, PIPE_SIZE);
     refuse(WIDTH_AT, 18, PIPE_SIZE); /* more than its place has */
     refuse(PLANE_COUNT_AT, 0, PIPE_SIZE);
     refuse(PLANE_COUNT_AT, IMAGE_MAX_PLANES + 1, PIPE_SIZE);
-    refuse(PLANE_COUNT_AT + 4, IMAGE_TEXT_COUNT_MAX + 1, PIPE_SIZE);
-    refuse(PLACE_AT, 21, PIPE_SIZE);
-    refuse(PLACE_AT, UINT32_MAX, PIPE_SIZE);
-    refuse(MATRIX_AT + 64 + 60, bits, PIPE_NUMBER);
+    refuse(TEXT_COUNT_AT, IMAGE_TEXT_COUNT_MAX + 1, PIPE_SIZE);
+    refuse(WINDOW_AT, 21, PIPE_SIZE);
+    refuse(WINDOW_AT, UINT32_MAX, PIPE_SIZE);
+    refuse(MATRIX_AT + 60, bits, PIPE_NUMBER);
     refuse(PLANES_AT + PLANE_SIZE, 'R', PIPE_TEXT); /* twice */
     refuse(PLANES_AT + 64, 2, PIPE_TEXT);
     refuse(TEXT_AT, 'f', PIPE_TEXT); /* not firn's */

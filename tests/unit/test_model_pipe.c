@@ -8,37 +8,35 @@
 
 enum {
     /* where things are in the stream of make_model() */
-    FLAGS_AT = 4,
-    COUNTS_AT = 8, /* vertices, indices; of the surroundings, too */
-    OBJECT_COUNT_AT = 24,
-    MATERIAL_COUNT_AT = 28,
-    TEXTURE_SIZE_AT = 32,
-    TEXTURE_COUNT_AT = 36,
-    NUMBER_SIZE_AT = 40,
-    NUMBER_COUNT_AT = 44,
-    CAMERA_COUNT_AT = 48,
-    LIGHT_COUNT_AT = 52,
-    EXTENSION_COUNT_AT = 56,
-    UNDRAWN_AT = 60,
-    ANIMATION_COUNT_AT = 64,
-    ANIMATION_AT = 68,
-    CAMERA_AT = 72, /* eye, target, up, angle, height, depth */
-    IOR_AT = 120,
-    BOX_AT = 124,
-    OPAQUE_COUNT_AT = 148,
-    VERTICES_AT = 152,
+    OBJECT_COUNT_AT = 4 + offsetof(struct model, object_count),
+    MATERIAL_COUNT_AT = 4 + offsetof(struct model, material_count),
+    TEXTURE_SIZE_AT = 4 + offsetof(struct model, textures.size),
+    TEXTURE_COUNT_AT = 4 + offsetof(struct model, textures.count),
+    NUMBER_SIZE_AT = 4 + offsetof(struct model, numbers.size),
+    NUMBER_COUNT_AT = 4 + offsetof(struct model, numbers.count),
+    CAMERA_COUNT_AT = 4 + offsetof(struct model, camera_count),
+    LIGHT_COUNT_AT = 4 + offsetof(struct model, light_count),
+    EXTENSION_COUNT_AT = 4 + offsetof(struct model, extension_count),
+    UNDRAWN_AT = 4 + offsetof(struct model, undrawn),
+    WORDS_AT = 4 + offsetof(struct model, undrawn_text),
+    ANIMATION_COUNT_AT = 4 + offsetof(struct model, animation_count),
+    ANIMATION_AT = 4 + offsetof(struct model, animation),
+    CAMERA_AT = 4 + offsetof(struct model, camera),
+    IOR_AT = 4 + offsetof(struct model, ior),
+    BOX_AT = 4 + offsetof(struct model, box),
+    OPAQUE_COUNT_AT = 4 + offsetof(struct model, surroundings_object_count),
+    VERTICES_AT = 4 + sizeof(struct model),
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
     MESH_SIZE = 4 * VERTEX_SIZE + 6 * 4,
     EXTRAS_AT = VERTICES_AT + 2 * MESH_SIZE, /* of the surroundings */
     EXTRA_SIZE = 24,
-    OBJECTS_AT = EXTRAS_AT + 4 * EXTRA_SIZE,
-    MATERIALS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
-    CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
+    MATERIALS_AT = EXTRAS_AT + 4 * EXTRA_SIZE,
+    OBJECTS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
+    CAMERAS_AT = OBJECTS_AT + 2 * (int)sizeof(struct object),
     LIGHTS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
     EXTENSIONS_AT = LIGHTS_AT + 2 * (int)sizeof(struct light),
-    WORDS_AT = EXTENSIONS_AT + (int)sizeof(struct model_extension),
-    ANIMATIONS_AT = WORDS_AT + MODEL_UNDRAWN_SIZE,
+    ANIMATIONS_AT = EXTENSIONS_AT + (int)sizeof(struct model_extension),
     STARTS_AT = ANIMATIONS_AT + 2 * (int)sizeof(struct model_animation),
 };
 
@@ -253,15 +251,27 @@ static void refuse_number(size_t at, float number, enum pipe_fault wanted)
 
 static void heads_are_checked(void **state)
 {
+    static const size_t counts[] = {
+        4 + offsetof(struct model, object.vertex_count),
+        4 + offsetof(struct model, object.index_count),
+        4 + offsetof(struct model, surroundings.vertex_count),
+        4 + offsetof(struct model, surroundings.index_count),
+    };
+    static const size_t flags[] = {
+        4 + offsetof(struct model, has_camera),
+        4 + offsetof(struct model, has_box),
+        4 + offsetof(struct model, has_ior),
+    };
     (void)state;
     refuse_word(0, 0x464c457f, PIPE_HEAD);
-    refuse_word(FLAGS_AT, 32, PIPE_CAMERA);
-    for (size_t i = 0; i < 4; i++) {
-        refuse_word(COUNTS_AT + 4 * i, UINT32_MAX, PIPE_SIZE);
-        refuse_word(COUNTS_AT + 4 * i, 0, PIPE_SIZE);
-        refuse_word(COUNTS_AT + 4 * i, 1u << 28, PIPE_SIZE);
+    for (size_t i = 0; i < sizeof(flags) / sizeof(flags[0]); i++)
+        refuse(flags[i], &(unsigned char){ 2 }, 1, PIPE_CAMERA);
+    for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++) {
+        refuse_word(counts[i], UINT32_MAX, PIPE_SIZE);
+        refuse_word(counts[i], 0, PIPE_SIZE);
+        refuse_word(counts[i], 1u << 28, PIPE_SIZE);
     }
-    refuse_word(COUNTS_AT + 4, 5, PIPE_SIZE);
+    refuse_word(counts[1], 5, PIPE_SIZE);
     refuse_word(TEXTURE_SIZE_AT, 3, PIPE_SIZE);
     refuse_word(TEXTURE_SIZE_AT, 0, PIPE_SIZE);
     refuse_word(TEXTURE_SIZE_AT, 4096, PIPE_SIZE);
@@ -416,6 +426,8 @@ static void objects_are_checked(void **state)
     memset(endless, 'x', sizeof(endless));
     refuse_word(OBJECT_COUNT_AT, UINT32_MAX, PIPE_SIZE);
     refuse_word(OBJECT_COUNT_AT, 3, PIPE_SIZE); /* of two triangles */
+    refuse_word(OBJECT_COUNT_AT, 1, PIPE_INDEX);
+    refuse_word(OBJECT_COUNT_AT, 0, PIPE_INDEX);
     refuse_word(MATERIAL_COUNT_AT, UINT32_MAX, PIPE_SIZE);
     refuse(OBJECTS_AT, endless, sizeof(endless), PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, material), 2, PIPE_MATERIAL);

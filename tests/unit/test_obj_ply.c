@@ -259,7 +259,7 @@ static void ply_names_what_it_leaves_out(void **state)
 static void mtl_names_unread_pictures(void **state)
 {
     (void)state;
-    static const char mtl[] = "newmtl a\nNs 30\nmap_Kd a.dds\nmap_Ns a.dds\nmap_Pm a.dds\n";
+    static const char mtl[] = "newmtl a\nNs 30\nmap_Kd a.dds\nmap_Ks a.dds\nnorm a.dds\n";
     static const char obj[] = "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
                               "f 1/1 2/1 3/1\n";
     write_bytes("a.mtl", mtl, strlen(mtl));

@@ -33,7 +33,7 @@ static void make_file(uint32_t format, const void *texels)
 static enum status read_file(struct image *image)
 {
     *image = (struct image){ 0 };
-    return png_read(path, image);
+    return png_read(path, image, NULL, NULL);
 }
 
 /* sRGB, as IEC 61966-2-1 prints it. */
@@ -210,8 +210,8 @@ static void test_missing(void **state)
     struct image image = { 0 };
 
     (void)state;
-    assert_int_equal(png_read("gone.png", &image), STATUS_NO_INPUT);
-    assert_int_equal(png_read(".", &image), STATUS_NO_INPUT);
+    assert_int_equal(png_read("gone.png", &image, NULL, NULL), STATUS_NO_INPUT);
+    assert_int_equal(png_read(".", &image, NULL, NULL), STATUS_NO_INPUT);
     assert_null(image.planes);
 }
 

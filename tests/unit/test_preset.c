@@ -1,12 +1,11 @@
 /* test_preset.c: lines come through the pipe the same, and nothing else does. */
-#include "src/file/preset_transfer.h"
+#include "src/file/preset.h"
 #include "tests/support/assertions.h"
 #include "tests/support/memory_pipe.h"
 
 enum {
     COUNT_AT = 4, /* bytes from the beginning */
-    LENGTH_AT = 12,
-    TEXT_AT = 16,
+    TEXT_AT = 12,
 };
 
 static struct memory_pipe write_two(void)
@@ -64,9 +63,7 @@ static void others_are_refused(void **state)
         { 0, 0, PIPE_HEAD },
         { COUNT_AT, PRESET_LINE_COUNT_MAX + 1, PIPE_SIZE },
         { COUNT_AT, 1, PIPE_END },
-        { LENGTH_AT, PRESET_LINE_SIZE, PIPE_TEXT },
         { TEXT_AT, 0x0a3d6161, PIPE_TEXT }, /* "aa=\n" */
-        { TEXT_AT, 0x003d6161, PIPE_TEXT },
     };
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
@@ -78,12 +75,23 @@ static void others_are_refused(void **state)
     }
 }
 
+static void unterminated_lines_are_refused(void **state)
+{
+    (void)state;
+    struct memory_pipe stream = write_two();
+    struct preset preset;
+    memset(stream.bytes + TEXT_AT, 'x', PRESET_LINE_SIZE);
+    assert_int_equal(read_back(&stream, &preset), PIPE_TEXT);
+    assert_null(preset.lines);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_come_back),
         cmocka_unit_test(short_ones_are_refused),
         cmocka_unit_test(others_are_refused),
+        cmocka_unit_test(unterminated_lines_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

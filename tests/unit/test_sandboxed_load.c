@@ -241,7 +241,7 @@ static void whatever_it_does(void **state)
     struct rlimit limits;
     assert_int_equal(getrlimit(RLIMIT_AS, &limits), 0);
     if (limits.rlim_cur == RLIM_INFINITY)
-        check_refused(&usual, "throw", STATUS_DATA, "memory limit of 4 GiB");
+        check_refused(&usual, "throw", STATUS_DATA, "limit of 4 GiB of memory");
     else
         check_refused(&usual, "throw", STATUS_TRY_AGAIN, "memory limit that the program was start");
     check_refused(&usual, "leave", STATUS_DATA, "crashed (exit code 0)");

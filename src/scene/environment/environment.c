@@ -75,7 +75,7 @@ vec3s environment_direction(float azimuth_deg, float elevation_deg)
 static enum status read_exr(const char *path, struct image *image, struct header_info *header_info)
 {
     struct image_header head;
-    const enum status status = exr_read_all(path, image, &head);
+    const enum status status = exr_read(path, image, &head);
     if (status == STATUS_OK && head.has_primaries)
         convert_colors(image, &head.primaries, path);
     header_info->is_cube_map = head.is_cube_map;
@@ -89,7 +89,7 @@ static enum status read_image(const char *path, struct image *image,
                               struct header_info *header_info)
 {
     if (path_ends_in(path, ".hdr"))
-        return hdr_read(path, image);
+        return hdr_read(path, image, NULL, NULL);
     if (path_ends_in(path, ".exr"))
         return read_exr(path, image, header_info);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);

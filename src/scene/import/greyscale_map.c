@@ -1,6 +1,7 @@
-/* greyscale_map.c: loads an image file as a square greyscale map, with supersampled resampling. */
+/* greyscale_map.c: loads an image file as a square greyscale map, resampled. */
 #include "src/scene/import/greyscale_map.h"
 #include <math.h>
+#include <stb/stb_image_resize.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -55,42 +56,20 @@ static enum status convert_to_grey(struct greyscale_image *grey, const struct im
     return STATUS_DATA;
 }
 
-static float texel_at(const struct greyscale_image *p, int64_t x, int64_t y)
-{
-    const int64_t width = p->width, height = p->height;
-    const int64_t row = (y % height + height) % height;
-    return p->texels[row * width + (x % width + width) % width];
-}
-
-/* Samples the image bilinearly at (u, v), both from 0 to 1. */
-static float sample_bilinear(const struct greyscale_image *p, float u, float v)
-{
-    const float x = u * (float)p->width - 0.5f, y = v * (float)p->height - 0.5f;
-    const int64_t left = (int64_t)floorf(x), top = (int64_t)floorf(y);
-    const float right = x - (float)left, down = y - (float)top;
-    const float upper = texel_at(p, left, top) * (1 - right) + texel_at(p, left + 1, top) * right;
-    const float lower =
-        texel_at(p, left, top + 1) * (1 - right) + texel_at(p, left + 1, top + 1) * right;
-    return upper * (1 - down) + lower * down;
-}
-
-/* Resamples to side x side texels. Takes enough samples per texel to cover all source texels. */
-static void resample(const struct greyscale_image *p, float *greys, uint32_t side,
+/* Resamples to side x side texels: area averages of a larger image, bilinear samples of a smaller
+ * one. Returns false when out of memory. */
+static bool resample(const struct greyscale_image *p, float *greys, uint32_t side,
                      bool is_unit_range)
 {
-    const uint32_t longest = p->width > p->height ? p->width : p->height;
-    const uint32_t taps = (longest + side - 1) / side;
-    const float step = 1.0f / (float)(side * taps);
-    for (uint32_t i = 0; i < side * side; i++) {
-        double sum = 0;
-        for (uint32_t tap = 0; tap < taps * taps; tap++) {
-            const uint32_t x = i % side * taps + tap % taps;
-            const uint32_t y = i / side * taps + tap / taps;
-            sum += (double)sample_bilinear(p, ((float)x + 0.5f) * step, ((float)y + 0.5f) * step);
-        }
-        const float mean = (float)(sum / (taps * taps));
-        greys[i] = is_unit_range ? fminf(fmaxf(mean, 0), 1) : mean;
-    }
+    if (!stbir_resize(p->texels, (int)p->width, (int)p->height, 0, greys, (int)side, (int)side, 0,
+                      STBIR_TYPE_FLOAT, 1, STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_WRAP,
+                      STBIR_EDGE_WRAP, p->width > side ? STBIR_FILTER_BOX : STBIR_FILTER_TRIANGLE,
+                      p->height > side ? STBIR_FILTER_BOX : STBIR_FILTER_TRIANGLE,
+                      STBIR_COLORSPACE_LINEAR, NULL))
+        return false;
+    for (uint32_t i = 0; is_unit_range && i < side * side; i++)
+        greys[i] = fminf(fmaxf(greys[i], 0), 1);
+    return true;
 }
 
 enum status greyscale_map_read(float **greys, uint32_t side, bool is_unit_range, const char *path,
@@ -112,8 +91,11 @@ enum status greyscale_map_read(float **greys, uint32_t side, bool is_unit_range,
         *greys = malloc((size_t)side * side * sizeof(**greys));
         status = *greys ? STATUS_OK : log_out_of_memory(path);
     }
-    if (status == STATUS_OK)
-        resample(&greyscale, *greys, side, is_unit_range);
+    if (status == STATUS_OK && !resample(&greyscale, *greys, side, is_unit_range)) {
+        free(*greys);
+        *greys = NULL;
+        status = log_out_of_memory(path);
+    }
     free(greyscale.texels);
     return status;
 }

@@ -67,11 +67,7 @@ char *model_file_join(const char *model, const char *name);
 /* Conversion of an image of an MTL file to the texel layout of a glTF texture. */
 enum model_texture_conversion {
     MODEL_TEXTURE_SAME,
-    MODEL_TEXTURE_TO_ALPHA,  /* white; alpha from alpha or grey */
-    MODEL_TEXTURE_ROUGHNESS, /* roughness in G, 1 in B */
-    /* roughness in G, converted from a map that scales the Phong exponent Ns */
-    MODEL_TEXTURE_NS_TO_ROUGHNESS,
-    MODEL_TEXTURE_METALLIC,   /* metallic in B, 1 in G */
+    MODEL_TEXTURE_TO_ALPHA,   /* white; alpha from alpha or grey */
     MODEL_TEXTURE_TO_NORMALS, /* height map, unless already normals */
 };
 
@@ -82,11 +78,7 @@ struct model_texture {
     size_t size;
     char *file;
     enum model_texture_conversion change;
-    float exponent; /* Ns for MODEL_TEXTURE_NS_TO_ROUGHNESS */
-    /* File of a second image that replaces one channel, or NULL. If other_change is
-     * MODEL_TEXTURE_TO_ALPHA, replaces alpha. If it is MODEL_TEXTURE_METALLIC, replaces blue. */
-    char *other;
-    enum model_texture_conversion other_change;
+    char *alpha; /* file of a second image whose alpha or grey replaces alpha, or NULL */
 };
 
 /* Decodes images as sRGB colours or linear numbers. Resamples all to layers of one size. */
@@ -96,13 +88,6 @@ MUST_USE enum status model_texture_load(const char *path, const struct model_tex
 
 /* Returns the name of an image's unsupported format, such as "KTX2"; NULL if it is supported. */
 const char *model_texture_unsupported_format(const struct model_texture *texture);
-
-/* Converts RGBA texels as texture->change specifies. Returns false when out of memory. */
-MUST_USE bool model_texture_convert(uint8_t *texels, int width, int height,
-                                    const struct model_texture *texture);
-
-/* Returns the GGX roughness that matches a Phong exponent Ns. */
-float mtl_roughness_from_exponent(float exponent);
 
 /* Merges two texture arrays, resampled to the larger size; the caller frees both->texels. */
 MUST_USE enum status model_texture_merge(struct texture_layers *both,

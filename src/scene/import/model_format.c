@@ -35,27 +35,10 @@ static bool is_ply(const char *head, size_t size)
     return strncmp(head, "ply", 3) == 0 && (head[3] == '\n' || head[3] == '\r');
 }
 
-/* Returns true if a text begins with an OBJ comment or statement. */
+/* Returns true for any text, because OBJ has no signature. */
 static bool is_obj(const char *head, size_t size)
 {
-    static const char *const statements[] = {
-        "v",    "vt",         "vn",        "vp",     "f",      "l",      "p",        "o",
-        "g",    "s",          "mg",        "mtllib", "usemtl", "usemap", "maplib",   "cstype",
-        "deg",  "bmat",       "step",      "curv",   "curv2",  "surf",   "parm",     "trim",
-        "hole", "scrv",       "sp",        "end",    "con",    "bevel",  "c_interp", "d_interp",
-        "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "call",   "csh",
-    };
-    const char *word = skip_blanks(head);
-    const size_t length = strcspn(word, " \t\r\n");
-    if (memchr(head, '\0', size))
-        return false;
-    if (*word == '#' || *word == '\0')
-        return true;
-    for (size_t i = 0; i < sizeof(statements) / sizeof(statements[0]); i++) {
-        if (strlen(statements[i]) == length && strncmp(word, statements[i], length) == 0)
-            return true;
-    }
-    return false;
+    return !memchr(head, '\0', size);
 }
 
 static const struct format {

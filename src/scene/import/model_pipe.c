@@ -1,4 +1,4 @@
-/* model_pipe.c: serialises and validates models and environments: header, arrays, end marker. */
+/* model_pipe.c: serialises and validates models and environments: struct, arrays, end marker. */
 #include "src/scene/import/model_pipe.h"
 #include <cglm/struct.h>
 #include <float.h>
@@ -11,38 +11,10 @@
 enum {
     MAGIC_MODEL = 0x4d4e5246,
     MAGIC_ENVIRONMENT = 0x454e5246,
-    HAS_CAMERA = 1,
-    HAS_IOR = 2,
-    HAS_BOX = 4,
-    HAS_OBJECT_EXTRAS = 8,
-    HAS_SURROUNDINGS_EXTRAS = 16,
-    HEAD_FLAGS = 31,
     TEXEL_SIZE = 4,             /* size of an RGBA8 texel, bytes */
     ENVIRONMENT_TEXEL_SIZE = 8, /* size of an RGBA16F texel, bytes */
     HALF_MAX = 0x7bff,          /* bits of the largest finite half */
     HALF_ONE = 0x3c00,
-};
-
-struct mesh_counts {
-    uint32_t vertices, indices;
-};
-
-struct texture_counts {
-    uint32_t size, count; /* texels per side; number of layers */
-};
-
-struct model_head {
-    uint32_t magic;
-    uint32_t flags;
-    struct mesh_counts object, surroundings;
-    uint32_t object_count, material_count;
-    struct texture_counts textures, numbers;
-    uint32_t camera_count, light_count, extension_count, undrawn;
-    uint32_t animation_count, animation;
-    struct camera camera;
-    float ior;
-    struct box box;
-    uint32_t surroundings_object_count;
 };
 
 struct environment_head {
@@ -51,95 +23,7 @@ struct environment_head {
     struct environment_sun sun;
 };
 
-_Static_assert(sizeof(struct material) == 532, "no padding");
-_Static_assert(sizeof(struct object) == 112, "no padding");
-_Static_assert(sizeof(struct model_camera) == 120, "no padding");
-_Static_assert(sizeof(struct light) == 120, "no padding");
-_Static_assert(sizeof(struct model_extension) == 68, "no padding");
-_Static_assert(sizeof(struct model_animation) == 68, "no padding");
-_Static_assert(sizeof(struct environment_head) == 36, "no padding");
-_Static_assert(sizeof(struct model_head) == 152, "no padding, so no bytes of this process in it");
-
-/* ---- write ---- */
-
-static bool write_mesh(const struct pipe_sink *sink, const struct mesh *mesh)
-{
-    return pipe_write(sink, mesh->vertices, mesh->vertex_count * sizeof(*mesh->vertices)) &&
-           pipe_write(sink, mesh->indices, mesh->index_count * sizeof(*mesh->indices)) &&
-           (!mesh->extras ||
-            pipe_write(sink, mesh->extras, mesh->vertex_count * sizeof(*mesh->extras)));
-}
-
-static size_t texels_size(const struct texture_layers *layers)
-{
-    return (size_t)layers->size * layers->size * layers->count * TEXEL_SIZE;
-}
-
-bool model_pipe_write_model(const struct pipe_sink *sink, const struct model *model)
-{
-    const struct model_head head = {
-        .magic = MAGIC_MODEL,
-        .flags = (model->has_camera ? HAS_CAMERA : 0u) | (model->has_ior ? HAS_IOR : 0u) |
-                 (model->has_box ? HAS_BOX : 0u) | (model->object.extras ? HAS_OBJECT_EXTRAS : 0u) |
-                 (model->surroundings.extras ? HAS_SURROUNDINGS_EXTRAS : 0u),
-        .object = { model->object.vertex_count, model->object.index_count },
-        .surroundings = { model->surroundings.vertex_count, model->surroundings.index_count },
-        .object_count = model->object_count,
-        .material_count = model->material_count,
-        .textures = { model->textures.size, model->textures.count },
-        .numbers = { model->numbers.size, model->numbers.count },
-        .camera_count = model->camera_count,
-        .light_count = model->light_count,
-        .extension_count = model->extension_count,
-        .undrawn = model->undrawn,
-        .animation_count = model->animation_count,
-        .animation = model->animation,
-        .camera = model->camera,
-        .ior = model->ior,
-        .box = model->box,
-        .surroundings_object_count = model->surroundings_object_count,
-    };
-    return pipe_write(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
-           write_mesh(sink, &model->surroundings) &&
-           pipe_write(sink, model->objects, model->object_count * sizeof(*model->objects)) &&
-           pipe_write(sink, model->materials, model->material_count * sizeof(*model->materials)) &&
-           pipe_write(sink, model->cameras, model->camera_count * sizeof(*model->cameras)) &&
-           pipe_write(sink, model->lights, model->light_count * sizeof(*model->lights)) &&
-           pipe_write(sink, model->extensions,
-                      model->extension_count * sizeof(*model->extensions)) &&
-           pipe_write(sink, model->undrawn_text, sizeof(model->undrawn_text)) &&
-           pipe_write(sink, model->animations,
-                      model->animation_count * sizeof(*model->animations)) &&
-           pipe_write(sink, model->surroundings_starts,
-                      model->surroundings_object_count * sizeof(*model->surroundings_starts)) &&
-           pipe_write(sink, model->surroundings_names,
-                      model->surroundings_object_count * sizeof(*model->surroundings_names)) &&
-           pipe_write(sink, model->textures.texels, texels_size(&model->textures)) &&
-           pipe_write(sink, model->numbers.texels, texels_size(&model->numbers)) &&
-           pipe_write_end(sink);
-}
-
-static size_t environment_size(uint32_t width, uint32_t height)
-{
-    return (size_t)width * height * ENVIRONMENT_TEXEL_SIZE;
-}
-
-bool model_pipe_write_environment(const struct pipe_sink *sink,
-                                  const struct environment *environment)
-{
-    const struct environment_head head = {
-        .magic = MAGIC_ENVIRONMENT,
-        .width = environment->width,
-        .height = environment->height,
-        .sun = environment->sun,
-    };
-    return pipe_write(sink, &head, sizeof(head)) &&
-           pipe_write(sink, environment->texels,
-                      environment_size(environment->width, environment->height)) &&
-           pipe_write_end(sink);
-}
-
-/* ---- read ---- */
+/* ---- checks ---- */
 
 static bool is_bounded(vec3s v, float max)
 {
@@ -158,8 +42,12 @@ static bool is_color(vec3s c, bool is_unlit)
     return c.x >= 0 && c.y >= 0 && c.z >= 0 && is_bounded(c, is_unlit ? MODEL_RADIANCE_MAX : 1);
 }
 
-static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, const struct model_head *head)
+/* Returns true if a fixed-size text is terminated. */
+#define IS_TEXT(text) memchr(text, 0, sizeof(text))
+
+static enum pipe_fault check_vertex(const struct model *model, const void *items, uint32_t i)
 {
+    const struct mesh_vertex *vertex = &((const struct mesh_vertex *)items)[i];
     const uint32_t known =
         MESH_TEXTURE_MASK | MESH_UNLIT | MESH_CUTOUT | MESH_SURFACE_MAX << MESH_SURFACE_SHIFT;
     if (!is_bounded(vertex->position, MODEL_COORDINATE_MAX) || !is_bounded(vertex->normal, 2) ||
@@ -167,107 +55,32 @@ static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, const stru
         !isfinite(vertex->uv.y))
         return PIPE_NUMBER;
     if (vertex->material & ~known ||
-        (vertex->material & MESH_TEXTURE_MASK) > head->textures.count ||
-        vertex->material >> MESH_SURFACE_SHIFT > head->material_count)
+        (vertex->material & MESH_TEXTURE_MASK) > model->textures.count ||
+        vertex->material >> MESH_SURFACE_SHIFT > model->material_count)
         return PIPE_MATERIAL;
     return PIPE_OK;
 }
 
-static enum pipe_fault check_triangle(const struct mesh *mesh, const uint32_t *corners)
+/* Checks an index, and that all corners of its triangle have the material of the first one. */
+static enum pipe_fault check_index(const struct model *model, const void *items, uint32_t i)
 {
-    for (int k = 0; k < 3; k++) {
-        if (corners[k] >= mesh->vertex_count)
-            return PIPE_INDEX;
-        if (mesh->vertices[corners[k]].material != mesh->vertices[corners[0]].material)
-            return PIPE_MATERIAL;
-    }
-    return PIPE_OK;
+    const uint32_t *indices = items;
+    const struct mesh *mesh =
+        indices == model->object.indices ? &model->object : &model->surroundings;
+    if (indices[i] >= mesh->vertex_count)
+        return PIPE_INDEX;
+    const uint32_t material = mesh->vertices[indices[i - i % 3]].material;
+    return mesh->vertices[indices[i]].material == material ? PIPE_OK : PIPE_MATERIAL;
 }
 
-static enum pipe_fault read_extras(const struct pipe_source *source, struct mesh *mesh)
+static enum pipe_fault check_extra(const struct model *model, const void *items, uint32_t i)
 {
-    if (!mesh_add_extras(mesh))
-        return PIPE_MEMORY;
-    enum pipe_fault fault =
-        pipe_read(source, mesh->extras, mesh->vertex_count * sizeof(*mesh->extras));
-    for (uint32_t i = 0; fault == PIPE_OK && i < mesh->vertex_count; i++) {
-        const struct mesh_extra *extra = &mesh->extras[i];
-        if (!is_bounded(extra->tangent, 2) || !is_in_range(extra->side, -1, 1) ||
-            !isfinite(extra->uv.x) || !isfinite(extra->uv.y))
-            fault = PIPE_NUMBER;
-    }
-    return fault;
-}
-
-static enum pipe_fault read_mesh(const struct pipe_source *source, struct mesh *mesh,
-                                 struct mesh_counts counts, const struct model_head *head,
-                                 bool has_extras)
-{
-    if (!mesh_init(mesh, counts.vertices, counts.indices))
-        return PIPE_MEMORY;
-    enum pipe_fault fault =
-        pipe_read(source, mesh->vertices, counts.vertices * sizeof(*mesh->vertices));
-    if (fault == PIPE_OK)
-        fault = pipe_read(source, mesh->indices, counts.indices * sizeof(*mesh->indices));
-    for (uint32_t i = 0; fault == PIPE_OK && i < counts.vertices; i++)
-        fault = check_vertex(&mesh->vertices[i], head);
-    if (fault == PIPE_OK && has_extras)
-        fault = read_extras(source, mesh);
-    for (uint32_t i = 0; fault == PIPE_OK && i < counts.indices; i += 3)
-        fault = check_triangle(mesh, &mesh->indices[i]);
-    return fault;
-}
-
-static uint64_t mesh_size(struct mesh_counts counts, bool has_extras)
-{
-    return counts.vertices * (uint64_t)sizeof(struct mesh_vertex) +
-           (has_extras ? counts.vertices * (uint64_t)sizeof(struct mesh_extra) : 0) +
-           counts.indices * (uint64_t)sizeof(uint32_t);
-}
-
-/* Returns true if both counts are within limits, and both are zero or both positive. */
-static bool are_counts_valid(struct mesh_counts counts)
-{
-    return counts.vertices <= MODEL_ELEMENT_MAX && counts.indices <= MODEL_ELEMENT_MAX &&
-           counts.indices % 3 == 0 && (counts.vertices > 0) == (counts.indices > 0);
-}
-
-static uint64_t textures_size(const struct texture_counts *textures)
-{
-    return (uint64_t)textures->size * textures->size * TEXEL_SIZE * textures->count;
-}
-
-static bool are_textures_valid(const struct texture_counts *textures)
-{
-    const uint32_t side = textures->size;
-    return textures->count <= MODEL_TEXTURE_MAX && side <= MODEL_TEXTURE_SIDE_MAX &&
-           (side & (side - 1)) == 0 && (side > 0) == (textures->count > 0) &&
-           textures_size(textures) <= MODEL_TEXTURES_SIZE_MAX;
-}
-
-static enum pipe_fault check_sizes(const struct pipe_source *source, const struct model_head *head)
-{
-    if (!are_counts_valid(head->object) || !are_counts_valid(head->surroundings) ||
-        head->object.indices + head->surroundings.indices == 0)
-        return PIPE_SIZE;
-    if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
-        head->camera_count > MODEL_CAMERA_MAX || head->light_count > MODEL_LIGHT_MAX ||
-        head->extension_count > MODEL_EXTENSION_MAX ||
-        head->animation_count > MODEL_ANIMATION_MAX ||
-        head->surroundings_object_count > head->surroundings.vertices ||
-        head->animation > head->animation_count)
-        return PIPE_SIZE;
-    if (!are_textures_valid(&head->textures) || !are_textures_valid(&head->numbers))
-        return PIPE_SIZE;
-    if (textures_size(&head->textures) + textures_size(&head->numbers) +
-            mesh_size(head->object, head->flags & HAS_OBJECT_EXTRAS) +
-            mesh_size(head->surroundings, head->flags & HAS_SURROUNDINGS_EXTRAS) +
-            head->object_count * (uint64_t)sizeof(struct object) +
-            head->surroundings_object_count * (uint64_t)(sizeof(uint32_t) + MATERIAL_NAME_SIZE) +
-            head->material_count * (uint64_t)sizeof(struct material) >
-        source->size_max)
-        return PIPE_SIZE;
-    return PIPE_OK;
+    const struct mesh_extra *extra = &((const struct mesh_extra *)items)[i];
+    (void)model;
+    return is_bounded(extra->tangent, 2) && is_in_range(extra->side, -1, 1) &&
+                   isfinite(extra->uv.x) && isfinite(extra->uv.y)
+               ? PIPE_OK
+               : PIPE_NUMBER;
 }
 
 static bool is_texture(const struct material_texture *texture, uint32_t texture_count)
@@ -288,7 +101,7 @@ static bool is_surface(const struct material *m)
 
 static bool is_material(const struct material *m)
 {
-    return memchr(m->name, 0, sizeof(m->name)) && !(m->flags & ~(uint32_t)MATERIAL_FLAGS) &&
+    return IS_TEXT(m->name) && !(m->flags & ~(uint32_t)MATERIAL_FLAGS) &&
            is_color(m->base_color, m->flags & MATERIAL_IS_UNLIT) &&
            is_color(m->attenuation_color, false) && is_in_range(m->roughness, 0, 1) &&
            is_in_range(m->transmission, 0, 1) &&
@@ -298,59 +111,30 @@ static bool is_material(const struct material *m)
            is_in_range(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
-/* Validates materials and objects. Objects need consecutive index ranges that fill the mesh. */
-static enum pipe_fault check_objects(const struct model *model, const struct model_head *head)
+static enum pipe_fault check_material(const struct model *model, const void *items, uint32_t i)
 {
-    uint64_t end = 0;
-    for (uint32_t i = 0; i < model->material_count; i++) {
-        if (!is_material(&model->materials[i]))
-            return PIPE_MATERIAL;
-        for (uint32_t k = 0; k < MATERIAL_TEXTURE_COUNT; k++) {
-            const uint32_t count =
-                material_texture_is_color(k) ? head->textures.count : head->numbers.count;
-            if (!is_texture(&model->materials[i].textures[k], count))
-                return PIPE_MATERIAL;
-        }
-    }
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct object *object = &model->objects[i];
-        if (!memchr(object->name, 0, sizeof(object->name)) || object->rank != 0 ||
-            object->container_rank != 0 || object->enclosing_object != 0 ||
-            object->material >= model->material_count)
-            return PIPE_MATERIAL;
-        if (object->first_index != end || object->index_count == 0 || object->index_count % 3 != 0)
-            return PIPE_INDEX;
-        end += object->index_count;
-    }
-    return end == model->object.index_count ? PIPE_OK : PIPE_INDEX;
+    const struct material *material = &((const struct material *)items)[i];
+    bool is_valid = is_material(material);
+    for (uint32_t k = 0; k < MATERIAL_TEXTURE_COUNT; k++)
+        is_valid = is_valid && is_texture(&material->textures[k], material_texture_is_color(k)
+                                                                      ? model->textures.count
+                                                                      : model->numbers.count);
+    return is_valid ? PIPE_OK : PIPE_MATERIAL;
 }
 
-static enum pipe_fault read_objects(const struct pipe_source *source, const struct model_head *head,
-                                    struct model *model)
+/* Checks an object. The objects need consecutive index ranges that fill the mesh. */
+static enum pipe_fault check_object(const struct model *model, const void *items, uint32_t i)
 {
-    const size_t objects_size = head->object_count * sizeof(*model->objects);
-    const size_t materials_size = head->material_count * sizeof(*model->materials);
-    model->objects = malloc(objects_size + 1);
-    model->materials = malloc(materials_size + 1);
-    if (!model->objects || !model->materials)
-        return PIPE_MEMORY;
-    model->object_count = head->object_count;
-    model->material_count = head->material_count;
-    enum pipe_fault fault = pipe_read(source, model->objects, objects_size);
-    if (fault == PIPE_OK)
-        fault = pipe_read(source, model->materials, materials_size);
-    return fault == PIPE_OK ? check_objects(model, head) : fault;
-}
-
-static enum pipe_fault read_textures(const struct pipe_source *source,
-                                     const struct texture_counts *counts,
-                                     struct texture_layers *layers)
-{
-    if (counts->count == 0)
-        return PIPE_OK;
-    *layers = (struct texture_layers){ .size = counts->size, .count = counts->count };
-    layers->texels = malloc(texels_size(layers));
-    return layers->texels ? pipe_read(source, layers->texels, texels_size(layers)) : PIPE_MEMORY;
+    const struct object *object = &((const struct object *)items)[i];
+    const uint32_t first = i > 0 ? object[-1].first_index + object[-1].index_count : 0;
+    const uint32_t left = model->object.index_count - first;
+    if (!IS_TEXT(object->name) || object->rank != 0 || object->container_rank != 0 ||
+        object->enclosing_object != 0 || object->material >= model->material_count)
+        return PIPE_MATERIAL;
+    if (object->first_index != first || object->index_count == 0 || object->index_count % 3 != 0 ||
+        object->index_count > left || (i + 1 == model->object_count && object->index_count != left))
+        return PIPE_INDEX;
+    return PIPE_OK;
 }
 
 static bool is_box(const struct box *box)
@@ -369,52 +153,55 @@ static bool is_camera(const struct camera *camera)
            camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
 }
 
-static bool is_head_valid(const struct model_head *head)
+static enum pipe_fault check_camera(const struct model *model, const void *items, uint32_t i)
 {
-    if (head->flags & ~(uint32_t)HEAD_FLAGS)
-        return false;
-    if (head->flags & HAS_BOX && !is_box(&head->box))
-        return false;
-    if (head->flags & HAS_IOR && !(head->ior >= 1 && head->ior <= 4))
-        return false;
-    return !(head->flags & HAS_CAMERA) || is_camera(&head->camera);
+    const struct model_camera *camera = &((const struct model_camera *)items)[i];
+    const bool is_flat = camera->kind == MODEL_ORTHOGRAPHIC;
+    (void)model;
+    return IS_TEXT(camera->name) && camera->kind < MODEL_CAMERA_KIND_COUNT &&
+                   is_camera(&camera->camera) &&
+                   is_in_range(camera->height, 0, MODEL_COORDINATE_MAX) &&
+                   is_flat == (camera->height > 0)
+               ? PIPE_OK
+               : PIPE_CAMERA;
 }
 
-static enum pipe_fault read_cameras(const struct pipe_source *source, uint32_t count,
-                                    struct model *model)
+static enum pipe_fault check_light(const struct model *model, const void *items, uint32_t i)
 {
-    const size_t size = count * sizeof(*model->cameras);
-    model->cameras = malloc(size + 1);
-    if (!model->cameras)
-        return PIPE_MEMORY;
-    model->camera_count = count;
-    const enum pipe_fault fault = pipe_read(source, model->cameras, size);
-    for (uint32_t i = 0; fault == PIPE_OK && i < count; i++) {
-        const struct model_camera *camera = &model->cameras[i];
-        const bool is_flat = camera->kind == MODEL_ORTHOGRAPHIC;
-        if (!memchr(camera->name, 0, sizeof(camera->name)) ||
-            camera->kind >= MODEL_CAMERA_KIND_COUNT || !is_camera(&camera->camera) ||
-            !is_in_range(camera->height, 0, MODEL_COORDINATE_MAX) ||
-            is_flat != (camera->height > 0))
-            return PIPE_CAMERA;
-    }
-    return fault;
+    (void)model;
+    return punctual_light_is_valid(&((const struct light *)items)[i]) ? PIPE_OK : PIPE_NUMBER;
 }
 
-static enum pipe_fault read_lights(const struct pipe_source *source, uint32_t count,
-                                   struct model *model)
+static enum pipe_fault check_extension(const struct model *model, const void *items, uint32_t i)
 {
-    const size_t size = count * sizeof(*model->lights);
-    model->lights = malloc(size + 1);
-    if (!model->lights)
-        return PIPE_MEMORY;
-    model->light_count = count;
-    const enum pipe_fault fault = pipe_read(source, model->lights, size);
-    for (uint32_t i = 0; fault == PIPE_OK && i < count; i++) {
-        if (!punctual_light_is_valid(&model->lights[i]))
-            return PIPE_NUMBER;
-    }
-    return fault;
+    const struct model_extension *extension = &((const struct model_extension *)items)[i];
+    (void)model;
+    return IS_TEXT(extension->name) && extension->support < MODEL_SUPPORT_COUNT ? PIPE_OK
+                                                                                : PIPE_NUMBER;
+}
+
+static enum pipe_fault check_animation(const struct model *model, const void *items, uint32_t i)
+{
+    const struct model_animation *animation = &((const struct model_animation *)items)[i];
+    (void)model;
+    return IS_TEXT(animation->name) && is_in_range(animation->seconds, 0, (float)MODEL_SECONDS_MAX)
+               ? PIPE_OK
+               : PIPE_NUMBER;
+}
+
+/* Checks the first vertex of a surroundings object. First vertices must strictly ascend. */
+static enum pipe_fault check_start(const struct model *model, const void *items, uint32_t i)
+{
+    const uint32_t *start = &((const uint32_t *)items)[i];
+    return *start < model->surroundings.vertex_count && (i == 0 || *start > start[-1]) ? PIPE_OK
+                                                                                       : PIPE_INDEX;
+}
+
+static enum pipe_fault check_name(const struct model *model, const void *items, uint32_t i)
+{
+    const char *name = (const char *)items + (size_t)i * MATERIAL_NAME_SIZE;
+    (void)model;
+    return memchr(name, 0, MATERIAL_NAME_SIZE) ? PIPE_OK : PIPE_MATERIAL;
 }
 
 static bool are_undrawn_bits_valid(uint32_t bits)
@@ -426,125 +213,206 @@ static bool are_undrawn_bits_valid(uint32_t bits)
     return true;
 }
 
-static enum pipe_fault read_extensions(const struct pipe_source *source,
-                                       const struct model_head *head, struct model *model)
+/* ---- arrays ---- */
+
+/* Array of struct model, which is sent after the struct. */
+struct array {
+    size_t items, count; /* offsets of the pointer and of the number of elements */
+    size_t size;         /* of an element, bytes; 0 for the texels of struct texture_layers */
+    uint32_t count_max;
+    /* Checks an element; preceding arrays are already checked. NULL if any bytes are valid. */
+    enum pipe_fault (*check)(const struct model *model, const void *items, uint32_t i);
+    uint32_t row;     /* the allocation is zero-padded to a multiple of it */
+    bool is_optional; /* no elements if the pointer is NULL */
+};
+
+#define ARRAY(items, count) \
+    offsetof(struct model, items), offsetof(struct model, count), \
+        sizeof(*((const struct model *)NULL)->items)
+#define LAYERS(member) offsetof(struct model, member), offsetof(struct model, member.count), 0
+
+static const struct array arrays[] = {
+    { ARRAY(object.vertices, object.vertex_count), MODEL_ELEMENT_MAX, check_vertex, 1, false },
+    { ARRAY(object.indices, object.index_count), MODEL_ELEMENT_MAX, check_index, 1, false },
+    { ARRAY(object.extras, object.vertex_count), MODEL_ELEMENT_MAX, check_extra, 1, true },
+    { ARRAY(surroundings.vertices, surroundings.vertex_count), MODEL_ELEMENT_MAX, check_vertex, 1,
+      false },
+    { ARRAY(surroundings.indices, surroundings.index_count), MODEL_ELEMENT_MAX, check_index, 1,
+      false },
+    { ARRAY(surroundings.extras, surroundings.vertex_count), MODEL_ELEMENT_MAX, check_extra, 1,
+      true },
+    { ARRAY(materials, material_count), MESH_SURFACE_MAX, check_material, 1, false },
+    { ARRAY(objects, object_count), MODEL_ELEMENT_MAX, check_object, 1, false },
+    { ARRAY(cameras, camera_count), MODEL_CAMERA_MAX, check_camera, 1, false },
+    { ARRAY(lights, light_count), MODEL_LIGHT_MAX, check_light, 1, false },
+    { ARRAY(extensions, extension_count), MODEL_EXTENSION_MAX, check_extension, 1, false },
+    { ARRAY(animations, animation_count), MODEL_ANIMATION_MAX, check_animation, 1, false },
+    { ARRAY(surroundings_starts, surroundings_object_count), MODEL_ELEMENT_MAX, check_start,
+      MODEL_SURROUNDINGS_ROW, false },
+    { ARRAY(surroundings_names, surroundings_object_count), MODEL_ELEMENT_MAX, check_name,
+      MODEL_SURROUNDINGS_ROW, false },
+    { LAYERS(textures), MODEL_TEXTURE_MAX, NULL, 1, false },
+    { LAYERS(numbers), MODEL_TEXTURE_MAX, NULL, 1, false },
+};
+
+enum {
+    ARRAY_COUNT = sizeof(arrays) / sizeof(arrays[0])
+};
+
+_Static_assert(offsetof(struct texture_layers, texels) == 0, "an array begins with its pointer");
+_Static_assert(sizeof(struct model) == 1320, "every pointer needs a row in `arrays`");
+
+static void *items_of(const struct array *array, const struct model *model)
 {
-    const size_t size = head->extension_count * sizeof(*model->extensions);
-    if (!are_undrawn_bits_valid(head->undrawn))
+    void *items;
+    memcpy(&items, (const char *)model + array->items, sizeof(items));
+    return items;
+}
+
+static void set_items(const struct array *array, struct model *model, void *items)
+{
+    memcpy((char *)model + array->items, &items, sizeof(items));
+}
+
+static uint32_t count_of(const struct array *array, const struct model *model)
+{
+    uint32_t count;
+    memcpy(&count, (const char *)model + array->count, sizeof(count));
+    return array->is_optional && !items_of(array, model) ? 0 : count;
+}
+
+static size_t element_size(const struct array *array, const struct model *model)
+{
+    struct texture_layers layers;
+    if (array->size > 0)
+        return array->size;
+    memcpy(&layers, (const char *)model + array->items, sizeof(layers));
+    return (size_t)layers.size * layers.size * TEXEL_SIZE;
+}
+
+/* ---- models ---- */
+
+bool model_pipe_write_model(const struct pipe_sink *sink, const struct model *model)
+{
+    const uint32_t magic = MAGIC_MODEL;
+    bool done = pipe_write(sink, &magic, sizeof(magic)) && pipe_write(sink, model, sizeof(*model));
+    for (size_t i = 0; i < ARRAY_COUNT && done; i++)
+        done = pipe_write(sink, items_of(&arrays[i], model),
+                          count_of(&arrays[i], model) * element_size(&arrays[i], model));
+    return done && pipe_write_end(sink);
+}
+
+/* Returns true if both counts are zero or both positive, and the indices are of triangles. */
+static bool is_mesh(const struct mesh *mesh)
+{
+    return mesh->index_count % 3 == 0 && (mesh->vertex_count > 0) == (mesh->index_count > 0);
+}
+
+static bool are_layers(const struct texture_layers *layers)
+{
+    const uint32_t side = layers->size;
+    return layers->count <= MODEL_TEXTURE_MAX && side <= MODEL_TEXTURE_SIDE_MAX &&
+           (side & (side - 1)) == 0 && (side > 0) == (layers->count > 0) &&
+           (uint64_t)side * side * TEXEL_SIZE * layers->count <= MODEL_TEXTURES_SIZE_MAX;
+}
+
+static enum pipe_fault check_sizes(const struct pipe_source *source, const struct model *head)
+{
+    uint64_t size = 0;
+    if (!is_mesh(&head->object) || !is_mesh(&head->surroundings) ||
+        (head->object.index_count == 0 && head->surroundings.index_count == 0) ||
+        !are_layers(&head->textures) || !are_layers(&head->numbers) ||
+        head->object_count > head->object.index_count / 3 ||
+        head->surroundings_object_count > head->surroundings.vertex_count ||
+        head->animation > head->animation_count)
+        return PIPE_SIZE;
+    for (size_t i = 0; i < ARRAY_COUNT; i++) {
+        const uint32_t count = count_of(&arrays[i], head);
+        if (count > arrays[i].count_max)
+            return PIPE_SIZE;
+        size += count * (uint64_t)element_size(&arrays[i], head);
+    }
+    return size <= source->size_max ? PIPE_OK : PIPE_SIZE;
+}
+
+/* Checks the members of a received struct that are no arrays. */
+static enum pipe_fault check_head(const struct model *head)
+{
+    if (!pipe_is_bool(&head->has_camera) || !pipe_is_bool(&head->has_box) ||
+        !pipe_is_bool(&head->has_ior) || (head->has_box && !is_box(&head->box)) ||
+        (head->has_ior && !is_in_range(head->ior, 1, 4)) ||
+        (head->has_camera && !is_camera(&head->camera)))
+        return PIPE_CAMERA;
+    if (!are_undrawn_bits_valid(head->undrawn) || !IS_TEXT(head->undrawn_text))
         return PIPE_NUMBER;
-    model->extensions = malloc(size + 1);
-    if (!model->extensions)
-        return PIPE_MEMORY;
-    model->extension_count = head->extension_count;
-    model->undrawn = head->undrawn;
-    enum pipe_fault fault = pipe_read(source, model->extensions, size);
-    for (uint32_t i = 0; fault == PIPE_OK && i < head->extension_count; i++) {
-        const struct model_extension *extension = &model->extensions[i];
-        if (!memchr(extension->name, 0, sizeof(extension->name)) ||
-            extension->support >= MODEL_SUPPORT_COUNT)
-            return PIPE_NUMBER;
-    }
-    if (fault == PIPE_OK)
-        fault = pipe_read(source, model->undrawn_text, sizeof(model->undrawn_text));
-    if (fault == PIPE_OK && !memchr(model->undrawn_text, 0, sizeof(model->undrawn_text)))
-        return PIPE_NUMBER;
-    return fault;
+    return head->object_count == 0 && head->object.index_count > 0 ? PIPE_INDEX : PIPE_OK;
 }
 
-static enum pipe_fault read_animations(const struct pipe_source *source,
-                                       const struct model_head *head, struct model *model)
+static enum pipe_fault read_array(const struct pipe_source *source, const struct array *array,
+                                  uint32_t count, struct model *model)
 {
-    const size_t size = head->animation_count * sizeof(*model->animations);
-    model->animations = malloc(size + 1);
-    if (!model->animations)
+    const size_t size = element_size(array, model);
+    if (count == 0)
+        return PIPE_OK;
+    void *items = calloc((count - 1) / array->row + 1, array->row * size);
+    if (!items)
         return PIPE_MEMORY;
-    model->animation_count = head->animation_count;
-    model->animation = head->animation;
-    const enum pipe_fault fault = pipe_read(source, model->animations, size);
-    for (uint32_t i = 0; fault == PIPE_OK && i < head->animation_count; i++) {
-        const struct model_animation *animation = &model->animations[i];
-        if (!memchr(animation->name, 0, sizeof(animation->name)) ||
-            !is_in_range(animation->seconds, 0, (float)MODEL_SECONDS_MAX))
-            return PIPE_NUMBER;
-    }
+    set_items(array, model, items);
+    enum pipe_fault fault = pipe_read(source, items, count * size);
+    for (uint32_t i = 0; fault == PIPE_OK && array->check && i < count; i++)
+        fault = array->check(model, items, i);
     return fault;
 }
 
-/* Reads the surroundings objects and checks that their first vertices strictly ascend. */
-static enum pipe_fault read_surroundings_objects(const struct pipe_source *source,
-                                                 const struct model_head *head, struct model *model)
-{
-    const size_t rows = head->surroundings_object_count / MODEL_SURROUNDINGS_ROW + 1;
-    uint32_t *starts = calloc(rows * MODEL_SURROUNDINGS_ROW, sizeof(*starts));
-    model->surroundings_starts = starts;
-    model->surroundings_names =
-        calloc(rows * MODEL_SURROUNDINGS_ROW, sizeof(*model->surroundings_names));
-    if (!starts || !model->surroundings_names)
-        return PIPE_MEMORY;
-    model->surroundings_object_count = head->surroundings_object_count;
-    enum pipe_fault fault =
-        pipe_read(source, starts, model->surroundings_object_count * sizeof(*starts));
-    if (fault == PIPE_OK)
-        fault = pipe_read(source, model->surroundings_names,
-                          model->surroundings_object_count * sizeof(*model->surroundings_names));
-    for (uint32_t i = 0; fault == PIPE_OK && i < model->surroundings_object_count; i++) {
-        if (starts[i] >= head->surroundings.vertices || (i > 0 && starts[i] <= starts[i - 1]))
-            return PIPE_INDEX;
-        if (!memchr(model->surroundings_names[i], 0, MATERIAL_NAME_SIZE))
-            return PIPE_MATERIAL;
-    }
-    return fault;
-}
-
+/* Reads a model. The received pointers are only compared with NULL. */
 enum pipe_fault model_pipe_read_model(const struct pipe_source *source, struct model *model)
 {
-    struct model_head head;
+    uint32_t magic;
+    struct model head;
     *model = (struct model){ 0 };
-    enum pipe_fault fault = pipe_read(source, &head, sizeof(head));
-    if (fault == PIPE_OK && head.magic != MAGIC_MODEL)
+    enum pipe_fault fault = pipe_read(source, &magic, sizeof(magic));
+    if (fault == PIPE_OK && magic != MAGIC_MODEL)
         fault = PIPE_HEAD;
-    if (fault == PIPE_OK && !is_head_valid(&head))
-        fault = PIPE_CAMERA;
+    if (fault == PIPE_OK)
+        fault = pipe_read(source, &head, sizeof(head));
     if (fault == PIPE_OK)
         fault = check_sizes(source, &head);
     if (fault == PIPE_OK)
-        fault =
-            read_mesh(source, &model->object, head.object, &head, head.flags & HAS_OBJECT_EXTRAS);
-    if (fault == PIPE_OK)
-        fault = read_mesh(source, &model->surroundings, head.surroundings, &head,
-                          head.flags & HAS_SURROUNDINGS_EXTRAS);
-    if (fault == PIPE_OK)
-        fault = read_objects(source, &head, model);
-    if (fault == PIPE_OK)
-        fault = read_cameras(source, head.camera_count, model);
-    if (fault == PIPE_OK)
-        fault = read_lights(source, head.light_count, model);
-    if (fault == PIPE_OK)
-        fault = read_extensions(source, &head, model);
-    if (fault == PIPE_OK)
-        fault = read_animations(source, &head, model);
-    if (fault == PIPE_OK)
-        fault = read_surroundings_objects(source, &head, model);
-    if (fault == PIPE_OK)
-        fault = read_textures(source, &head.textures, &model->textures);
-    if (fault == PIPE_OK)
-        fault = read_textures(source, &head.numbers, &model->numbers);
+        fault = check_head(&head);
+    if (fault != PIPE_OK)
+        return fault;
+    *model = head;
+    for (size_t i = 0; i < ARRAY_COUNT; i++)
+        set_items(&arrays[i], model, NULL);
+    for (size_t i = 0; i < ARRAY_COUNT && fault == PIPE_OK; i++)
+        fault = read_array(source, &arrays[i], count_of(&arrays[i], &head), model);
     if (fault == PIPE_OK)
         fault = pipe_read_end(source);
-    if (fault != PIPE_OK) {
+    if (fault != PIPE_OK)
         model_finish(model);
-        return fault;
-    }
-    model->has_camera = head.flags & HAS_CAMERA;
-    model->has_ior = head.flags & HAS_IOR;
-    if (model->has_camera)
-        model->camera = head.camera;
-    if (model->has_ior)
-        model->ior = head.ior;
-    model->has_box = head.flags & HAS_BOX;
-    if (model->has_box)
-        model->box = head.box;
-    return PIPE_OK;
+    return fault;
+}
+
+/* ---- environments ---- */
+
+static size_t environment_size(uint32_t width, uint32_t height)
+{
+    return (size_t)width * height * ENVIRONMENT_TEXEL_SIZE;
+}
+
+bool model_pipe_write_environment(const struct pipe_sink *sink,
+                                  const struct environment *environment)
+{
+    const struct environment_head head = {
+        .magic = MAGIC_ENVIRONMENT,
+        .width = environment->width,
+        .height = environment->height,
+        .sun = environment->sun,
+    };
+    return pipe_write(sink, &head, sizeof(head)) &&
+           pipe_write(sink, environment->texels,
+                      environment_size(environment->width, environment->height)) &&
+           pipe_write_end(sink);
 }
 
 static enum pipe_fault read_texels(const struct pipe_source *source,

@@ -1,11 +1,14 @@
 /* model_texture.c: decodes and resamples a model's images to an array of square textures. */
 #include <assert.h>
+#include <cglm/struct.h>
+#include <math.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 
@@ -13,14 +16,8 @@ enum {
     IMAGE_SIDE_MAX = 16384,
     FILE_SIZE_MAX = 256 << 20, /* maximum file size, bytes */
     CHANNELS = 4,
-};
-
-/* An encoded image file in memory, and its dimensions. */
-struct encoded {
-    const uint8_t *bytes;
-    uint8_t *owned; /* `bytes` if owned, else NULL */
-    int size;       /* bytes */
-    int width, height;
+    RELIEF = 64,          /* white of a height map is width / RELIEF high */
+    BLUE_OF_NORMALS = 16, /* mean |blue-red| of a normal map */
 };
 
 static enum status fault(const char *path, const struct model_texture *texture, const char *what)
@@ -29,29 +26,16 @@ static enum status fault(const char *path, const struct model_texture *texture, 
     return STATUS_DATA;
 }
 
-static enum status read_file(const char *path, const struct model_texture *texture,
-                             struct encoded *encoded)
+/* Checks that a file can be read: only regular files, because opening a named pipe would block. */
+static enum status check_file(const char *path, const struct model_texture *texture)
 {
     struct stat info;
-    /* Opens only regular files, because opening a named pipe would block. */
     if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
         return fault(path, texture, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
         return fault(path, texture, "expected a file of 1 byte to 256 MiB");
-    size_t size = (size_t)info.st_size;
-    FILE *file = fopen(texture->file, "rb");
-    if (!file)
-        return fault(path, texture, "the file cannot be opened");
-    encoded->owned = malloc(size);
-    bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
-    fclose(file);
-    if (!encoded->owned)
-        return log_out_of_memory(path);
-    if (!is_read)
-        return fault(path, texture, "the file cannot be read");
-    encoded->bytes = encoded->owned;
-    encoded->size = (int)size;
-    return STATUS_OK;
+    return access(texture->file, R_OK) == 0 ? STATUS_OK
+                                            : fault(path, texture, "the file cannot be opened");
 }
 
 const char *model_texture_unsupported_format(const struct model_texture *texture)
@@ -84,25 +68,20 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
     return NULL;
 }
 
-/* Loads an encoded image and reads its size. The caller frees encoded->owned, even on failure. */
-static enum status open_image(const char *path, const struct model_texture *texture,
-                              struct encoded *encoded)
+/* Checks an image and reads its size. */
+static enum status read_size(const char *path, const struct model_texture *texture, int *width,
+                             int *height)
 {
-    *encoded = (struct encoded){ 0 };
-    if (!texture->bytes) {
-        enum status status = read_file(path, texture, encoded);
-        if (status != STATUS_OK)
-            return status;
-    } else if (texture->size <= FILE_SIZE_MAX) {
-        encoded->bytes = texture->bytes;
-        encoded->size = (int)texture->size;
-    }
     int channels;
-    if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
-                               &channels))
+    const enum status status = texture->bytes ? STATUS_OK : check_file(path, texture);
+    if (status != STATUS_OK)
+        return status;
+    if (!(texture->bytes ? texture->size <= FILE_SIZE_MAX &&
+                               stbi_info_from_memory(texture->bytes, (int)texture->size, width,
+                                                     height, &channels)
+                         : stbi_info(texture->file, width, height, &channels)))
         return fault(path, texture, "not a supported image format");
-    if (encoded->width < 1 || encoded->width > IMAGE_SIDE_MAX || encoded->height < 1 ||
-        encoded->height > IMAGE_SIDE_MAX)
+    if (*width < 1 || *width > IMAGE_SIDE_MAX || *height < 1 || *height > IMAGE_SIDE_MAX)
         return fault(path, texture, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
@@ -130,24 +109,95 @@ static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int w
                         are_numbers ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB, NULL) != 0;
 }
 
+/* ---- conversion of MTL maps ---- */
+
+static uint8_t grey_of(const uint8_t *texel)
+{
+    return (uint8_t)((texel[0] + texel[1] + texel[2] + 1) / 3);
+}
+
+static void convert_alpha(uint8_t *texels, size_t count)
+{
+    bool has_alpha = false;
+    for (size_t i = 0; i < count; i++)
+        has_alpha |= texels[CHANNELS * i + 3] < UINT8_MAX;
+    for (size_t i = 0; i < count; i++) {
+        uint8_t *texel = &texels[CHANNELS * i];
+        texel[3] = has_alpha ? texel[3] : grey_of(texel);
+        memset(texel, UINT8_MAX, 3);
+    }
+}
+
+static bool are_normals(const uint8_t *texels, size_t count)
+{
+    uint64_t difference = 0;
+    for (size_t i = 0; i < count; i++)
+        difference += (uint64_t)abs(texels[CHANNELS * i + 2] - texels[CHANNELS * i]);
+    return difference > BLUE_OF_NORMALS * (uint64_t)count;
+}
+
+/* Converts a tileable height map to a normal map by central differences. If the image is already a
+ * normal map, leaves it unchanged. If out of memory, returns false. */
+static bool convert_heights(uint8_t *texels, int width, int height)
+{
+    const size_t count = (size_t)width * (size_t)height;
+    if (are_normals(texels, count))
+        return true;
+    uint8_t *heights = malloc(count);
+    if (!heights)
+        return false;
+    for (size_t i = 0; i < count; i++)
+        heights[i] = grey_of(&texels[CHANNELS * i]);
+    for (int y = 0; y < height; y++) {
+        const uint8_t *above = &heights[(size_t)((y + height - 1) % height) * (size_t)width];
+        const uint8_t *below = &heights[(size_t)((y + 1) % height) * (size_t)width];
+        const uint8_t *row = &heights[(size_t)y * (size_t)width];
+        for (int x = 0; x < width; x++) {
+            const float step = 2.0F * UINT8_MAX * RELIEF;
+            const float difference = (float)(row[(x + 1) % width] - row[(x + width - 1) % width]);
+            const vec3s normal = glms_vec3_normalize((vec3s){ {
+                -difference * (float)width / step,
+                (float)(below[x] - above[x]) * (float)height / step,
+                1,
+            } });
+            uint8_t *texel = &texels[CHANNELS * ((size_t)y * (size_t)width + (size_t)x)];
+            for (int k = 0; k < 3; k++)
+                texel[k] = (uint8_t)lroundf(127.5F + 127.5F * normal.raw[k]);
+        }
+    }
+    free(heights);
+    return true;
+}
+
+/* Converts texels as texture->change specifies. Returns false when out of memory. */
+static bool convert(uint8_t *texels, int width, int height, const struct model_texture *texture)
+{
+    if (texture->change == MODEL_TEXTURE_TO_NORMALS)
+        return convert_heights(texels, width, height);
+    if (texture->change == MODEL_TEXTURE_TO_ALPHA)
+        convert_alpha(texels, (size_t)width * (size_t)height);
+    return true;
+}
+
+/* ---- decoding ---- */
+
 static enum status decode(const char *path, const struct model_texture *texture, bool are_numbers,
                           uint8_t *layer, uint32_t side)
 {
-    uint8_t *texels = NULL;
-    struct encoded encoded;
-    enum status status = open_image(path, texture, &encoded);
+    int width, height, channels;
+    enum status status = read_size(path, texture, &width, &height);
     if (status != STATUS_OK)
-        goto fail;
-    texels = stbi_load_from_memory(encoded.bytes, encoded.size, &encoded.width, &encoded.height,
-                                   &(int){ 0 }, CHANNELS);
+        return status;
+    uint8_t *texels = texture->bytes
+                          ? stbi_load_from_memory(texture->bytes, (int)texture->size, &width,
+                                                  &height, &channels, CHANNELS)
+                          : stbi_load(texture->file, &width, &height, &channels, CHANNELS);
     if (!texels)
         status = fault(path, texture, stbi_failure_reason());
-    else if (!model_texture_convert(texels, encoded.width, encoded.height, texture) ||
-             !resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
+    else if (!convert(texels, width, height, texture) ||
+             !resample(layer, side, texels, width, height, are_numbers))
         status = log_out_of_memory(path);
-fail:
     free(texels);
-    free(encoded.owned);
     return status;
 }
 
@@ -176,26 +226,25 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
-/* Decodes a layer. If texture->other is set, one channel is taken from that image. */
+/* Decodes a layer. If texture->alpha is set, alpha is taken from that image. */
 static enum status decode_both(const char *path, const struct model_texture *texture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
     const size_t count = (size_t)side * side;
     enum status status = decode(path, texture, are_numbers, layer, side);
-    if (status != STATUS_OK || !texture->other)
+    if (status != STATUS_OK || !texture->alpha)
         return status;
-    const struct model_texture other = {
-        .name = texture->other,
-        .file = texture->other,
-        .change = texture->other_change,
+    const struct model_texture alpha = {
+        .name = texture->alpha,
+        .file = texture->alpha,
+        .change = MODEL_TEXTURE_TO_ALPHA,
     };
     assert(count > 0);
-    const size_t channel = texture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
     uint8_t *texels = malloc(count * CHANNELS);
     if (!texels)
         return log_out_of_memory(path);
-    status = decode(path, &other, true, texels, side);
-    for (size_t i = channel; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
+    status = decode(path, &alpha, true, texels, side);
+    for (size_t i = CHANNELS - 1; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
         layer[i] = texels[i];
     free(texels);
     return status;
@@ -208,13 +257,12 @@ enum status model_texture_load(const char *path, const struct model_texture *tex
     if (count == 0)
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
-        struct encoded encoded;
-        enum status status = open_image(path, &textures[i], &encoded);
-        free(encoded.owned);
+        int width, height;
+        enum status status = read_size(path, &textures[i], &width, &height);
         if (status != STATUS_OK)
             return status;
-        side_max = encoded.width > side_max ? encoded.width : side_max;
-        side_max = encoded.height > side_max ? encoded.height : side_max;
+        side_max = width > side_max ? width : side_max;
+        side_max = height > side_max ? height : side_max;
     }
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);

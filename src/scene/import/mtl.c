@@ -1,5 +1,5 @@
 /* mtl.c: reader of MTL material libraries (Wavefront, Advanced Visualizer, appendix B5). The reader
- * supports the PBR extension (Pr, Pm, Ke and norm) and returns glTF-style materials. */
+ * supports Pr, Pm, Ke and norm of the PBR extension and returns glTF-style materials. */
 #include <cglm/struct.h>
 #include <ctype.h>
 #include <math.h>
@@ -7,10 +7,6 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
-
-enum {
-    EXPONENT_OF_MAPS = 1000, /* Ns for map_Ns without Ns */
-};
 
 struct mtl;
 
@@ -184,6 +180,12 @@ static void set_transmission(struct mtl *mtl, struct material *m)
     m->flags |= mtl->ior > 1 ? MATERIAL_HAS_IOR : 0u;
 }
 
+/* Returns the GGX roughness that matches a Phong exponent Ns: alpha^2 = 2 / (Ns + 2). */
+static float roughness_from_exponent(float exponent)
+{
+    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F);
+}
+
 /* Sets the opaque surface properties. As in Blender, the reflectance at normal incidence is 0.08
  * Ks. The default Ks of 0.5 gives 0.04, as for glass. illum 0 and 1 have no highlights. */
 static void set_surface(const struct mtl *mtl, struct material *m)
@@ -192,8 +194,7 @@ static void set_surface(const struct mtl *mtl, struct material *m)
     m->metallic = mtl->metallic;
     m->emission = mtl->emission;
     m->alpha = mtl->opacity;
-    m->roughness =
-        mtl->roughness >= 0 ? mtl->roughness : mtl_roughness_from_exponent(mtl->exponent);
+    m->roughness = mtl->roughness >= 0 ? mtl->roughness : roughness_from_exponent(mtl->exponent);
     if (mtl->specular.x >= 0)
         m->specular_color = glms_vec3_scale(mtl->specular, 2);
     if (mtl->illum < 2 && mtl->illum >= 0)
@@ -218,7 +219,6 @@ static void check_maps(struct mtl *mtl, const struct mtl_material *material)
         [MTL_MAP_ALPHA] = "map_d of transmissive materials",
         [MTL_MAP_SPECULAR] = "map_Ks of transmissive materials",
         [MTL_MAP_EMISSION] = "map_Ke of transmissive materials",
-        [MTL_MAP_METALLIC] = "map_Pm of transmissive materials",
     };
     const struct mtl_map *maps = material->maps;
     const float transmission = material->material.transmission;
@@ -227,12 +227,8 @@ static void check_maps(struct mtl *mtl, const struct mtl_material *material)
         if (maps[i].file && clear[i] && !is_shown)
             obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, clear[i]);
     }
-    const enum mtl_map_use rough =
-        maps[MTL_MAP_ROUGHNESS].file ? MTL_MAP_ROUGHNESS : MTL_MAP_SHININESS;
     if (have_different_coordinates(&maps[MTL_MAP_COLOR], &maps[MTL_MAP_ALPHA]))
         obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, "options of map_d");
-    if (have_different_coordinates(&maps[rough], &maps[MTL_MAP_METALLIC]) && !(transmission > 0))
-        obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, "options of map_Pm");
 }
 
 /* Completes the current material from the statements read so far. */
@@ -243,16 +239,9 @@ static void end_material(struct mtl *mtl)
         return;
     struct material *m = &material->material;
     material->color = mtl->diffuse;
-    material->exponent = mtl->exponent;
     set_surface(mtl, m);
     set_transmission(mtl, m);
     m->normal_scale = material->maps[MTL_MAP_BUMP].file ? material->maps[MTL_MAP_BUMP].strength : 1;
-    if (mtl->roughness >= 0) { /* Pr takes precedence over map_Ns */
-        free(material->maps[MTL_MAP_SHININESS].file);
-        material->maps[MTL_MAP_SHININESS].file = NULL;
-    } else if (material->maps[MTL_MAP_SHININESS].file && !(mtl->exponent > 0)) {
-        material->exponent = EXPONENT_OF_MAPS;
-    }
     if (material->maps[MTL_MAP_ALPHA].file && !(m->transmission > 0))
         m->flags |= MATERIAL_IS_BLENDED;
     else
@@ -325,9 +314,6 @@ static const struct statement statements[] = {
     { "map_d", read_map, MTL_MAP_ALPHA },
     { "map_Ks", read_map, MTL_MAP_SPECULAR },
     { "map_Ke", read_map, MTL_MAP_EMISSION },
-    { "map_Ns", read_map, MTL_MAP_SHININESS },
-    { "map_Pr", read_map, MTL_MAP_ROUGHNESS },
-    { "map_Pm", read_map, MTL_MAP_METALLIC },
     { "map_bump", read_map, MTL_MAP_BUMP },
     { "bump", read_map, MTL_MAP_BUMP },
     { "norm", read_map, MTL_MAP_BUMP },

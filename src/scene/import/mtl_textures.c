@@ -11,17 +11,11 @@ static const uint32_t uses[MTL_MAP_COUNT] = {
     [MTL_MAP_ALPHA] = MATERIAL_BASE_COLOR,
     [MTL_MAP_SPECULAR] = MATERIAL_SPECULAR_COLOR,
     [MTL_MAP_EMISSION] = MATERIAL_EMISSION,
-    [MTL_MAP_ROUGHNESS] = MATERIAL_METALLIC_ROUGHNESS,
-    [MTL_MAP_SHININESS] = MATERIAL_METALLIC_ROUGHNESS,
-    [MTL_MAP_METALLIC] = MATERIAL_METALLIC_ROUGHNESS,
     [MTL_MAP_BUMP] = MATERIAL_NORMAL,
 };
 
 static const enum model_texture_conversion changes[MTL_MAP_COUNT] = {
     [MTL_MAP_ALPHA] = MODEL_TEXTURE_TO_ALPHA,
-    [MTL_MAP_ROUGHNESS] = MODEL_TEXTURE_ROUGHNESS,
-    [MTL_MAP_SHININESS] = MODEL_TEXTURE_NS_TO_ROUGHNESS,
-    [MTL_MAP_METALLIC] = MODEL_TEXTURE_METALLIC,
     [MTL_MAP_BUMP] = MODEL_TEXTURE_TO_NORMALS,
 };
 
@@ -58,9 +52,8 @@ static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *imag
     uint32_t layer = 0;
     while (layer < image_list->count) {
         const struct model_texture *other = &image_list->images[layer];
-        if (is_same(other->file, image->file) && is_same(other->other, image->other) &&
-            other->change == image->change && !(other->exponent < image->exponent) &&
-            !(other->exponent > image->exponent))
+        if (is_same(other->file, image->file) && is_same(other->alpha, image->alpha) &&
+            other->change == image->change)
             break;
         layer++;
     }
@@ -69,7 +62,7 @@ static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *imag
         return layer + 1;
     }
     free(image->file);
-    free(image->other);
+    free(image->alpha);
     if (layer < MODEL_TEXTURE_MAX)
         return layer + 1;
     log_error("%s: expected at most %d textures", obj_ply->import->path, MODEL_TEXTURE_MAX);
@@ -97,26 +90,6 @@ const struct mtl_map *mtl_base_map(const struct mtl_material *material)
     return material->maps[MTL_MAP_ALPHA].file ? &material->maps[MTL_MAP_ALPHA] : &none;
 }
 
-/* Returns the map that is merged into the texture of map `use`; MTL_MAP_COUNT if there is none. */
-static enum mtl_map_use merged_map(const struct mtl_material *material, enum mtl_map_use use)
-{
-    enum mtl_map_use other = MTL_MAP_COUNT;
-    if (use == MTL_MAP_COLOR)
-        other = MTL_MAP_ALPHA;
-    else if (use == MTL_MAP_ROUGHNESS || use == MTL_MAP_SHININESS)
-        other = MTL_MAP_METALLIC;
-    return other < MTL_MAP_COUNT && material->maps[other].file ? other : MTL_MAP_COUNT;
-}
-
-/* Sets the roughness or metallic factor to 1 if a texture replaces it. */
-static void reset_factor(struct material *m, enum mtl_map_use use)
-{
-    if (use == MTL_MAP_ROUGHNESS || use == MTL_MAP_SHININESS)
-        m->roughness = 1;
-    else if (use == MTL_MAP_METALLIC)
-        m->metallic = 1;
-}
-
 /* Adds the image of a map to the list and sets the material's texture. */
 static enum status add_map(const struct obj_ply *obj_ply, struct image_list *image_list,
                            struct mtl_material *material, enum mtl_map_use use)
@@ -125,16 +98,9 @@ static enum status add_map(const struct obj_ply *obj_ply, struct image_list *ima
     struct material_texture *texture = &material->material.textures[uses[use]];
     enum status status = STATUS_OK;
     struct model_texture map_image = { .change = changes[use] };
-    if (use == MTL_MAP_SHININESS)
-        map_image.exponent = material->exponent;
     map_image.file = path_of(obj_ply, map, &status);
-    const enum mtl_map_use other = merged_map(material, use);
-    if (map_image.file && other < MTL_MAP_COUNT) {
-        map_image.other = path_of(obj_ply, &material->maps[other], &status);
-        map_image.other_change = changes[other];
-        reset_factor(&material->material, other);
-    }
-    reset_factor(&material->material, use);
+    if (map_image.file && use == MTL_MAP_COLOR && material->maps[MTL_MAP_ALPHA].file)
+        map_image.alpha = path_of(obj_ply, &material->maps[MTL_MAP_ALPHA], &status);
     map_image.name = map_image.file;
     if (status != STATUS_OK) {
         free(map_image.file);
@@ -181,7 +147,7 @@ static enum status load_kind(struct obj_ply *obj_ply, bool are_numbers,
                                     are_numbers, layers);
     for (uint32_t i = 0; i < image_list.count; i++) {
         free(image_list.images[i].file);
-        free(image_list.images[i].other);
+        free(image_list.images[i].alpha);
     }
     free(image_list.images);
     return status;

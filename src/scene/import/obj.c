@@ -5,7 +5,6 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
-#include "src/scene/import/polygon_triangulate.h"
 
 static const uint32_t none = UINT32_MAX;
 
@@ -20,15 +19,11 @@ struct corner {
     uint32_t next; /* next at this position; later vertex */
 };
 
-/* Consecutive triangles of one part. */
-struct run {
-    uint32_t part;
-    uint32_t first_index;
-};
-
 struct obj_part {
     struct obj_ply_part part;
-    uint32_t next; /* next in hash bucket, or `none` */
+    struct obj_ply_array indices;  /* corners of the triangles */
+    struct obj_ply_array polygons; /* struct polygon_range */
+    uint32_t next;                 /* next in hash bucket, or `none` */
 };
 
 struct obj {
@@ -37,7 +32,8 @@ struct obj {
     uint32_t last_index;
     struct obj_ply_array positions, colors, uvs, normals; /* 3, 4, 2, 3 floats each */
     struct obj_ply_array first;                           /* position's first corner, or `none` */
-    struct obj_ply_array corners, indices, runs, polygons, parts;
+    struct obj_ply_array corners, parts;
+    size_t index_count; /* of all parts */
     uint32_t buckets[BUCKET_COUNT];
     char group[MATERIAL_NAME_SIZE]; /* from the last o or g */
     uint32_t material;              /* material index + 1, or 0 */
@@ -198,29 +194,22 @@ static uint32_t find_part(struct obj *obj)
     struct obj_part *added = obj_ply_array_add(&obj->parts, 1, sizeof(*added));
     if (!added)
         return none;
-    *added = (struct obj_part){ { .material = obj->material }, *first };
+    *added = (struct obj_part){ .part.material = obj->material, .next = *first };
     memcpy(added->part.name, obj->group, sizeof(obj->group));
     return *first = (uint32_t)obj->parts.count - 1;
-}
-
-/* Begins a run of triangles of the current part. */
-static bool begin_run(struct obj *obj)
-{
-    obj->part = find_part(obj);
-    struct run *run = obj->part == none ? NULL : obj_ply_array_add(&obj->runs, 1, sizeof(*run));
-    if (run)
-        *run = (struct run){ obj->part, (uint32_t)obj->indices.count };
-    return run;
 }
 
 /* Adds a face as a triangle fan. A face of only one or two corners adds nothing. */
 static enum status read_face(struct obj *obj, struct text_scan *line)
 {
-    const uint32_t first_index = (uint32_t)obj->indices.count;
     uint32_t count = 0, first = none, last = none;
     struct corner corner;
-    if (obj->part == none && !begin_run(obj))
+    if (obj->part == none)
+        obj->part = find_part(obj);
+    if (obj->part == none)
         return no_memory(obj);
+    struct obj_part *part = (struct obj_part *)obj->parts.items + obj->part;
+    const uint32_t first_index = (uint32_t)part->indices.count;
     for (; text_skip(line); count++) {
         struct text_scan word = *line;
         if (!read_corner(obj, line, &corner)) {
@@ -229,21 +218,22 @@ static enum status read_face(struct obj *obj, struct text_scan *line)
         }
         corner.part = obj->part;
         const uint32_t index = find_corner(obj, &corner);
-        if (index == none || obj->indices.count + 3 > MODEL_ELEMENT_MAX)
+        if (index == none || obj->index_count + 3 > MODEL_ELEMENT_MAX)
             return no_memory(obj);
         if (count >= 2) {
-            uint32_t *triangle = obj_ply_array_add(&obj->indices, 3, sizeof(uint32_t));
+            uint32_t *triangle = obj_ply_array_add(&part->indices, 3, sizeof(uint32_t));
             if (!triangle)
                 return no_memory(obj);
             triangle[0] = first;
             triangle[1] = last;
             triangle[2] = index;
+            obj->index_count += 3;
         }
         first = count == 0 ? index : first;
         last = index;
     }
     if (count > 3) {
-        struct polygon_range *polygon = obj_ply_array_add(&obj->polygons, 1, sizeof(*polygon));
+        struct polygon_range *polygon = obj_ply_array_add(&part->polygons, 1, sizeof(*polygon));
         if (!polygon)
             return no_memory(obj);
         *polygon = (struct polygon_range){ first_index, count };
@@ -361,7 +351,7 @@ static bool allocate(struct obj *obj)
     struct obj_ply *obj_ply = obj->obj_ply;
     const size_t count = obj->corners.count + 1;
     obj_ply->positions = malloc(3 * sizeof(float) * count);
-    obj_ply->indices = malloc(sizeof(uint32_t) * (obj->indices.count + 1));
+    obj_ply->indices = malloc(sizeof(uint32_t) * (obj->index_count + 1));
     obj_ply->parts = calloc(obj->parts.count + 1, sizeof(*obj_ply->parts));
     if (obj->normals.count > 0)
         obj_ply->normals = malloc(3 * sizeof(float) * count);
@@ -397,16 +387,23 @@ static void copy_vertex(const struct obj *obj, const struct corner *corner, uint
                2 * sizeof(float));
 }
 
-/* Appends the triangles of a run to its part. Appends each vertex when it is first used. */
-static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
+/* Triangulates the polygons of a part, and appends its triangles and vertices to the file's. */
+static bool append_part(struct obj *obj, const struct obj_part *from, struct obj_ply_part *part,
+                        uint32_t *vertex_count, uint32_t *index_count)
 {
-    const struct run *runs = obj->runs.items;
-    const uint32_t *indices = obj->indices.items;
     struct corner *corners = obj->corners.items;
-    struct obj_ply_part *part = &obj->obj_ply->parts[runs[index].part];
-    const size_t end =
-        index + 1 < obj->runs.count ? runs[index + 1].first_index : obj->indices.count;
-    for (size_t i = runs[index].first_index; i < end; i++) {
+    uint32_t *indices = from->indices.items;
+    const struct polygon polygon = {
+        .positions = obj->positions.items,
+        .vertex_of = corners ? &corners->position : NULL,
+        .vertex_stride = sizeof(*corners) / sizeof(uint32_t),
+    };
+    if (!polygon_triangulate_all(&polygon, from->polygons.items, from->polygons.count, indices))
+        return false;
+    *part = from->part;
+    part->first_vertex = *vertex_count;
+    part->first_index = *index_count;
+    for (size_t i = 0; i < from->indices.count; i++) {
         struct corner *corner = &corners[indices[i]];
         if (corner->next == none) {
             corner->next = (*vertex_count)++;
@@ -415,6 +412,9 @@ static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, ui
         }
         obj->obj_ply->indices[(*index_count)++] = corner->next - part->first_vertex;
     }
+    part->vertex_count = *vertex_count - part->first_vertex;
+    part->index_count = *index_count - part->first_index;
+    return true;
 }
 
 /* Sorts triangles and vertices by part. Sets `next` of each corner to the index of its vertex. */
@@ -422,34 +422,15 @@ static enum status sort_by_part(struct obj *obj)
 {
     struct obj_ply *obj_ply = obj->obj_ply;
     const struct obj_part *parts = obj->parts.items;
-    const struct run *runs = obj->runs.items;
     struct corner *corners = obj->corners.items;
     uint32_t vertex_count = 0, index_count = 0;
-    uint32_t *first = calloc(obj->parts.count + 2, sizeof(*first)); /* first run of each part */
-    uint32_t *sorted = malloc((obj->runs.count + 1) * sizeof(*sorted));
-    const bool is_done = first && sorted && allocate(obj);
-    for (size_t i = 0; is_done && i < obj->corners.count; i++)
+    bool done = allocate(obj);
+    for (size_t i = 0; i < obj->corners.count; i++)
         corners[i].next = none;
-    for (size_t i = 0; is_done && i < obj->runs.count; i++)
-        first[runs[i].part + 2]++;
-    for (size_t i = 2; is_done && i < obj->parts.count + 2; i++)
-        first[i] += first[i - 1];
-    for (size_t i = 0; is_done && i < obj->runs.count; i++)
-        sorted[first[runs[i].part + 1]++] = (uint32_t)i;
-    for (size_t i = 0; is_done && i < obj->parts.count; i++) {
-        struct obj_ply_part *part = &obj_ply->parts[i];
-        *part = parts[i].part;
-        part->first_vertex = vertex_count;
-        part->first_index = index_count;
-        for (uint32_t k = first[i]; k < first[i + 1]; k++)
-            append_run(obj, sorted[k], &vertex_count, &index_count);
-        part->vertex_count = vertex_count - part->first_vertex;
-        part->index_count = index_count - part->first_index;
-    }
-    obj_ply->part_count = is_done ? (uint32_t)obj->parts.count : 0;
-    free(first);
-    free(sorted);
-    return is_done ? STATUS_OK : no_memory(obj);
+    for (size_t i = 0; i < obj->parts.count && done; i++)
+        done = append_part(obj, &parts[i], &obj_ply->parts[i], &vertex_count, &index_count);
+    obj_ply->part_count = done ? (uint32_t)obj->parts.count : 0;
+    return done ? STATUS_OK : no_memory(obj);
 }
 
 static enum status read_text(struct obj *obj, char *text, size_t size)
@@ -478,10 +459,12 @@ static void finish(struct obj *obj)
     free(obj->normals.items);
     free(obj->first.items);
     free(obj->corners.items);
-    free(obj->indices.items);
-    free(obj->runs.items);
-    free(obj->polygons.items);
-    free(obj->parts.items);
+    struct obj_part *parts = obj->parts.items;
+    for (size_t i = 0; i < obj->parts.count; i++) {
+        free(parts[i].indices.items);
+        free(parts[i].polygons.items);
+    }
+    free(parts);
     free(obj);
 }
 
@@ -497,16 +480,6 @@ enum status obj_read(struct obj_ply *obj_ply)
         status = read_text(obj, text, size);
     }
     free(text);
-    text = NULL;
-    const struct corner *corners = obj ? obj->corners.items : NULL;
-    const struct polygon polygon = {
-        .positions = obj ? obj->positions.items : NULL,
-        .vertex_of = corners ? &corners->position : NULL,
-        .vertex_stride = sizeof(*corners) / sizeof(uint32_t),
-    };
-    if (status == STATUS_OK && !polygon_triangulate_all(&polygon, obj->polygons.items,
-                                                        obj->polygons.count, obj->indices.items))
-        status = no_memory(obj);
     if (status == STATUS_OK)
         status = sort_by_part(obj);
     if (obj)

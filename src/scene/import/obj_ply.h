@@ -8,13 +8,10 @@
 
 /* Texture maps of an MTL material. */
 enum mtl_map_use {
-    MTL_MAP_COLOR,     /* map_Kd */
-    MTL_MAP_ALPHA,     /* map_d: alpha of map_Kd's texture */
-    MTL_MAP_SPECULAR,  /* map_Ks */
-    MTL_MAP_EMISSION,  /* map_Ke */
-    MTL_MAP_ROUGHNESS, /* map_Pr: takes precedence over map_Ns */
-    MTL_MAP_SHININESS, /* map_Ns: converted to roughness */
-    MTL_MAP_METALLIC,  /* map_Pm: blue of the roughness texture */
+    MTL_MAP_COLOR,    /* map_Kd */
+    MTL_MAP_ALPHA,    /* map_d: alpha of map_Kd's texture */
+    MTL_MAP_SPECULAR, /* map_Ks */
+    MTL_MAP_EMISSION, /* map_Ke */
     /* bump, map_bump, norm: height or normal maps */
     MTL_MAP_BUMP,
     MTL_MAP_COUNT,
@@ -33,7 +30,6 @@ struct mtl_material {
     vec3s color; /* Kd, multiplied with vertex colours */
     struct material material;
     struct mtl_map maps[MTL_MAP_COUNT];
-    float exponent; /* Ns */
 };
 
 /* Triangles with the same group name and material. Their indices are relative to first_vertex. */
@@ -65,7 +61,8 @@ struct obj_ply {
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Reads a file. Only .import may be set in *obj_ply. Call obj_ply_finish() even after a failure. */
+/* Reads a file. Only .import may be set in *obj_ply. The caller frees the contents, also after a
+ * failure. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 
@@ -75,18 +72,12 @@ MUST_USE enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *n
 /* Appends a line to a list unless it is already there. If the list is full, appends "...". */
 void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words);
 
-/* Builds a model's meshes, objects, materials and textures. */
-MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
-                                   enum model_role default_role);
-
 /* Loads the images of all materials whose parts have texture coordinates. Sets the materials'
  * textures. Converts the texture coordinates to those of the base colour map. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
 /* Returns map_Kd, else map_d, else an identity map. Its options -s and -o apply to all vertices. */
 const struct mtl_map *mtl_base_map(const struct mtl_material *material);
-
-void obj_ply_finish(struct obj_ply *obj_ply);
 
 /* Reads a whole file into memory that the caller frees. On failure, logs an error and returns NULL.
  * If the file cannot be opened, sets *is_found to false, logs nothing and returns NULL. */
@@ -110,5 +101,26 @@ static inline void *obj_ply_array_add(struct obj_ply_array *array, size_t count,
     array->count += count;
     return added;
 }
+
+/* ---- triangulation of polygons by ear clipping ---- */
+
+struct polygon {
+    const float *positions;    /* 3 per vertex */
+    const uint32_t *vertex_of; /* corners are vertices if NULL */
+    uint32_t vertex_stride;    /* elements per corner in vertex_of */
+};
+
+/* Polygon of more than three corners within an index list. */
+struct polygon_range {
+    /* first index of the polygon's triangle fan, and number of its corners */
+    uint32_t first_index, count;
+};
+
+/* Replaces the triangle fans of polygons by ear-clipping triangulations with the same corners and
+ * winding. The fan of corners c has 3 (count - 2) indices: c0 c1 c2, c0 c2 c3, ... Convex polygons
+ * keep the fan; in others no triangle lies outside, if the polygon is planar and simple. Returns
+ * false when out of memory. */
+bool polygon_triangulate_all(const struct polygon *polygon, const struct polygon_range *polygons,
+                             size_t count, uint32_t *indices);
 
 #endif

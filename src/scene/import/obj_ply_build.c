@@ -1,57 +1,11 @@
-/* obj_ply_build.c: converts the contents of an OBJ or PLY file to a model. */
+/* obj_ply_build.c: converts the contents of an OBJ or PLY file to a model, and warns about what is
+ * not drawn. */
 #include <cglm/struct.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
-
-void *obj_ply_array_grow(struct obj_ply_array *array, size_t count, size_t item_size)
-{
-    size_t capacity = array->room > 0 ? array->room : 64;
-    while (capacity - array->count < count) {
-        if (capacity > SIZE_MAX / 2 / item_size)
-            return NULL;
-        capacity *= 2;
-    }
-    void *items = realloc(array->items, capacity * item_size);
-    if (!items)
-        return NULL;
-    array->items = items;
-    array->room = capacity;
-    array->count += count;
-    return (char *)items + (array->count - count) * item_size;
-}
-
-char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size, bool *is_found)
-{
-    struct stat info;
-    FILE *file = model_file_open(import, path);
-    char *bytes = NULL;
-    *is_found = file && fstat(fileno(file), &info) == 0;
-    if (!*is_found) {
-        if (file)
-            fclose(file);
-        return NULL;
-    }
-    const size_t size_max = info.st_size > 0 ? (size_t)info.st_size : 0;
-    bytes = malloc(size_max + 1);
-    if (bytes) {
-        *size = fread(bytes, 1, size_max, file);
-        bytes[*size] = '\0';
-    } else {
-        (void)log_out_of_memory(path);
-    }
-    if (bytes && ferror(file)) {
-        log_error("%s: %s", path, strerror(errno));
-        free(bytes);
-        bytes = NULL;
-    }
-    fclose(file);
-    return bytes;
-}
 
 /* ---- meshes ---- */
 
@@ -198,8 +152,8 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
     return status;
 }
 
-enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
-                          enum model_role default_role)
+static enum status build_model(struct obj_ply *obj_ply, struct model *model,
+                               enum model_role default_role)
 {
     struct model_build build;
     const struct role_rule role_rule = choose_roles(obj_ply, default_role);
@@ -217,7 +171,7 @@ enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
     return status == STATUS_OK ? model_build_end(&build) : status;
 }
 
-void obj_ply_finish(struct obj_ply *obj_ply)
+static void finish(struct obj_ply *obj_ply)
 {
     free(obj_ply->positions);
     free(obj_ply->normals);
@@ -232,4 +186,48 @@ void obj_ply_finish(struct obj_ply *obj_ply)
     }
     free(obj_ply->materials);
     *obj_ply = (struct obj_ply){ .import = obj_ply->import };
+}
+
+/* ---- the whole file ---- */
+
+static void warn(const struct model_import *import, const char *of_what, const char *list)
+{
+    char text[2 * OBJ_PLY_LIST_SIZE];
+    size_t length = 0;
+    for (; *list; list += strcspn(list, "\n") + 1)
+        length += (size_t)snprintf(&text[length], sizeof(text) - length, "%s%.*s",
+                                   length > 0 ? ", " : "", (int)strcspn(list, "\n"), list);
+    if (length > 0)
+        log_warning("%s: not drawn%s: %s", import->path, of_what, text);
+}
+
+static enum status refuse_outside(const struct model_import *import)
+{
+    log_error("%s: refers to %s: expected only files within the model's folder", import->path,
+              import->refused_file);
+    return STATUS_DATA;
+}
+
+enum status model_load_obj_ply(struct model_import *import, const char *suffix, struct model *model,
+                               enum model_role default_role)
+{
+    struct obj_ply obj_ply = { .import = import };
+    enum status status = strcmp(suffix, "ply") == 0 ? ply_read(&obj_ply) : obj_read(&obj_ply);
+    if (status == STATUS_OK && import->refused_file[0])
+        status = refuse_outside(import);
+    if (status == STATUS_OK)
+        status = build_model(&obj_ply, model, default_role);
+    if (obj_ply.colors && obj_ply.material_count == 0 && default_role == MODEL_BY_MATERIALS)
+        obj_ply_note_undrawn(obj_ply.undrawn, "vertex colours"); /* ice shows no vertex colours */
+    if (status == STATUS_OK && import->missing_file[0])
+        log_warning("%s: refers to %s, which does not exist; its materials are left out",
+                    import->path, import->missing_file);
+    if (status == STATUS_OK) {
+        warn(import, " of its materials", obj_ply.undrawn_materials);
+        warn(import, "", obj_ply.undrawn);
+        (void)snprintf(model->undrawn_text, sizeof(model->undrawn_text), "%s%s",
+                       obj_ply.undrawn_materials, obj_ply.undrawn);
+    }
+    finish(&obj_ply);
+    return status;
 }

@@ -6,7 +6,6 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
-#include "src/scene/import/polygon_triangulate.h"
 
 enum format {
     FORMAT_TEXT,
@@ -149,41 +148,27 @@ static enum status read_element(struct ply *ply, struct text_scan *line)
 
 static enum slot slot_of(enum kind kind, bool is_list, struct text_scan *name)
 {
-    static const struct {
-        const char *name;
-        enum slot slot;
-    } slots[] = {
-        { "x", SLOT_X },
-        { "y", SLOT_X + 1 },
-        { "z", SLOT_X + 2 },
-        { "nx", SLOT_NX },
-        { "ny", SLOT_NX + 1 },
-        { "nz", SLOT_NX + 2 },
-        { "red", SLOT_RED },
-        { "green", SLOT_RED + 1 },
-        { "blue", SLOT_RED + 2 },
-        { "r", SLOT_RED },
-        { "g", SLOT_RED + 1 },
-        { "b", SLOT_RED + 2 },
-        { "diffuse_red", SLOT_RED },
-        { "diffuse_green", SLOT_RED + 1 },
-        { "diffuse_blue", SLOT_RED + 2 },
-        { "u", SLOT_U },
-        { "v", SLOT_U + 1 },
-        { "s", SLOT_U },
-        { "t", SLOT_U + 1 },
-        { "texture_u", SLOT_U },
-        { "texture_v", SLOT_U + 1 },
-        { "vertex_indices", SLOT_CORNERS },
-        { "vertex_index", SLOT_CORNERS },
+    static const char *const names[SLOT_COUNT][3] = {
+        { "x" },
+        { "y" },
+        { "z" },
+        { "nx" },
+        { "ny" },
+        { "nz" },
+        { "red", "r", "diffuse_red" },
+        { "green", "g", "diffuse_green" },
+        { "blue", "b", "diffuse_blue" },
+        { "u", "s", "texture_u" },
+        { "v", "t", "texture_v" },
+        { "vertex_indices", "vertex_index" },
     };
-
-    for (size_t i = 0; i < sizeof(slots) / sizeof(slots[0]); i++) {
-        const bool is_corners = slots[i].slot == SLOT_CORNERS;
-        const bool has_corners = kind == KIND_FACE || kind == KIND_STRIPS;
-        if (is_list == is_corners && (is_corners ? has_corners : kind == KIND_VERTEX) &&
-            text_take_word(name, slots[i].name))
-            return slots[i].slot;
+    if (kind == KIND_OTHER || is_list != (kind != KIND_VERTEX))
+        return SLOT_OTHER;
+    for (uint32_t i = 0; i < 3 * SLOT_COUNT; i++) {
+        const char *known = names[i / 3][i % 3];
+        const bool is_corners = i / 3 == SLOT_CORNERS;
+        if (known && is_corners == is_list && text_take_word(name, known))
+            return i / 3;
     }
     return SLOT_OTHER;
 }

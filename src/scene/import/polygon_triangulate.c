@@ -1,14 +1,13 @@
 /* polygon_triangulate.c: triangulation by ear clipping (Meisters 1975, Polygons have ears). The
  * work per polygon is limited, because ear clipping takes O(n^2) time or more. */
-#include "src/scene/import/polygon_triangulate.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
+#include "src/scene/import/obj_ply.h"
 
 enum {
     /* maximum number of point-in-ear tests per polygon; any remaining corners form a fan */
     TESTS_MAX = 1 << 26,
-    SMALL_COUNT = 16, /* maximum corners for stack arrays */
 };
 
 /* Remaining corners of a polygon and their projections to a plane, counter-clockwise. */
@@ -127,37 +126,33 @@ static void cut_ears(struct outline *o, uint32_t *indices)
     }
 }
 
-bool polygon_triangulate(const struct polygon *polygon, uint32_t *indices, uint32_t count)
+/* Triangulates a polygon of outline->count corners, whose triangle fan is in `indices`. */
+static void triangulate(const struct polygon *polygon, struct outline *outline, uint32_t *indices)
 {
-    uint32_t small_corners[SMALL_COUNT];
-    double small_points[SMALL_COUNT][2];
-    const bool is_small = count <= SMALL_COUNT;
-    struct outline outline = {
-        .corners = is_small ? small_corners : malloc(count * sizeof(*outline.corners)),
-        .points = is_small ? small_points : malloc(count * sizeof(*outline.points)),
-        .count = count,
-    };
-    const bool is_done = outline.corners && outline.points;
-    if (is_done) {
-        for (uint32_t i = 0; i < count; i++)
-            outline.corners[i] = corner_at(indices, i);
-        project(polygon, &outline);
-        if (!is_convex(&outline))
-            cut_ears(&outline, indices);
-    }
-    if (!is_small) {
-        free(outline.corners);
-        free(outline.points);
-    }
-    return is_done;
+    outline->tests = 0;
+    for (uint32_t i = 0; i < outline->count; i++)
+        outline->corners[i] = corner_at(indices, i);
+    project(polygon, outline);
+    if (!is_convex(outline))
+        cut_ears(outline, indices);
 }
 
 bool polygon_triangulate_all(const struct polygon *polygon, const struct polygon_range *polygons,
                              size_t count, uint32_t *indices)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (!polygon_triangulate(polygon, &indices[polygons[i].first_index], polygons[i].count))
-            return false;
+    uint32_t longest = 0;
+    for (size_t i = 0; i < count; i++)
+        longest = polygons[i].count > longest ? polygons[i].count : longest;
+    struct outline outline = {
+        .corners = malloc((longest + (size_t)1) * sizeof(*outline.corners)),
+        .points = malloc((longest + (size_t)1) * sizeof(*outline.points)),
+    };
+    const bool is_done = outline.corners && outline.points;
+    for (size_t i = 0; i < count && is_done; i++) {
+        outline.count = polygons[i].count;
+        triangulate(polygon, &outline, &indices[polygons[i].first_index]);
     }
-    return true;
+    free(outline.corners);
+    free(outline.points);
+    return is_done;
 }

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/file/image_receive.h"
-#include "src/file/preset_transfer.h"
+#include "src/file/preset.h"
 #include "src/scene/import/model_pipe.h"
 
 /* Encodes a pose as an argument for the child process. The caller frees the text. Line 1 has a

@@ -1,7 +1,7 @@
 /*
  * text_scan.h: tokeniser for text model files: lines, words and numbers. A text is the range from a
- * start pointer to `end`, without a terminating '\0'. No function reads at or beyond `end`. Numbers
- * are parsed independently of the locale.
+ * start pointer to `end`, within a file in memory that ends with '\0'. Numbers are parsed in the
+ * locale "C" of the reader process.
  */
 #ifndef FIRN_SCENE_IMPORT_TEXT_SCAN_H
 #define FIRN_SCENE_IMPORT_TEXT_SCAN_H

@@ -3,13 +3,13 @@
  *
  * It has one line NAME=VALUE per entry, like a preset: settings by name, and the entries of
  * session_file.c. Non-ASCII bytes and '%' in names are percent-encoded. A reader process splits the
- * file into lines (preset_transfer.h); values are checked here.
+ * file into lines (preset.h); values are checked here.
  */
 #ifndef FIRN_VIEW_SESSION_SESSION_FILE_H
 #define FIRN_VIEW_SESSION_SESSION_FILE_H
 
 #include <stdio.h>
-#include "src/file/preset_transfer.h"
+#include "src/file/preset.h"
 #include "src/scene/camera.h"
 #include "src/settings/settings.h"
 

@@ -1,13 +1,13 @@
 /*
- * preset_transfer.h: presets: settings stored in a text file or an image, read in a reader process
+ * preset.h: presets: settings stored in a text file or an image, read in a reader process
  * (reader_process.h).
  *
  * A file with the suffix .exr or .png is an image written by firn, whose metadata holds settings.
  * Any other file is text: lines NAME=VALUE, blank lines, and comment lines that begin with '#'.
  * Setting names are not checked here.
  */
-#ifndef FIRN_FILE_PRESET_TRANSFER_H
-#define FIRN_FILE_PRESET_TRANSFER_H
+#ifndef FIRN_FILE_PRESET_H
+#define FIRN_FILE_PRESET_H
 
 #include "src/file/reader_process.h"
 
