@@ -69,6 +69,17 @@ static void lines_come_back_as_they_were(void **state)
     session_file_finish(&again);
 }
 
+static void entries_of_two_sides_are_left_out(void **state)
+{
+    struct session_file session;
+    (void)state;
+    assert_int_equal(parse(&session, "scene=sphere\nrung=bounce\nb=state\nb.rung=trace\n"
+                                     "b.cracks.count=7\ncamera-2=1,2,3\ntime=2\n"),
+                     STATUS_OK);
+    assert_true(session.time > 1.9f && session.time < 2.1f);
+    session_file_finish(&session);
+}
+
 static void wrong_lines_are_refused(void **state)
 {
     static const char *const wrong[] = {
@@ -99,6 +110,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_come_back_as_they_were),
+        cmocka_unit_test(entries_of_two_sides_are_left_out),
         cmocka_unit_test(wrong_lines_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

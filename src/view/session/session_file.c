@@ -118,8 +118,20 @@ static bool parse_own(struct session_file *s, const char *name, char *value, con
     return true;
 }
 
+/* Returns true if an entry is of a kind that sessions do not have: side B or a stored camera. */
+static bool is_ignored(const char *assignment)
+{
+    return !strncmp(assignment, "b=", 2) || !strncmp(assignment, "b.", 2) ||
+           !strncmp(assignment, "camera-", 7);
+}
+
 static enum status parse_line(struct session_file *s, struct preset_line *line, const char *path)
 {
+    if (is_ignored(line->assignment)) {
+        log_note("%s:%u: left out: '%s'; sessions have one side and one camera", path, line->number,
+                 line->assignment);
+        return STATUS_OK;
+    }
     char *equals = strchr(line->assignment, '=');
     const struct settings_location location = { path, line->number };
     const char *expected = NULL;
