@@ -47,12 +47,15 @@ const int trace_pending_max = 6; /* maximum number of pending paths */
 const int trace_pending_max = 2;
 const int trace_ends_max = 3; /* maximum number of paths per pixel */
 #endif
-const int trace_segments_max = 40; /* maximum number of segments per path */
+const int trace_segments_max = 256; /* maximum number of segments per path */
 /* Number of segments in a pixel after which paths are no longer split. Light of pending paths would
  * be lost, because llvmpipe terminates loops after 65 535 iterations. */
 const int trace_split_segments_max = 256;
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
+const uint trace_split_seed = 60u;
+const uint trace_choice_seed = 61u;
+const uint trace_survival_seed = 62u;
 const float trace_lighting_branch = 0.1; /* minimum throughput of lighting rays */
 
 /* State of a path, traced from the camera towards the light. */
@@ -221,8 +224,7 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
     if (!c.is_thin && !c.is_inclusion)
         next.medium_stack = is_inside ? trace_stack_push(path.medium_stack, c.rank)
                                       : trace_stack_remove(path.medium_stack, c.rank);
-    if (trace_has(TRACE_HAS_ROUGH | TRACE_HAS_DIFFUSE_LIGHT))
-        next.seed = microfacet_hash(path.seed, is_through ? 1u : 0u);
+    next.seed = microfacet_hash(path.seed, is_through ? 1u : 0u);
     return next;
 }
 
@@ -314,18 +316,35 @@ void trace_push_pending(trace_path other)
     pending_count++;
 }
 
-/* Returns true if a reflection of this throughput is followed as a separate path. */
-bool trace_is_split(vec3 throughput)
+/* Returns a random number for the decision `salt` of the path: an additive recurrence over samples
+ * (golden ratio), which starts at a hash of the path. */
+float trace_random(uint salt)
 {
-    float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
+    uint bits = microfacet_hash(path.seed, salt) + 2654435769u * trace.sample_index;
+    return float(bits >> 8) * exp2(-24.0);
+}
+
+/* Returns true if a pixel can store another pending path. */
+bool trace_has_room()
+{
     bool has_room = pending_count < trace_pending_max && segment_count < trace_split_segments_max;
 #ifndef TRACE_RAYS
     has_room = has_room && ends_left > 0;
 #endif
+    return has_room;
+}
+
+/* Decides by Russian roulette whether a branch is followed as a separate path. Branches above
+ * trace.branch always are; the throughput of the others is raised to it. */
+bool trace_is_split(inout vec3 throughput)
+{
+    float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
     float min_throughput = max(trace.branch, trace_branch_min);
     if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray)
         min_throughput = max(min_throughput, trace_lighting_branch);
-    return has_room && max_throughput > 0.0 && (is_first || max_throughput > min_throughput);
+    float probability = is_first ? 1.0 : min(max_throughput / min_throughput, 1.0);
+    throughput /= max(probability, 1e-30);
+    return max_throughput > 0.0 && trace_random(trace_split_seed) < probability;
 }
 
 #include "trace/trace_participating_media.glsl"
@@ -413,8 +432,22 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
     }
 }
 
-/* Continues the path at a surface by refraction or reflection. If the branch not taken has enough
- * throughput, pushes it as a second path. Returns false if no throughput is left. */
+/* Terminates a path of low throughput by Russian roulette. The main path is only terminated if it
+ * carries next to nothing, because it also gives the layers. */
+bool trace_survives()
+{
+    float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
+    float probability = min(max_throughput / max(trace.branch, trace_branch_min), 1.0);
+    if (!is_main) {
+        path.throughput /= max(probability, 1e-30);
+        max_throughput = trace_random(trace_survival_seed) < probability ? 1.0 : 0.0;
+    }
+    return max_throughput > 1e-5;
+}
+
+/* Continues the path at a surface by refraction, and pushes the reflected branch as a second path.
+ * Total reflection, or no room for a second path, continues it by reflection. Returns false if no
+ * throughput is left. */
 bool trace_scatter(trace_hit hit, trace_crossing c)
 {
     trace_fresnel_split p = trace_fresnel_at(c);
@@ -425,15 +458,18 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     if (trace_has(TRACE_HAS_DIFFUSE_LIGHT))
         path.open = path.open > 0.0 && trace_is_in(path) ? -1.0 : min(path.open, 0.0);
     trace_record(hit, c, p.fresnel, is_total);
-    if (!is_total && trace_is_split(back)) {
-        trace_path other = trace_continue(path, hit, c, p.reflected, false);
-        other.throughput = back;
-        other.kind = is_first ? 1.0 : path.kind;
-        trace_push_pending(other);
+    if (!is_total && trace_has_room()) {
         through *= 1.0 - reflectance;
-    } else if (trace_is_crack(c) && p.fresnel > 0.5) { /* the stronger path gets all */
-        is_total = true;
-        back = path.throughput;
+        if (trace_is_split(back)) {
+            trace_path other = trace_continue(path, hit, c, p.reflected, false);
+            other.throughput = back;
+            other.kind = is_first ? 1.0 : path.kind;
+            trace_push_pending(other);
+        }
+    } else if (!is_total) { /* one of the branches, by Russian roulette */
+        is_total = trace_random(trace_choice_seed) < p.fresnel;
+        through *= (1.0 - reflectance) / (1.0 - p.fresnel);
+        back /= max(p.fresnel, 1e-30);
     }
     bool is_mirror = is_first && is_total;
     path = trace_continue(path, hit, c, is_total ? p.reflected : p.refracted, !is_total);
@@ -442,7 +478,7 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     result.exit = is_main ? path.dir : result.exit;
     is_main = is_main && trace_is_in(path) && !is_mirror;
     is_first = false;
-    return max(path.throughput.r, max(path.throughput.g, path.throughput.b)) > 1e-5;
+    return trace_survives();
 }
 
 /* Adds the light of the environment or surroundings where a path ends. Returns true if the path

@@ -27,7 +27,7 @@ const struct quality_row quality_rows[] = {
     { "refract_bounce.inclusions", { [DRAFT] = "off", [HIGH] = "all" } },
     { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
     { "ssr.steps", { [DRAFT] = "0", [HIGH] = "16" } },
-    { "trace.min_branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
+    { "trace.min_branch", { [DRAFT] = "0.1" } },
     { "trace.footprint", { [HIGH] = "on" } },
     { "ground.light", { [HIGH] = "traced" } },
     { "ground.denoise", { [HIGH] = "on" } },

@@ -199,7 +199,7 @@ class CommandLine(Case):
                                'ssr.steps=0', '--set', 'ao.strength=0'))
         for words, wanted in (
                 (('--quality', 'high'),
-                 ('samples=5', 'refract.steps=12', 'trace.min_branch=0.005')),
+                 ('samples=5', 'refract.steps=12', 'ssr.steps=16')),
                 (('--quality', 'draft'),
                  ('samples=1', 'refract_bounce.exits=1', 'trace.min_branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),

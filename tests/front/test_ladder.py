@@ -200,11 +200,13 @@ class Furnace(LadderCase):
         text = self.succeed('ladder', scene, *SIZE, '--furnace').stdout.decode()
         rows = {line.split()[0]: line.split()[1:] for line in text.splitlines()[1:9]}
         self.assertEqual(set(rows), {'reference', *RUNGS})
-        for name, (least, mean, greatest, remaining, off) in rows.items():
-            self.near(float(greatest), 1, 1e-3)
-            self.assertGreaterEqual(float(least) + float(remaining), 1 - 1e-3, name)
+        for name, (least, mean, greatest, _, remaining, off, result) in rows.items():
+            self.assertEqual(result, 'passes', name)
             self.near(float(mean), 1, 2e-3)
-            self.assertEqual(off, '0')
+            if name != 'trace':  # whose pixels have noise
+                self.near(float(greatest), 1, 1e-3)
+                self.assertGreaterEqual(float(least) + float(remaining), 1 - 1e-3, name)
+                self.assertEqual(off, '0')
 
     @long
     def test_what_takes_no_light_shows_1(self):
@@ -218,7 +220,7 @@ class Furnace(LadderCase):
         done = self.firn('ladder', 'sphere', *SIZE, '--furnace', '--rungs', 'bounce', '--set',
                          'absorb.red=1')
         self.assertEqual(done.returncode, FAILED)
-        self.assertRegex(done.stdout.decode(), r'(?m)^bounce .* [1-9]\d*$')
+        self.assertRegex(done.stdout.decode(), r'(?m)^bounce .* [1-9]\d* fails$')
 
     def test_opaque_surfaces_take_light(self):
         opaque = {'pbrMetallicRoughness': {'baseColorFactor': [0.2, 0.2, 0.2, 1]}}

@@ -65,7 +65,7 @@ static struct settings settings_of_bounces(int bounces)
 {
     char assignment[32];
     snprintf(assignment, sizeof(assignment), "reference.bounces=%d", bounces);
-    return SETTINGS("reference.cutoff=1e-6", assignment);
+    return SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-6", assignment);
 }
 
 /* What leaves after each of the first reflections inside, by letting light meet one surface more:
@@ -200,8 +200,8 @@ static void test_slab(void **state)
 static void test_absorption(void **state)
 {
     const struct settings settings =
-        SETTINGS("reference.cutoff=1e-6", "reference.bounces=3", "absorb.red=0.5", "absorb.green=1",
-                 "absorb.blue=0.05");
+        SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-6", "reference.bounces=3",
+                 "absorb.red=0.5", "absorb.green=1", "absorb.blue=0.05");
     const double absorb[3] = { 0.5, 1, 0.05 };
     struct scene scene = slab_scene(2);
     (void)state;
@@ -227,8 +227,9 @@ static void test_absorption(void **state)
 /* KHR_materials_dispersion: what each colour's index reflects. */
 static void test_dispersion(void **state)
 {
-    const struct settings settings = SETTINGS("reference.cutoff=1e-6", "reference.bounces=2",
-                                              "refract.ior=1.5", "refract.dispersion=1");
+    const struct settings settings =
+        SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-6", "reference.bounces=2",
+                 "refract.ior=1.5", "refract.dispersion=1");
     const double indices[3] = { 1.4875, 1.5, 1.5125 };
     struct scene scene = slab_scene(2);
     (void)state;
@@ -376,13 +377,30 @@ static void check_furnace(bool (*generate)(struct mesh *, uint32_t), uint32_t tr
 static void test_white_furnace(void **state)
 {
     (void)state;
-    check_furnace(generate_sphere, 960, settings_default(), 1e-3);
-    check_furnace(generate_ice_cube, 4800, settings_default(), 1e-3);
-    check_furnace(generate_ice_cube, 4800, SETTINGS("reference.normals=flat"), 1e-3);
-    check_furnace(generate_ice_cube, 4800, SETTINGS("reference.cutoff=1e-5"), 1e-5);
-    check_furnace(generate_ice_cube, 4800, SETTINGS("reference.cutoff=0.05"), 0.05);
-    check_furnace(generate_ice_cube, 4800, SETTINGS("refract.dispersion=2"), 1e-3);
-    check_furnace(generate_teapot, 3600, SETTINGS("refract.ior=2.417"), 0.01);
+    check_furnace(generate_sphere, 960,
+                  SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3"), 1e-3);
+    check_furnace(generate_ice_cube, 4800,
+                  SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3"), 1e-3);
+    check_furnace(generate_ice_cube, 4800,
+                  SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3",
+                           "reference.normals=flat"),
+                  1e-3);
+    check_furnace(generate_ice_cube, 4800,
+                  SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3",
+                           "reference.cutoff=1e-5"),
+                  1e-5);
+    check_furnace(generate_ice_cube, 4800,
+                  SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3",
+                           "reference.cutoff=0.05"),
+                  0.05);
+    check_furnace(
+        generate_ice_cube, 4800,
+        SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3", "refract.dispersion=2"),
+        1e-3);
+    check_furnace(
+        generate_teapot, 3600,
+        SETTINGS("reference.russian_roulette=off", "reference.cutoff=1e-3", "refract.ior=2.417"),
+        0.01);
 }
 
 /* With roulette no light is missing from the mean, although trees are cut early, and no pixel is

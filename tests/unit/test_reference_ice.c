@@ -272,8 +272,8 @@ static void test_crack_in_air(void **state)
  * it is as bright as the background. Outside of the ice it is nothing. */
 static void test_air(void **state)
 {
-    const struct settings settings =
-        SETTINGS("air.strength=0.5", "air.haze=0.25", "reference.bounces=1");
+    const struct settings settings = SETTINGS("reference.russian_roulette=off", "air.strength=0.5",
+                                              "air.haze=0.25", "reference.bounces=1");
     const double clear = (1 - 0.5 * 102 / 255) * (1 - 0.25 * 51 / 255);
     const double edge = (1 - 0.25 * 102 / 255) * (1 - 0.125 * 51 / 255);
     struct scene scene = block_scene();
@@ -553,8 +553,8 @@ static void test_white_furnace(void **state)
     struct scene scene = whole_scene();
     (void)state;
     for (int frosty = 0; frosty < 2; frosty++) {
-        const struct settings settings =
-            SETTINGS(frosts[frosty], "bump.strength=0.5", "reference.cutoff=0.01");
+        const struct settings settings = SETTINGS("reference.russian_roulette=off", frosts[frosty],
+                                                  "bump.strength=0.5", "reference.cutoff=0.01");
         struct render_result result = whole_picture(&scene, &settings, 0, reference_ray_layers());
         const float *red = image_find(&result.image, "R");
         const float *rest = image_find(&result.image, "remaining.R");

@@ -231,6 +231,9 @@ static void test_remaining(void **state)
     render_result_finish(&result);
     assert_int_equal(settings_assign(&f->settings, "reference.cutoff=0.1", SETTING_USER, NULL),
                      STATUS_OK);
+    assert_int_equal(
+        settings_assign(&f->settings, "reference.russian_roulette=off", SETTING_USER, NULL),
+        STATUS_OK);
     const struct reference_outcome outcome = go_on(&f->request, &result);
     const char *const planes[] = { "remaining.R", "remaining.G", "remaining.B" };
     uint64_t count = 0;

@@ -176,9 +176,8 @@ bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_bran
 bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b)
 {
     const float probability = glms_vec3_max(b->throughput) / tracing->params.cutoff;
-    if (b->is_single_path)
-        return true;
-    b->is_single_path = probability < 1.0f || b->bounces >= tracing->params.bounces;
+    b->is_single_path =
+        b->is_single_path || probability < 1.0f || b->bounces >= tracing->params.bounces;
     if (probability >= 1.0f)
         return true;
     b->throughput = glms_vec3_scale(b->throughput, 1.0f / probability);

@@ -12,11 +12,12 @@ static const struct setting rows[] = {
     {
         SETTING_FIELD("reference.cutoff", FLOAT, struct reference_params, cutoff),
         .label = "Reference: minimum throughput",
-        .initial = 1e-3,
+        .initial = 2e-3,
         .min = 1e-6, /* branches multiply in concave objects */
         .max = 1,
-        .help = "throughput below which a path is terminated; the lost throughput is in layer "
-                "remaining",
+        .help =
+            "throughput below which Russian roulette decides whether a path is followed; without "
+            "it, the path is terminated, and the lost throughput is in layer remaining",
     },
     {
         SETTING_FIELD("reference.bounces", COUNT, struct reference_params, bounces),
@@ -30,9 +31,10 @@ static const struct setting rows[] = {
         SETTING_FIELD("reference.russian_roulette", SWITCH, struct reference_params, roulette),
         .renamed_from = "reference.roulette",
         .label = "Reference: Russian roulette",
+        .initial = 1,
         .max = 1,
         .help = "Russian roulette instead of termination at reference.cutoff: unbiased, "
-                "but noisy",
+                "with a little noise",
     },
     {
         SETTING_FIELD("reference.photons", COUNT, struct reference_params, photons),

@@ -4,12 +4,13 @@
  * Each pixel's path is traced through a BVH of the scene's triangles (src/scene/bvh/bvh.c; Aila and
  * Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs). At an object's surface it is
  * refracted between the media on both sides, which a medium stack with priorities yields (Schmidt
- * and Budge 2002), or totally reflected; reflections of enough throughput are traced later. Rays
- * that leave the objects look up the environment cube or hit the triangles of the surroundings.
+ * and Budge 2002), or totally reflected; reflections of enough throughput are traced later, the
+ * others by Russian roulette, which keeps the mean of many samples unbiased. Rays that leave the
+ * objects look up the environment cube or hit the triangles of the surroundings.
  *
- * Error: internal reflections with less throughput than trace.min_branch count as transmitted, and
- * so does light after TRACE_LENGTH surfaces. Without trace.surroundings=rays, that of the cube
- * lookup (shaders/refract/refract_environment.glsl). Bump maps and air impostors are ignored.
+ * Error: paths of more than 256 segments end with a lookup of the environment in their last
+ * direction. Without trace.surroundings=rays, that of the cube lookup
+ * (shaders/refract/refract_environment.glsl). Bump maps and air impostors are ignored.
  */
 #include "src/tech/trace/refract_trace.h"
 #include <string.h>

@@ -32,9 +32,9 @@ static const struct setting rows[] = {
         .initial = -1,
         .max = 1,
         .has_auto = true,
-        .help = "minimum path throughput for following an internal reflection besides the "
-                "refracted ray (0: always; auto: 0.015 if all objects are clear and rays hit the "
-                "surroundings, else 0.03)",
+        .help = "path throughput below which Russian roulette decides whether a reflection is "
+                "followed; smaller values are slower and less noisy (auto: 0.01 if all objects are "
+                "clear and rays hit the surroundings, else 0.03)",
     },
     {
         .name = "trace.surroundings",
@@ -164,10 +164,9 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
 }
 
-/* Minimum throughput of paths for trace.min_branch=auto. For clear objects it is below 0.018, the
- * reflectance of ice at normal incidence, because paths must follow their first reflection. Other
- * scenes need more, because a low value is up to 1.5 times slower or shows cube map errors. */
-static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
+/* Throughput for Russian roulette with trace.min_branch=auto. For clear objects it is below 0.018,
+ * the reflectance of ice at normal incidence, so that the first internal reflection has no noise. */
+static const float branch_of_clear = 0.01f, branch_of_others = 0.03f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)
 {

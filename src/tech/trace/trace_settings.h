@@ -39,7 +39,7 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
 /* Returns true if objects or surroundings may rotate. */
 bool trace_has_motion(const struct settings *settings);
 
-/* Returns the minimum throughput of internal reflections, from the setting trace.min_branch. `auto`
+/* Returns the throughput below which reflections are subject to Russian roulette, from the setting trace.min_branch. `auto`
  * means a lower value if all objects are clear and rays hit the surroundings. */
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings);
 
