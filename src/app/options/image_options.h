@@ -9,7 +9,8 @@ option_fn option_material, option_sandbox, option_set, option_tone_curve, option
     option_rotate; /* of struct setup_scene */
 option_fn option_refraction, option_size, option_bake_size, option_tiles, option_tile, option_aov,
     option_show, option_fov, option_png_bits, option_samples;     /* of struct setup_image */
-option_fn option_orbit, option_position;                          /* of struct setup_vector */
+option_fn option_orbit;                                           /* of struct setup_vector */
+option_fn option_position;                                        /* of struct setup_position */
 option_fn option_pixel_filter;                                    /* of enum pixel_filter */
 option_fn option_sharing;                                         /* of enum rg_sharing */
 option_fn option_format;                                          /* of enum app_format */

@@ -5,10 +5,12 @@
 #define FIRN_SCENE_IMPORT_IMPORTER_H
 
 #include <stdio.h>
+#include "src/scene/geometry/affine.h"
 #include "src/scene/import/model.h"
 
 enum {
-    MODEL_COORDINATE_MAX = 1000000,
+    MODEL_COORDINATE_MAX = 1000000, /* maximum distance of a vertex from model.origin, per axis */
+    MODEL_ORIGIN_MAX = 1000000000,  /* maximum coordinate of model.origin, and of cameras from it */
     MODEL_NODE_MAX = 1 << 22,
     MODEL_ELEMENT_MAX = 1 << 28, /* maximum vertices or indices per mesh */
     MODEL_TEXTURE_MAX = 4096,
@@ -25,9 +27,11 @@ enum {
 
 struct model_import {
     const char *path;
+    const double *origin;       /* model_pose.origin; may be NULL */
     char refused_file[256];     /* first file outside folder, else "" */
     uint32_t clamped_materials; /* number of materials with clamped colours */
     uint32_t clamped_vertices;
+    uint32_t collapsed_triangles; /* degenerate triangles of far shapes */
     char missing_file[256]; /* first missing referenced file, else "" */
 };
 
@@ -136,6 +140,7 @@ struct model_build {
     uint64_t vertex_count[MODEL_ROLE_COUNT], index_count[MODEL_ROLE_COUNT];
     bool has_extras[MODEL_ROLE_COUNT]; /* set before the meshes are allocated */
     const char *surroundings_name;     /* next object's; NULL continues the last */
+    double low[MODEL_ROLE_COUNT][3], high[MODEL_ROLE_COUNT][3]; /* bounds; low > high if empty */
 };
 
 /* Checks that the numbers of a shape are finite and its indices in range. */
@@ -147,10 +152,17 @@ void model_build_init(struct model_build *build, struct model_import *import, st
 /* Counts a shape's vertices and indices. Count all shapes before allocating the meshes. */
 MUST_USE enum status model_build_count(struct model_build *build, enum model_role role,
                                        uint64_t vertex_count, uint64_t index_count);
+/* Extends the bounds of a mesh by the transformed box of `vertex_count` positions; without any, by
+ * the transformed point (0, 0, 0). */
+void model_build_extend(struct model_build *build, enum model_role role, const float *positions,
+                        uint32_t vertex_count, const struct affine *model_from_shape);
+/* Chooses model.origin by the bounds, and allocates the counted meshes. */
 MUST_USE enum status model_build_allocate(struct model_build *build);
-/* Adds a shape to an allocated mesh. Add the shapes in the order in which they were counted. */
+/* Adds a shape to an allocated mesh. `model_from_shape` is relative to model.origin. Add the shapes
+ * in the order in which they were counted. */
 MUST_USE enum status model_build_add(struct model_build *build, enum model_role role,
-                                     const struct model_shape *shape, mat4s model_from_shape);
+                                     const struct model_shape *shape,
+                                     const struct affine *model_from_shape);
 /* Computes missing normals and welds identical vertices. */
 MUST_USE enum status model_build_end(struct model_build *build);
 
@@ -165,7 +177,7 @@ MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t 
  * Non-finite colours stay unchanged. Returns true if the colour changed. */
 bool model_color_clamp(vec3s *color, bool is_unlit);
 
-/* Logs a warning if colours of the file were clamped. Call it only for accepted files. */
-void model_color_warn(const struct model_import *import);
+/* Logs warnings of clamped colours and collapsed triangles. Call it only for accepted files. */
+void model_build_warn(const struct model_import *import);
 
 #endif

@@ -6,7 +6,7 @@
  * material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
  * transmissive material (docs/models.md), meshes with such a material are the objects and all
  * others the surroundings; in any other file `default_role` decides. Coordinates are those of the
- * file. Each instance of a mesh in a node is one object; a file without materials has a single
+ * file, minus model.origin. Each instance of a mesh in a node is one object; a file without materials has a single
  * object. Points and lines are left out; polygons are triangulated; identical vertices are welded.
  *
  * Normals are taken from the file; smooth normals are computed where they are missing. Vertex
@@ -26,7 +26,7 @@
  * Errors: one line is logged, with the file's name and the location, and *model is {0}.
  * STATUS_NO_INPUT: missing or unreadable. STATUS_TRY_AGAIN: out of memory. STATUS_DATA: unknown
  * format, unsupported required extension, syntax error, empty file, no triangles, non-finite
- * number, coordinate beyond 1e6, index out of range, index of refraction outside 1 to 4, damaged or
+ * number, coordinate beyond 1e6 from model.origin, index out of range, index of refraction outside 1 to 4, damaged or
  * missing texture, invalid box.
  */
 #ifndef FIRN_SCENE_IMPORT_MODEL_H
@@ -84,6 +84,9 @@ struct model_extension {
 };
 
 struct model {
+    /* Position in the file's coordinates from which all other positions are counted, so that single
+     * precision suffices far from the file's origin; 0 unless the model is far from it. */
+    double origin[3];
     struct mesh object; /* all refractive objects, merged */
     struct mesh surroundings;
     struct object *objects; /* index ranges of `object`; ranks unset */
@@ -129,6 +132,7 @@ struct model_pose {
     const char *animation;
     bool is_first; /* use the first animation, if any */
     float time;    /* animation time, seconds */
+    const double *origin; /* model.origin of another pose of the file; NULL to choose it */
     /* Names of the refractive objects, one per line, or NULL. Each name is of a node with a mesh,
      * or else of a material. Other meshes are surroundings unless transmissive. */
     const char *objects;

@@ -43,6 +43,7 @@ struct model_head {
     float ior;
     struct box box;
     uint32_t surroundings_object_count;
+    double origin[3];
 };
 
 struct environment_head {
@@ -58,7 +59,7 @@ _Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_extension) == 68, "no padding");
 _Static_assert(sizeof(struct model_animation) == 68, "no padding");
 _Static_assert(sizeof(struct environment_head) == 36, "no padding");
-_Static_assert(sizeof(struct model_head) == 152, "no padding, so no bytes of this process in it");
+_Static_assert(sizeof(struct model_head) == 176, "no padding, so no bytes of this process in it");
 
 /* ---- write ---- */
 
@@ -98,6 +99,7 @@ bool model_pipe_write_model(const struct pipe_sink *sink, const struct model *mo
         .ior = model->ior,
         .box = model->box,
         .surroundings_object_count = model->surroundings_object_count,
+        .origin = { model->origin[0], model->origin[1], model->origin[2] },
     };
     return pipe_write(sink, &head, sizeof(head)) && write_mesh(sink, &model->object) &&
            write_mesh(sink, &model->surroundings) &&
@@ -362,9 +364,8 @@ static bool is_box(const struct box *box)
 
 static bool is_camera(const struct camera *camera)
 {
-    return is_bounded(camera->eye, MODEL_COORDINATE_MAX) &&
-           is_bounded(camera->up, MODEL_COORDINATE_MAX) &&
-           is_bounded(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
+    return is_bounded(camera->eye, MODEL_ORIGIN_MAX) && is_bounded(camera->up, MODEL_ORIGIN_MAX) &&
+           is_bounded(camera->target, 8.0F * MODEL_ORIGIN_MAX) &&
            glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
            camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
 }
@@ -373,6 +374,10 @@ static bool is_head_valid(const struct model_head *head)
 {
     if (head->flags & ~(uint32_t)HEAD_FLAGS)
         return false;
+    for (int k = 0; k < 3; k++) {
+        if (!(fabs(head->origin[k]) <= MODEL_ORIGIN_MAX))
+            return false;
+    }
     if (head->flags & HAS_BOX && !is_box(&head->box))
         return false;
     if (head->flags & HAS_IOR && !(head->ior >= 1 && head->ior <= 4))
@@ -537,6 +542,7 @@ enum pipe_fault model_pipe_read_model(const struct pipe_source *source, struct m
     }
     model->has_camera = head.flags & HAS_CAMERA;
     model->has_ior = head.flags & HAS_IOR;
+    memcpy(model->origin, head.origin, sizeof(model->origin));
     if (model->has_camera)
         model->camera = head.camera;
     if (model->has_ior)

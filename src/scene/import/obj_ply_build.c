@@ -167,6 +167,8 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
                                const struct role_rule *role_rule, bool is_counting)
 {
     enum status status = STATUS_OK;
+    const struct affine in_file = affine_identity();
+    const struct affine from_origin = affine_relocate(&in_file, build->model->origin);
     const char *last = NULL; /* previous part's name */
     for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
         const struct obj_ply_part *part = &obj_ply->parts[i];
@@ -182,6 +184,8 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
         if (is_counting) {
             status = model_shape_check(obj_ply->import, &shape);
             if (status == STATUS_OK)
+                model_build_extend(build, role, shape.positions, shape.vertex_count, &in_file);
+            if (status == STATUS_OK)
                 status = model_build_count(build, role, part->vertex_count, part->index_count);
             continue;
         }
@@ -193,7 +197,7 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
             build->surroundings_name = part->name;
         last = part->name;
         if (status == STATUS_OK)
-            status = model_build_add(build, role, &shape, glms_mat4_identity());
+            status = model_build_add(build, role, &shape, &from_origin);
     }
     return status;
 }

@@ -195,8 +195,38 @@ static enum status add_object(struct traversal *traversal, const struct gltf_nod
     return STATUS_OK;
 }
 
+/* Returns true if a skin, not the node's transform, places a primitive. */
+static bool is_skinned(const struct gltf_node *node, const struct gltf_primitive *primitive)
+{
+    return node->skin != gltf_none && primitive->joints;
+}
+
+/* Counts a primitive. The position of a skinned one is taken from its joints. */
+static enum status count_primitive(struct traversal *traversal, const struct gltf_node *node,
+                                   const struct gltf_primitive *primitive,
+                                   const struct affine *model_from_mesh)
+{
+    struct gltf *gltf = traversal->gltf;
+    struct model_build *build = &traversal->build;
+    const enum model_role role = role_of(traversal, node, primitive);
+    if (role == MODEL_OBJECT)
+        read_ior(traversal, &gltf->materials[primitive->material]);
+    build->has_extras[role] |= primitive->other_uvs || primitive->tangents;
+    if (is_skinned(node, primitive)) {
+        const struct gltf_object skin = gltf_element(gltf, "skins", node->skin);
+        for (uint32_t i = 0; i < gltf_length(&skin, "joints"); i++) {
+            const uint32_t joint = gltf_index_at(&skin, "joints", i, "nodes");
+            model_build_extend(build, role, NULL, 0, &gltf->nodes[joint].model_from_node);
+        }
+    } else {
+        model_build_extend(build, role, primitive->positions, primitive->vertex_count,
+                           model_from_mesh);
+    }
+    return model_build_count(build, role, primitive->vertex_count, primitive->index_count);
+}
+
 static enum status visit_primitive(struct traversal *traversal, const struct gltf_node *node,
-                                   mat4s model_from_mesh, uint32_t index)
+                                   const struct affine *model_from_mesh, uint32_t index)
 {
     struct gltf *gltf = traversal->gltf;
     const struct gltf_primitive *primitive = &gltf->meshes[node->mesh].primitives[index];
@@ -204,13 +234,9 @@ static enum status visit_primitive(struct traversal *traversal, const struct glt
     enum status status = STATUS_OK;
     if (primitive->index_count == 0)
         return STATUS_OK;
-    if (traversal->is_counting) {
-        if (role == MODEL_OBJECT)
-            read_ior(traversal, &gltf->materials[primitive->material]);
-        traversal->build.has_extras[role] |= primitive->other_uvs || primitive->tangents;
-        return model_build_count(&traversal->build, role, primitive->vertex_count,
-                                 primitive->index_count);
-    }
+    if (traversal->is_counting)
+        return count_primitive(traversal, node, primitive, model_from_mesh);
+    struct affine relative = affine_relocate(model_from_mesh, gltf->origin);
     char name[64];
     (void)snprintf(name, sizeof(name), "meshes[%u].primitives[%u]", node->mesh, index);
     struct model_shape shape = shape_of(gltf, primitive, name);
@@ -220,13 +246,13 @@ static enum status visit_primitive(struct traversal *traversal, const struct glt
         shape.positions = posed.positions;
         shape.normals = posed.normals;
         shape.tangents = NULL; /* undeformed tangents: derived from UVs instead */
-        if (node->skin != gltf_none && primitive->joints)
-            model_from_mesh = glms_mat4_identity();
+        if (is_skinned(node, primitive))
+            relative = affine_identity();
     }
     if (status == STATUS_OK && traversal->is_split && role == MODEL_OBJECT)
         status = add_object(traversal, node, primitive);
     if (status == STATUS_OK)
-        status = model_build_add(&traversal->build, role, &shape, model_from_mesh);
+        status = model_build_add(&traversal->build, role, &shape, &relative);
     gltf_primitive_finish(&posed);
     return status;
 }
@@ -238,12 +264,12 @@ static enum status visit_mesh(struct traversal *traversal, const struct gltf_nod
     const uint32_t instance_count = node->instances ? node->instance_count : 1;
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < instance_count; i++) {
-        const mat4s model_from_mesh = node->instances
-                                          ? glms_mat4_mul(node->model_from_node, node->instances[i])
-                                          : node->model_from_node;
+        const struct affine model_from_mesh =
+            node->instances ? affine_multiply(&node->model_from_node, &node->instances[i])
+                            : node->model_from_node;
         traversal->build.surroundings_name = node->name;
         for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
-            status = visit_primitive(traversal, node, model_from_mesh, k);
+            status = visit_primitive(traversal, node, &model_from_mesh, k);
     }
     return status;
 }
@@ -306,6 +332,7 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role d
         status = walk_nodes(&traversal);
     if (status == STATUS_OK)
         status = model_build_allocate(&traversal.build);
+    memcpy(gltf->origin, model->origin, sizeof(gltf->origin));
     traversal.is_counting = false;
     if (status == STATUS_OK)
         status = walk_nodes(&traversal);
