@@ -93,7 +93,7 @@ static void print_objects(const struct model *model)
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         printf("  %-24s %10u  %-8s %s", object->name, object->index_count / 3,
-               object_is_closed(object, &model->object) ? "closed" : "open",
+               object->open_edge_count ? "open" : "closed",
                model->materials[object->material].name);
         if (object->container_rank) /* container_rank counts from 1; 0 means no container */
             printf(", inside %s", model->objects[object->container_rank - 1].name);
@@ -326,7 +326,7 @@ static json_t *object_of(const struct model *model, const struct object *object)
     return json_pack("{s:o, s:i, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name),
                      "rank", (int)object->rank, "inside_rank", (int)object->container_rank,
                      "triangles", (int)(object->index_count / 3), "material", (int)object->material,
-                     "closed", (int)object_is_closed(object, &model->object), "min",
+                     "closed", object->open_edge_count == 0, "min",
                      position_of(model, object->box.min), "max",
                      position_of(model, object->box.max));
 }
@@ -407,10 +407,9 @@ static json_t *materials_of(const struct model *model)
 
 static json_t *camera_of(const struct model *model, const struct model_camera *m)
 {
-    json_t *json =
-        json_pack("{s:o, s:s, s:o, s:o}", "name", text_of(m->name), "kind", camera_kind(m), "eye",
-                  position_of(model, m->camera.eye), "target",
-                  position_of(model, m->camera.target));
+    json_t *json = json_pack("{s:o, s:s, s:o, s:o}", "name", text_of(m->name), "kind",
+                             camera_kind(m), "eye", position_of(model, m->camera.eye), "target",
+                             position_of(model, m->camera.target));
     if (json && m->kind == MODEL_ORTHOGRAPHIC)
         (void)json_object_set_new(json, "height", json_real(json_text_float(m->height)));
     else if (json)
@@ -456,10 +455,10 @@ static json_t *undrawn_of(const struct model *model)
 static json_t *light_of(const struct model *model, const struct light *m)
 {
     json_t *json = json_pack("{s:o, s:s, s:o, s:o, s:o, s:f, s:s}", "name", text_of(m->name),
-                             "kind", punctual_light_kind_name(m), "position", position_of(model, m->position),
-                             "direction", vector(m->direction), "color", vector(m->color),
-                             "intensity", json_text_float(m->intensity), "unit",
-                             m->kind == LIGHT_DIRECTIONAL ? "lux" : "candela");
+                             "kind", punctual_light_kind_name(m), "position",
+                             position_of(model, m->position), "direction", vector(m->direction),
+                             "color", vector(m->color), "intensity", json_text_float(m->intensity),
+                             "unit", m->kind == LIGHT_DIRECTIONAL ? "lux" : "candela");
     if (json && m->range > 0.0f)
         (void)json_object_set_new(json, "range", json_real(json_text_float(m->range)));
     if (json && m->kind == LIGHT_SPOT) {
@@ -511,13 +510,13 @@ static enum status print_json(const char *name, const struct scene *scene,
         { "not_drawn", undrawn_of },
     };
 
-    json_t *root = json_pack("{s:o, s:s, s:i, s:i, s:o, s:o, s:[f, f, f]}", "scene", text_of(name), "refraction",
-                             refraction->refraction.name, "surrounding_triangles",
-                             (int)(model->surroundings.index_count / 3), "textures",
-                             (int)(model->textures.count + model->numbers.count), "min",
-                             position_of(model, scene->box.min), "max",
-                             position_of(model, scene->box.max), "origin", model->origin[0],
-                             model->origin[1], model->origin[2]);
+    json_t *root =
+        json_pack("{s:o, s:s, s:i, s:i, s:o, s:o, s:[f, f, f]}", "scene", text_of(name),
+                  "refraction", refraction->refraction.name, "surrounding_triangles",
+                  (int)(model->surroundings.index_count / 3), "textures",
+                  (int)(model->textures.count + model->numbers.count), "min",
+                  position_of(model, scene->box.min), "max", position_of(model, scene->box.max),
+                  "origin", model->origin[0], model->origin[1], model->origin[2]);
     for (size_t i = 0; root && i < sizeof(lists) / sizeof(lists[0]); i++) {
         if (json_object_set_new(root, lists[i].key, lists[i].make(model)) != 0) {
             json_decref(root);

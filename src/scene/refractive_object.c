@@ -132,24 +132,6 @@ uint32_t object_outermost(const struct object *objects, uint32_t index)
     return index;
 }
 
-bool object_is_closed(const struct object *object, const struct mesh *mesh)
-{
-    double sum[3] = { 0 };
-    double all = 0;
-    for (uint32_t i = 0; i < object->index_count; i += 3) {
-        const uint32_t *corners = &mesh->indices[object->first_index + i];
-        const vec3s a = mesh->vertices[corners[0]].position;
-        const vec3s b = mesh->vertices[corners[1]].position;
-        const vec3s c = mesh->vertices[corners[2]].position;
-        const vec3s area = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
-        for (int k = 0; k < 3; k++)
-            sum[k] += (double)area.raw[k];
-        all += (double)glms_vec3_norm(area);
-    }
-    const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
-    return left <= 1e-4 * all;
-}
-
 /* Returns the signed solid angle of a triangle seen from the origin, in steradians (van Oosterom
  * and Strackee 1983). If the triangle's back faces the origin, the angle is positive. */
 static double solid_angle(vec3s a, vec3s b, vec3s c)

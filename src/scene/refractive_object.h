@@ -12,9 +12,11 @@
 struct object {
     char name[MATERIAL_NAME_SIZE]; /* name of the node; "" if it is unnamed */
     uint32_t first_index, index_count;
-    uint32_t material; /* index into the model's materials */
-    struct box box;    /* bounding box of the triangles; set with the rank */
-    uint32_t rank;     /* unique medium priority, above 0; the highest rank fills an overlap */
+    uint32_t material; /* index into the model's materials; of the first of several materials */
+    uint32_t has_several_materials; /* 1 if its surfaces differ; their medium is the same */
+    uint32_t open_edge_count;       /* number of edges around holes; 0 if its shells are closed */
+    struct box box;                 /* bounding box of the triangles; set with the rank */
+    uint32_t rank; /* unique medium priority, above 0; the highest rank fills an overlap */
     /* rank of the innermost object whose medium surrounds this object; 0 for none */
     uint32_t container_rank;
     uint32_t
@@ -36,9 +38,6 @@ MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
 
 /* Returns the index of the outermost object around object `index`, or `index` itself. */
 uint32_t object_outermost(const struct object *objects, uint32_t index);
-
-/* Returns true if an object's area vectors sum to zero, which is true of closed surfaces. */
-bool object_is_closed(const struct object *object, const struct mesh *mesh);
 
 /* Returns true if a point is inside an object, by solid angles. Tolerates small holes. */
 bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point);

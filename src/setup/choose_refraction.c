@@ -167,7 +167,7 @@ static void name_reason(const struct scene *scene, bool is_inside, char *text, s
         return;
     if (model->object_count > 1)
         snprintf(text, size, "it has %u refractive objects", model->object_count);
-    else if (!object_is_closed(&model->objects[0], &model->object))
+    else if (model->objects[0].open_edge_count)
         snprintf(text, size, "its object is not closed");
     else if (is_inside)
         snprintf(text, size, "the camera is inside its object");

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include "src/scene/geometry/affine.h"
 #include "src/scene/import/model.h"
+#include "src/scene/import/model_shells.h"
 
 enum {
     MODEL_COORDINATE_MAX = 1000000, /* maximum distance of a vertex from model.origin, per axis */
@@ -32,7 +33,8 @@ struct model_import {
     uint32_t clamped_materials; /* number of materials with clamped colours */
     uint32_t clamped_vertices;
     uint32_t collapsed_triangles; /* degenerate triangles of far shapes */
-    char missing_file[256]; /* first missing referenced file, else "" */
+    struct shell_counts shells;   /* numbers of changed shells */
+    char missing_file[256];       /* first missing referenced file, else "" */
 };
 
 /* Model file format, identified by its lower-case suffix, such as "glb". */
@@ -132,14 +134,23 @@ struct model_shape {
     uint32_t material; /* mesh_vertex.material */
 };
 
+/* Refractive object under construction. */
+struct model_build_object {
+    uint32_t group;    /* objects of equal groups (consecutive) and media may close together */
+    uint32_t override; /* equal and not 0: the same medium, whatever the materials; 0 for none */
+    uint32_t first_vertex, vertex_count;
+};
+
 /* The two meshes of a model under construction. */
 struct model_build {
     struct model_import *import;
     struct model *model;
     struct mesh *meshes[MODEL_ROLE_COUNT];
     uint64_t vertex_count[MODEL_ROLE_COUNT], index_count[MODEL_ROLE_COUNT];
-    bool has_extras[MODEL_ROLE_COUNT]; /* set before the meshes are allocated */
-    const char *surroundings_name;     /* next object's; NULL continues the last */
+    bool has_extras[MODEL_ROLE_COUNT];  /* set before the meshes are allocated */
+    const char *surroundings_name;      /* next object's; NULL continues the last */
+    struct model_build_object *objects; /* model->object_count elements; owned */
+    uint32_t object_capacity;
     double low[MODEL_ROLE_COUNT][3], high[MODEL_ROLE_COUNT][3]; /* bounds; low > high if empty */
 };
 
@@ -163,11 +174,22 @@ MUST_USE enum status model_build_allocate(struct model_build *build);
 MUST_USE enum status model_build_add(struct model_build *build, enum model_role role,
                                      const struct model_shape *shape,
                                      const struct affine *model_from_shape);
-/* Computes missing normals and welds identical vertices. */
-MUST_USE enum status model_build_end(struct model_build *build);
+/* Adds a refractive object, whose triangles must be added to the mesh afterwards. Its ranges are set
+ * from the counts of `object`. */
+MUST_USE enum status model_build_add_object(struct model_build *build, const struct object *object,
+                                            const struct model_build_object *params);
 
 /* Adds one object for the whole file, with the material MATERIAL_FROM_SETTINGS. */
 MUST_USE enum status model_build_default_object(struct model_build *build);
+
+/* Joins objects that close together, and orients their shells. Needs the model's materials. */
+MUST_USE enum status model_build_close_objects(struct model_build *build);
+
+/* Completes the objects and meshes of a model: closes objects, computes missing normals, and welds
+ * identical vertices. */
+MUST_USE enum status model_build_end(struct model_build *build);
+
+void model_build_finish(struct model_build *build);
 
 /* Computes missing (zero) normals. Welds identical vertices within each surroundings object, and
  * updates `starts`, the objects' first vertices. Returns false when out of memory. */

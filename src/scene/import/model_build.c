@@ -47,8 +47,8 @@ enum status model_shape_check(const struct model_import *import, const struct mo
     return STATUS_OK;
 }
 
-static void extend_by_positions(double low[static 3], double high[static 3],
-                                const float *positions, uint32_t vertex_count)
+static void extend_by_positions(double low[static 3], double high[static 3], const float *positions,
+                                uint32_t vertex_count)
 {
     for (size_t i = 0; i < vertex_count; i++) {
         for (size_t k = 0; k < 3; k++) {
@@ -287,6 +287,31 @@ enum status model_build_add(struct model_build *build, enum model_role role,
     return STATUS_OK;
 }
 
+enum status model_build_add_object(struct model_build *build, const struct object *object,
+                                   const struct model_build_object *params)
+{
+    struct model *model = build->model;
+    if (model->object_count == build->object_capacity) {
+        const size_t capacity = 2 * (size_t)build->object_capacity + 16;
+        struct object *objects = realloc(model->objects, capacity * sizeof(*objects));
+        if (objects)
+            model->objects = objects;
+        struct model_build_object *added = realloc(build->objects, capacity * sizeof(*added));
+        if (added)
+            build->objects = added;
+        if (!objects || !added)
+            return log_out_of_memory(build->import->path);
+        build->object_capacity = (uint32_t)capacity;
+    }
+    struct object *to = &model->objects[model->object_count];
+    *to = *object;
+    to->first_index = (uint32_t)build->index_count[MODEL_OBJECT];
+    build->objects[model->object_count] = *params;
+    build->objects[model->object_count++].first_vertex =
+        (uint32_t)build->vertex_count[MODEL_OBJECT];
+    return STATUS_OK;
+}
+
 enum status model_build_default_object(struct model_build *build)
 {
     struct model *model = build->model;
@@ -297,7 +322,8 @@ enum status model_build_default_object(struct model_build *build)
     if (grown)
         model->materials = grown;
     model->objects = calloc(1, sizeof(*model->objects));
-    if (!grown || !model->objects)
+    build->objects = calloc(1, sizeof(*build->objects));
+    if (!grown || !model->objects || !build->objects)
         return log_out_of_memory(build->import->path);
     struct material *bare = &grown[model->material_count];
     *bare = material_make("ice");
@@ -307,17 +333,27 @@ enum status model_build_default_object(struct model_build *build)
     model->objects[0].index_count = model->object.index_count;
     model->objects[0].material = model->material_count++;
     model->object_count = 1;
+    build->objects[0].vertex_count = model->object.vertex_count;
     return STATUS_OK;
 }
 
 enum status model_build_end(struct model_build *build)
 {
     struct model *model = build->model;
+    const enum status status = model_build_close_objects(build);
+    if (status != STATUS_OK)
+        return status;
     if (!model_weld_vertices(&model->object, NULL, 0) ||
         !model_weld_vertices(&model->surroundings, model->surroundings_starts,
                              model->surroundings_object_count))
         return log_out_of_memory(build->import->path);
     return STATUS_OK;
+}
+
+void model_build_finish(struct model_build *build)
+{
+    free(build->objects);
+    build->objects = NULL;
 }
 
 bool model_color_clamp(vec3s *color, bool is_unlit)
@@ -336,6 +372,16 @@ bool model_color_clamp(vec3s *color, bool is_unlit)
 
 void model_build_warn(const struct model_import *import)
 {
+    const struct shell_counts *shells = &import->shells;
+    if (shells->flipped > 0)
+        log_note("%s: %u shells are wound inside out, so they were flipped", import->path,
+                 shells->flipped);
+    if (shells->unified > 0)
+        log_note("%s: %u shells are wound inconsistently, so their triangles were turned outwards",
+                 import->path, shells->unified);
+    if (shells->turned_up > shells->flipped)
+        log_note("%s: normals of %u shells point inwards, so they were negated", import->path,
+                 shells->turned_up);
     if (import->collapsed_triangles > 0)
         log_warning("%s: %u triangles have collapsed, because their vertices are too far from the "
                     "origin for the precision of the file; move the geometry to its origin, and "

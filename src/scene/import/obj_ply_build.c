@@ -117,18 +117,15 @@ static enum status add_object(struct model_build *build, const struct obj_ply *o
                               const struct obj_ply_part *part)
 {
     struct model *model = build->model;
-    struct object *grown =
-        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
-    if (!grown)
-        return log_out_of_memory(obj_ply->import->path);
-    model->objects = grown;
-    struct object *object = &grown[model->object_count++];
-    *object = (struct object){
-        .first_index = (uint32_t)build->index_count[MODEL_OBJECT],
+    struct object object = {
         .index_count = part->index_count,
         .material = material_index(obj_ply, part),
     };
-    memcpy(object->name, part->name, sizeof(object->name));
+    const struct model_build_object params = { .vertex_count = part->vertex_count };
+    memcpy(object.name, part->name, sizeof(object.name));
+    const enum status status = model_build_add_object(build, &object, &params);
+    if (status != STATUS_OK)
+        return status;
     model->has_ior = true;
     if (model->object_count == 1)
         model->ior = material_of(obj_ply, part)->material.ior;
@@ -218,7 +215,10 @@ enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
     if (status == STATUS_OK)
         status = role_rule.is_split ? list_materials(obj_ply, model)
                                     : model_build_default_object(&build);
-    return status == STATUS_OK ? model_build_end(&build) : status;
+    if (status == STATUS_OK)
+        status = model_build_end(&build);
+    model_build_finish(&build);
+    return status;
 }
 
 void obj_ply_finish(struct obj_ply *obj_ply)

@@ -15,6 +15,7 @@ struct traversal {
     struct model_build build;
     enum model_role default_role;
     bool is_node[NAMES_MAX]; /* name belongs to a node */
+    uint32_t instance;       /* number of the visited instance of a mesh */
     bool is_split;           /* true to choose roles by transmission */
     bool is_counting;        /* first pass, which only counts */
 };
@@ -82,8 +83,10 @@ static const char *next_line(const char *line)
     return line + (*line == '\n');
 }
 
-static bool is_named(const struct traversal *traversal, const struct gltf_node *node,
-                     const struct gltf_primitive *primitive)
+/* Returns 0 if no selected name is that of a primitive's node or material. Equal results otherwise
+ * mean that --material sets the same material. */
+static uint32_t override_of(const struct traversal *traversal, const struct gltf_node *node,
+                            const struct gltf_primitive *primitive)
 {
     const struct gltf *gltf = traversal->gltf;
     const char *line = gltf->objects ? gltf->objects : "";
@@ -91,9 +94,9 @@ static bool is_named(const struct traversal *traversal, const struct gltf_node *
         const char *name =
             traversal->is_node[i] ? node->name : gltf->materials[primitive->material].material.name;
         if (equals_line(line, name))
-            return true;
+            return (uint32_t)i + 1;
     }
-    return false;
+    return 0;
 }
 
 /* Checks that a node or material exists for each selected name. If not, logs a suggestion. */
@@ -134,7 +137,7 @@ static enum model_role role_of(const struct traversal *traversal, const struct g
 {
     if (!traversal->is_split)
         return traversal->default_role;
-    if (is_named(traversal, node, primitive))
+    if (override_of(traversal, node, primitive))
         return MODEL_OBJECT;
     return traversal->gltf->materials[primitive->material].material.transmission > 0
                ? MODEL_OBJECT
@@ -179,20 +182,17 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
 static enum status add_object(struct traversal *traversal, const struct gltf_node *node,
                               const struct gltf_primitive *primitive)
 {
-    struct model *model = traversal->build.model;
-    struct object *grown =
-        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
-    if (!grown)
-        return gltf_out_of_memory(traversal->gltf);
-    model->objects = grown;
-    struct object *object = &grown[model->object_count++];
-    *object = (struct object){
-        .first_index = (uint32_t)traversal->build.index_count[MODEL_OBJECT],
+    struct object object = {
         .index_count = primitive->index_count,
         .material = primitive->material,
     };
-    memcpy(object->name, node->name, sizeof(object->name));
-    return STATUS_OK;
+    const struct model_build_object params = {
+        .group = traversal->instance,
+        .override = override_of(traversal, node, primitive),
+        .vertex_count = primitive->vertex_count,
+    };
+    memcpy(object.name, node->name, sizeof(object.name));
+    return model_build_add_object(&traversal->build, &object, &params);
 }
 
 /* Returns true if a skin, not the node's transform, places a primitive. */
@@ -268,6 +268,7 @@ static enum status visit_mesh(struct traversal *traversal, const struct gltf_nod
             node->instances ? affine_multiply(&node->model_from_node, &node->instances[i])
                             : node->model_from_node;
         traversal->build.surroundings_name = node->name;
+        traversal->instance++;
         for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
             status = visit_primitive(traversal, node, &model_from_mesh, k);
     }
@@ -338,7 +339,10 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role d
         status = walk_nodes(&traversal);
     if (status == STATUS_OK)
         status = list_materials(&traversal);
-    return status == STATUS_OK ? model_build_end(&traversal.build) : status;
+    if (status == STATUS_OK)
+        status = model_build_end(&traversal.build);
+    model_build_finish(&traversal.build);
+    return status;
 }
 
 enum status model_load_gltf(struct model_import *import, struct model *model,
