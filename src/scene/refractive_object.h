@@ -13,9 +13,8 @@ struct object {
     char name[MATERIAL_NAME_SIZE]; /* name of the node; "" if it is unnamed */
     uint32_t first_index, index_count;
     uint32_t material; /* index into the model's materials; of the first of several materials */
-    uint32_t has_several_materials; /* 1 if its surfaces differ; their medium is the same */
-    uint32_t open_edge_count;       /* number of edges around holes; 0 if its shells are closed */
-    struct box box;                 /* bounding box of the triangles; set with the rank */
+    uint32_t open_edge_count; /* number of edges around holes; 0 if its shells are closed */
+    struct box box;           /* bounding box of the triangles; set with the rank */
     uint32_t rank; /* unique medium priority, above 0; the highest rank fills an overlap */
     /* rank of the innermost object whose medium surrounds this object; 0 for none */
     uint32_t container_rank;

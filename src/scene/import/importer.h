@@ -151,6 +151,7 @@ struct model_build {
     const char *surroundings_name;      /* next object's; NULL continues the last */
     struct model_build_object *objects; /* model->object_count elements; owned */
     uint32_t object_capacity;
+    bool is_animated; /* nodes move, so objects of different nodes stay separate */
     double low[MODEL_ROLE_COUNT][3], high[MODEL_ROLE_COUNT][3]; /* bounds; low > high if empty */
 };
 

@@ -118,7 +118,10 @@ static bool join(struct model *model, const uint32_t *roots)
             to->first_index = end;
         } else {
             to->index_count += from->index_count;
-            to->has_several_materials |= to->material != from->material;
+            if (to->material != from->material) {
+                model->materials[to->material].flags |= MATERIAL_IS_PARTIAL;
+                model->materials[from->material].flags |= MATERIAL_IS_PARTIAL;
+            }
         }
         memcpy(&indices[end], &model->object.indices[from->first_index],
                from->index_count * sizeof(*indices));
@@ -138,6 +141,40 @@ static bool join(struct model *model, const uint32_t *roots)
     return true;
 }
 
+/* Finds the shells of each group of objects, which are consecutive in the sorted members. */
+static bool find_all_shells(struct model_build *build, struct member *members, uint32_t count,
+                            uint32_t *roots)
+{
+    bool done = true;
+    qsort(members, count, sizeof(*members), compare_members);
+    for (uint32_t first = 0, end; done && first < count; first = end) {
+        const struct member *a = &members[first];
+        for (end = first + 1; end < count; end++) {
+            const struct member *b = &members[end];
+            if (b->group != a->group || b->override != a->override || b->medium != a->medium)
+                break;
+        }
+        done = find_shells(build, a, end - first, roots);
+    }
+    return done;
+}
+
+/* Closes objects of different nodes that are open on their own. */
+static bool close_across_nodes(struct model_build *build, struct member *members, uint32_t *roots)
+{
+    struct model *model = build->model;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (!model->objects[roots[members[i].object]].open_edge_count)
+            continue;
+        members[count] = members[i];
+        members[count++].group = 0;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        model->objects[roots[members[i].object]].open_edge_count = 0;
+    return find_all_shells(build, members, count, roots);
+}
+
 enum status model_build_close_objects(struct model_build *build)
 {
     struct model *model = build->model;
@@ -148,22 +185,14 @@ enum status model_build_close_objects(struct model_build *build)
     bool done = media && roots && members, is_joined = false;
     for (uint32_t i = 0; done && i < count; i++) {
         const uint32_t override = build->objects[i].override;
-        const uint32_t medium = override ? 0 : media[model->objects[i].material];
+        uint32_t medium = override ? 0 : media[model->objects[i].material];
+        if (medium > model->material_count) /* thin walls stay separate */
+            medium = model->material_count + 1 + i;
         members[i] = (struct member){ i, build->objects[i].group, override, medium };
-        if (!override && medium > model->material_count) /* thin walls stay separate */
-            members[i].medium = model->material_count + 1 + i;
     }
-    if (done)
-        qsort(members, count, sizeof(*members), compare_members);
-    for (uint32_t first = 0, end; done && first < count; first = end) {
-        const struct member *a = &members[first];
-        for (end = first + 1; end < count; end++) {
-            const struct member *b = &members[end];
-            if (b->group != a->group || b->override != a->override || b->medium != a->medium)
-                break;
-        }
-        done = find_shells(build, a, end - first, roots);
-    }
+    done = done && find_all_shells(build, members, count, roots);
+    if (done && !build->is_animated)
+        done = close_across_nodes(build, members, roots);
     for (uint32_t i = 0; done && i < count; i++)
         is_joined = is_joined || roots[i] != i;
     if (done && is_joined)

@@ -53,7 +53,7 @@ struct environment_head {
 };
 
 _Static_assert(sizeof(struct material) == 532, "no padding");
-_Static_assert(sizeof(struct object) == 120, "no padding");
+_Static_assert(sizeof(struct object) == 116, "no padding");
 _Static_assert(sizeof(struct model_camera) == 120, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_extension) == 68, "no padding");
@@ -318,7 +318,7 @@ static enum pipe_fault check_objects(const struct model *model, const struct mod
         const struct object *object = &model->objects[i];
         if (!memchr(object->name, 0, sizeof(object->name)) || object->rank != 0 ||
             object->container_rank != 0 || object->enclosing_object != 0 ||
-            object->material >= model->material_count || object->has_several_materials > 1 ||
+            object->material >= model->material_count ||
             object->open_edge_count > object->index_count)
             return PIPE_MATERIAL;
         if (object->first_index != end || object->index_count == 0 || object->index_count % 3 != 0)

@@ -126,6 +126,7 @@ static void visit_triangles(void *user, struct shell_edge *uses, uint32_t count)
             uses[depth++] = use;
     }
     if (count == 2 && depth == 2) { /* wound inconsistently */
+        join_objects(search->objects, edges->owners[a], edges->owners[b]);
         if (!join_triangles(&search->triangles, a, b, 1))
             search->is_ambiguous[a] = true;
         return;
@@ -349,8 +350,9 @@ static bool apply_winding(struct search *search, struct shell_counts *counts)
     }
     for (uint32_t i = 0; is_done && i < search->shell_count; i++) {
         const struct shell *shell = &search->shells[i];
-        counts->flipped += shell->is_solid && shell->is_flipped;
-        counts->unified += shell->is_solid && shell->turned_count % shell->triangle_count > 0;
+        const bool is_unified = shell->turned_count % shell->triangle_count > 0;
+        counts->flipped += shell->is_solid && shell->is_flipped && !is_unified;
+        counts->unified += shell->is_solid && is_unified;
         counts->turned_up += shell->is_solid && shell->agreement < 0;
     }
     free(is_done);

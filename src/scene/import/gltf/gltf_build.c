@@ -326,6 +326,7 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role d
     if (default_role == MODEL_BY_MATERIALS && !traversal.is_split && has_colors(gltf))
         gltf->undrawn |= 1u << GLTF_COLORS_WITHOUT_MATERIAL; /* ice shows no vertex colours */
     model_build_init(&traversal.build, gltf->import, model);
+    traversal.build.is_animated = gltf_list_length(gltf, "animations") > 0;
     enum status status = find_names(&traversal);
     if (status == STATUS_OK)
         status = check_shapes(gltf);
