@@ -28,6 +28,11 @@ static bool is_rough(const struct material *material)
     return material->roughness > 0.0f;
 }
 
+static bool is_partial(const struct material *material)
+{
+    return material->flags & MATERIAL_IS_PARTIAL;
+}
+
 static bool is_thin(const struct material *material)
 {
     return !(material->thickness > 0.0f);
@@ -93,6 +98,7 @@ static void name_undrawn(const struct scene *scene, bool is_nested, char *text, 
         bool (*is_present)(const struct material *material);
     } kinds[] = { { "rough", is_rough },
                   { "thin-walled", is_thin },
+                  { "with several materials", is_partial },
                   { "with a second set of texture coordinates", has_second_set } };
     const struct model *model = &scene->model;
     text[0] = '\0';

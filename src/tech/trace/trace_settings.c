@@ -124,8 +124,12 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
     if (count == 1 && scene->bvh && scene->bvh->is_closed && !(bits & TRACE_HAS_MEDIA))
         bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
     for (uint32_t i = 0; i < model->material_count; i++) {
-        if (model->materials[i].flags & (MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED))
+        const struct material *m = &model->materials[i];
+        if (m->flags & (MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED))
             bits |= TRACE_HAS_HOLES;
+        if (m->flags & MATERIAL_IS_PARTIAL)
+            bits |=
+                m->roughness > ROUGHNESS_MIN ? TRACE_HAS_ROUGH | TRACE_HAS_TINT : TRACE_HAS_TINT;
     }
     bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN_MAPS : 0;
     bits |= trace_has_diffuse_light(scene, settings) ? TRACE_HAS_DIFFUSE_LIGHT : 0;
