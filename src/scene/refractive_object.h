@@ -4,6 +4,7 @@
 #define FIRN_SCENE_REFRACTIVE_OBJECT_H
 
 #include "src/base/status.h"
+#include "src/scene/geometry/box_tree.h"
 #include "src/scene/geometry/mesh.h"
 #include "src/scene/material.h"
 
@@ -29,9 +30,13 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 /* Returns the bounding box of an object's triangles. */
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
+/* Builds a tree of the objects' boxes. Returns false when out of memory. */
+bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint32_t count);
+
 /* Sets the boxes and medium priorities (ranks) of all objects. Ranks depend on priority in the file
- * (lowest if absent), then on the number of enclosing objects, then on the index. If out of memory,
- * logs an error and returns STATUS_TRY_AGAIN. */
+ * (lowest if absent), then on the number of enclosing objects, then on the index. If objects
+ * overlap too densely, logs a warning and ranks them by index. If out of memory, logs an error and
+ * returns STATUS_TRY_AGAIN. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);
 

@@ -68,8 +68,9 @@ static struct hit cast_up(const struct nesting *nesting, vec3s from, uint32_t se
     while (depth > 0) {
         const struct bvh_node *node = &nesting->bvh.nodes[stack[--depth]];
         const struct bvh_box *box = &node->box;
-        if (from.x < box->low[0] || from.x > box->high[0] || from.z < box->low[2] ||
-            from.z > box->high[2] || from.y > box->high[1] || (double)box->low[1] > hit.y)
+        /* the same sides are open as in side_of(), where z is higher and x is lower by rounding */
+        if (from.x <= box->low[0] || from.x > box->high[0] || from.z < box->low[2] ||
+            from.z >= box->high[2] || from.y > box->high[1] || (double)box->low[1] > hit.y)
             continue;
         if (!node->children[0]) {
             for (uint32_t i = node->first; i < node->first + node->count; i++)
