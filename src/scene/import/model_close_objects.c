@@ -159,20 +159,40 @@ static bool find_all_shells(struct model_build *build, struct member *members, u
     return done;
 }
 
-/* Closes objects of different nodes that are open on their own. */
+/* Joins objects of different nodes that are open on their own, and closed together. */
 static bool close_across_nodes(struct model_build *build, struct member *members, uint32_t *roots)
 {
     struct model *model = build->model;
+
+    struct {
+        uint32_t root, open_edge_count;
+    } *before = calloc(model->object_count + (size_t)1, sizeof(*before));
+
     uint32_t count = 0;
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        if (!model->objects[roots[members[i].object]].open_edge_count)
+    for (uint32_t i = 0; before && i < model->object_count; i++) {
+        const uint32_t object = members[i].object;
+        before[object].root = roots[object];
+        before[object].open_edge_count = model->objects[object].open_edge_count;
+        if (!model->objects[roots[object]].open_edge_count)
             continue;
         members[count] = members[i];
         members[count++].group = 0;
     }
-    for (uint32_t i = 0; i < count; i++)
-        model->objects[roots[members[i].object]].open_edge_count = 0;
-    return find_all_shells(build, members, count, roots);
+    for (uint32_t i = 0; before && i < count; i++)
+        model->objects[members[i].object].open_edge_count = 0;
+    const bool done = before && find_all_shells(build, members, count, roots);
+    for (uint32_t i = 0; done && i < count; i++) {
+        const uint32_t object = members[i].object;
+        if (model->objects[roots[object]].open_edge_count)
+            roots[object] = before[object].root;
+        else
+            before[object].open_edge_count = 0;
+    }
+    for (uint32_t i = 0; done && i < count; i++)
+        model->objects[members[i].object].open_edge_count =
+            before[members[i].object].open_edge_count;
+    free(before);
+    return done;
 }
 
 enum status model_build_close_objects(struct model_build *build)

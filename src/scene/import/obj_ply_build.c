@@ -121,7 +121,10 @@ static enum status add_object(struct model_build *build, const struct obj_ply *o
         .index_count = part->index_count,
         .material = material_index(obj_ply, part),
     };
-    const struct model_build_object params = { .vertex_count = part->vertex_count };
+    const struct model_build_object params = {
+        .group = (uint32_t)(part - obj_ply->parts) + 1,
+        .vertex_count = part->vertex_count,
+    };
     memcpy(object.name, part->name, sizeof(object.name));
     const enum status status = model_build_add_object(build, &object, &params);
     if (status != STATUS_OK)
