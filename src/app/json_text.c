@@ -32,7 +32,8 @@ double json_text_float(float value)
 
 enum status json_text_print(json_t *root)
 {
-    char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DOUBLE_DIGITS)) : NULL;
+    const size_t format = JSON_INDENT(2) | JSON_REAL_PRECISION(DOUBLE_DIGITS);
+    char *text = root ? json_dumps(root, format) : NULL;
     json_decref(root);
     if (!text)
         return log_out_of_memory(NULL);

@@ -72,8 +72,8 @@ struct material {
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 
-/* Returns true if the parameters of a transmissive surface vary over an object: if a texture affects
- * transmission or reflection (base colour, roughness, transmission or normal), or for
+/* Returns true if the parameters of a transmissive surface vary over an object: if a texture
+ * affects transmission or reflection (base colour, roughness, transmission or normal), or for
  * MATERIAL_IS_PARTIAL. */
 bool material_is_textured(const struct material *material);
 

@@ -51,8 +51,8 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
     return done;
 }
 
-/* Maximum number of point-in-mesh tests of object_assign_ranks(). Objects that overlap densely, such
- * as thousands of copies at one place, need a number that is quadratic or worse. */
+/* Maximum number of point-in-mesh tests of object_assign_ranks(). Objects that overlap densely,
+ * such as thousands of copies at one place, need a number that is quadratic or worse. */
 #define TESTS_MAX (1u << 24)
 
 /* Search for the objects that one object encloses. */

@@ -1,4 +1,4 @@
-"""test_shells.py: objects of several shells and primitives, winding, and models far from the origin.
+"""test_shells.py: objects of several shells and primitives, winding, models far from the origin.
 Usage: see case.py."""
 import json
 import struct

@@ -97,8 +97,8 @@ static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
     return object->rank + BVH_OBJECT_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
-/* Returns the material of a triangle's object, or of the triangle if the object has several. Returns
- * NULL if the settings define the material. */
+/* Returns the material of a triangle's object, or of the triangle if the object has several.
+ * Returns NULL if the settings define the material. */
 static const struct material *material_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;

@@ -175,8 +175,8 @@ MUST_USE enum status model_build_allocate(struct model_build *build);
 MUST_USE enum status model_build_add(struct model_build *build, enum model_role role,
                                      const struct model_shape *shape,
                                      const struct affine *model_from_shape);
-/* Adds a refractive object, whose triangles must be added to the mesh afterwards. Its ranges are set
- * from the counts of `object`. */
+/* Adds a refractive object, whose triangles must be added to the mesh afterwards. Sets its first
+ * index, and the first vertex of `params`. */
 MUST_USE enum status model_build_add_object(struct model_build *build, const struct object *object,
                                             const struct model_build_object *params);
 

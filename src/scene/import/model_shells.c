@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/scene/import/shell_edges.h"
 #include "src/scene/import/shell_nesting.h"
 
 /* Area of the boundary of a hole, as a fraction of its squared length, below which the boundary is

@@ -3,15 +3,7 @@
 #ifndef FIRN_SCENE_IMPORT_MODEL_SHELLS_H
 #define FIRN_SCENE_IMPORT_MODEL_SHELLS_H
 
-#include "src/scene/geometry/mesh.h"
-
-/* Triangles of a primitive: ranges of mesh->indices and of the vertices that these refer to. */
-struct shell_part {
-    uint32_t first_index, index_count;
-    uint32_t first_vertex, vertex_count;
-    uint32_t object;          /* result: index of the first part of the same object */
-    uint32_t open_edge_count; /* result: number of edges around holes */
-};
+#include "src/scene/import/shell_edges.h"
 
 /* Numbers of changed shells. */
 struct shell_counts {

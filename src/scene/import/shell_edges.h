@@ -2,9 +2,17 @@
 #ifndef FIRN_SCENE_IMPORT_SHELL_EDGES_H
 #define FIRN_SCENE_IMPORT_SHELL_EDGES_H
 
-#include "src/scene/import/model_shells.h"
+#include "src/scene/geometry/mesh.h"
 
 #define SHELL_NONE UINT32_MAX
+
+/* Triangles of a primitive: ranges of mesh->indices and of the vertices that these refer to. */
+struct shell_part {
+    uint32_t first_index, index_count;
+    uint32_t first_vertex, vertex_count;
+    uint32_t object;          /* result: index of the first part of the same object */
+    uint32_t open_edge_count; /* result: number of edges around holes */
+};
 
 /* Use of an edge by the triangle that owns `corner`, which is the first corner of the edge. */
 struct shell_edge {
