@@ -55,7 +55,7 @@ struct scene_files {
 };
 
 struct scene {
-    struct model model; /* loaded model, with ranked objects (medium priorities) */
+    struct model model;    /* loaded model, with ranked objects (medium priorities) */
     double file_origin[3]; /* model.origin before the model transform */
     struct scene_background background;
     struct scene_tables tables;

@@ -357,8 +357,7 @@ enum status option_position(const struct option *option, void *at, const char *v
     struct setup_position *position = at;
     position->is_given = option_parse_doubles(value, ',', position->value, 3);
     for (int k = 0; k < 3; k++)
-        position->is_given =
-            position->is_given && fabs(position->value[k]) <= (double)position_max;
+        position->is_given = position->is_given && fabs(position->value[k]) <= (double)position_max;
     return position->is_given
                ? STATUS_OK
                : option_refuse(option, value, "X,Y,Z in metres, each from -1e9 to 1e9");

@@ -190,8 +190,8 @@ static void compute_transforms(struct gltf *gltf)
         const struct affine local = local_transform(node);
         node->model_from_node = local;
         if (node->parent != gltf_none)
-            node->model_from_node = affine_multiply(
-                &gltf->nodes[gltf->order[node->parent]].model_from_node, &local);
+            node->model_from_node =
+                affine_multiply(&gltf->nodes[gltf->order[node->parent]].model_from_node, &local);
     }
 }
 
