@@ -231,7 +231,7 @@ static const struct option options[] = {
     { "Camera", "eye", 0, "X,Y,Z", IMAGES, POSITION(eye),
       "position of the camera, metres, in the coordinates of the model file" },
     { "Camera", "target", 0, "X,Y,Z", IMAGES, POSITION(target),
-      "point that the camera looks at, in the same coordinates (default: the object's centre)" },
+      "point that the camera looks at, as --eye (default: the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", IMAGES, IMAGE(option_fov),
       "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),

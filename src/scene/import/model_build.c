@@ -379,9 +379,6 @@ void model_build_warn(const struct model_import *import)
     if (shells->unified > 0)
         log_note("%s: %u shells are wound inconsistently, so their triangles were turned outwards",
                  import->path, shells->unified);
-    if (shells->turned_up > shells->flipped)
-        log_note("%s: normals of %u shells point inwards, so they were negated", import->path,
-                 shells->turned_up);
     if (import->collapsed_triangles > 0)
         log_warning("%s: %u triangles have collapsed, because their vertices are too far from the "
                     "origin for the precision of the file; move the geometry to its origin, and "

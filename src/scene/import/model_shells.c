@@ -324,7 +324,19 @@ static void compare_normals(struct search *search, uint32_t triangle, bool is_sw
     search->shells[search->shell_of[triangle]].agreement += is_swapped ? -agreement : agreement;
 }
 
-/* Flips triangles and normals as the shells require. */
+/* Returns true if some but not all triangles of a shell are wound opposite to the first one. */
+static bool is_inconsistent(const struct shell *shell)
+{
+    return shell->turned_count % shell->triangle_count > 0;
+}
+
+/* Returns true if triangles of a shell are flipped. */
+static bool is_changed(const struct shell *shell)
+{
+    return shell->is_solid && (shell->is_flipped || is_inconsistent(shell));
+}
+
+/* Flips the triangles of shells, and normals that then oppose the winding. */
 static bool apply_winding(struct search *search, struct shell_counts *counts)
 {
     const struct shell_edges *edges = &search->edges;
@@ -344,15 +356,13 @@ static bool apply_winding(struct search *search, struct shell_counts *counts)
     }
     for (uint32_t i = 0; is_done && i < triangle_count; i++) {
         const struct shell *shell = &search->shells[search->shell_of[i]];
-        if (shell->is_solid && shell->agreement < 0)
+        if (is_changed(shell) && shell->agreement < 0)
             turn_normals(search, i, is_done);
     }
     for (uint32_t i = 0; is_done && i < search->shell_count; i++) {
         const struct shell *shell = &search->shells[i];
-        const bool is_unified = shell->turned_count % shell->triangle_count > 0;
-        counts->flipped += shell->is_solid && shell->is_flipped && !is_unified;
-        counts->unified += shell->is_solid && is_unified;
-        counts->turned_up += shell->is_solid && shell->agreement < 0;
+        counts->unified += is_changed(shell) && is_inconsistent(shell);
+        counts->flipped += is_changed(shell) && !is_inconsistent(shell);
     }
     free(is_done);
     return is_done != NULL;

@@ -7,9 +7,8 @@
 
 /* Numbers of changed shells. */
 struct shell_counts {
-    uint32_t flipped;   /* wound inside out, and flipped */
-    uint32_t unified;   /* wound inconsistently, and made consistent */
-    uint32_t turned_up; /* whose normals opposed the winding, and were negated */
+    uint32_t flipped; /* wound inside out, and flipped */
+    uint32_t unified; /* wound inconsistently, and made consistent */
 };
 
 /* Finds the shells of parts that have the same medium and node. Parts that are open but close

@@ -47,7 +47,7 @@ static bool weld_exactly(struct shell_edges *edges)
         for (uint32_t i = 0; i < part->vertex_count; i++, local++) {
             const vec3s at = edges->mesh->vertices[part->first_vertex + i].position;
             size_t slot = hash_words(&at) & mask;
-            while (slots[slot] && memcmp(&edges->at[slots[slot] - 1], &at, sizeof(at)) != 0)
+            while (slots[slot] && !glms_vec3_eqv(edges->at[slots[slot] - 1], at))
                 slot = (slot + 1) & mask;
             if (!slots[slot]) {
                 edges->at[edges->point_count++] = at;
@@ -100,24 +100,31 @@ static void sort_edges(struct shell_edge *all, uint32_t count)
     }
 }
 
+/* Sets the lower and the higher point of the edge from a corner. Returns false if its length is 0. */
+static bool edge_at(const struct shell_edges *edges, uint32_t corner, uint32_t *low, uint32_t *high)
+{
+    const uint32_t a = edges->points[corner];
+    const uint32_t b = edges->points[corner % 3 == 2 ? corner - 2 : corner + 1];
+    *low = a < b ? a : b;
+    *high = a < b ? b : a;
+    return a != b;
+}
+
 /* Lists the edges by counting sort on their lower points. Edges of length 0 are left out. */
 static void list_edges(struct shell_edges *edges)
 {
     uint32_t *starts = edges->starts;
+    uint32_t low, high;
     memset(starts, 0, (edges->point_count + (size_t)1) * sizeof(*starts));
-    for (int pass = 0; pass < 2; pass++) {
-        for (uint32_t c = 0; c < edges->corner_count; c++) {
-            const uint32_t a = edges->points[c];
-            const uint32_t b = edges->points[c % 3 == 2 ? c - 2 : c + 1];
-            if (a == b)
-                continue;
-            if (pass == 0)
-                starts[a < b ? a : b]++;
-            else
-                edges->all[--starts[a < b ? a : b]] = (struct shell_edge){ a < b ? b : a, c };
-        }
-        for (uint32_t i = 0; pass == 0 && i < edges->point_count; i++)
-            starts[i + 1] += starts[i];
+    for (uint32_t c = 0; c < edges->corner_count; c++) {
+        if (edge_at(edges, c, &low, &high))
+            starts[low]++;
+    }
+    for (uint32_t i = 0; i < edges->point_count; i++)
+        starts[i + 1] += starts[i];
+    for (uint32_t c = 0; c < edges->corner_count; c++) {
+        if (edge_at(edges, c, &low, &high))
+            edges->all[--starts[low]] = (struct shell_edge){ high, c };
     }
     for (uint32_t i = 0; i < edges->point_count; i++)
         sort_edges(&edges->all[starts[i]], starts[i + 1] - starts[i]);

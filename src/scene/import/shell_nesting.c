@@ -108,9 +108,10 @@ static bool build_bvh(struct nesting *nesting)
         if (!input->shells[input->shell_of[i]].is_solid)
             continue;
         for (int k = 0; k < 3; k++) {
-            const float a = edges->at[edges->points[3 * i]].raw[k];
-            const float b = edges->at[edges->points[3 * i + 1]].raw[k];
-            const float c = edges->at[edges->points[3 * i + 2]].raw[k];
+            const uint32_t *points = &edges->points[(size_t)3 * i];
+            const float a = edges->at[points[0]].raw[k];
+            const float b = edges->at[points[1]].raw[k];
+            const float c = edges->at[points[2]].raw[k];
             box.low[k] = fminf(a, fminf(b, c));
             box.high[k] = fmaxf(a, fmaxf(b, c));
         }
