@@ -374,10 +374,10 @@ void model_build_warn(const struct model_import *import)
 {
     const struct shell_counts *shells = &import->shells;
     if (shells->flipped > 0)
-        log_note("%s: %u shells are wound inside out, so they were flipped", import->path,
+        log_note("%s: shells that are wound inside out, and were flipped: %u", import->path,
                  shells->flipped);
     if (shells->unified > 0)
-        log_note("%s: %u shells are wound inconsistently, so their triangles were turned outwards",
+        log_note("%s: shells that are wound inconsistently, and were turned outwards: %u",
                  import->path, shells->unified);
     if (import->collapsed_triangles > 0)
         log_warning("%s: %u triangles have collapsed, because their vertices are too far from the "
