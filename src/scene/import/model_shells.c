@@ -29,7 +29,8 @@ struct search {
     bool *is_ambiguous; /* of each triangle: true if its shell cannot be oriented */
     bool *is_turned;    /* of each triangle: true if wound opposite to most of its shell */
     struct shell_edge *boundary;
-    uint32_t boundary_count;
+    uint32_t boundary_count, boundary_capacity;
+    bool is_out_of_memory;
     uint32_t *shell_of; /* index of each triangle's shell */
     struct shell *shells;
     uint32_t shell_count;
@@ -107,6 +108,20 @@ static void visit_objects(void *user, struct shell_edge *uses, uint32_t count)
     }
 }
 
+static void add_to_boundary(struct search *search, const struct shell_edge *use)
+{
+    if (search->boundary_count == search->boundary_capacity) {
+        const size_t capacity = 2 * (size_t)search->boundary_capacity + 64;
+        struct shell_edge *grown = realloc(search->boundary, capacity * sizeof(*grown));
+        search->is_out_of_memory = search->is_out_of_memory || !grown;
+        if (!grown)
+            return;
+        search->boundary = grown;
+        search->boundary_capacity = (uint32_t)capacity;
+    }
+    search->boundary[search->boundary_count++] = *use;
+}
+
 /* Joins the triangles at an edge. Each use is matched with the last unmatched opposite one before
  * it, because the triangles of a shell are usually consecutive. `uses` holds the stack of unmatched
  * ones, which all have the same direction. */
@@ -131,7 +146,7 @@ static void visit_triangles(void *user, struct shell_edge *uses, uint32_t count)
         return;
     }
     for (uint32_t i = 0; i < depth; i++)
-        search->boundary[search->boundary_count++] = uses[i];
+        add_to_boundary(search, &uses[i]);
 }
 
 /* ---- holes ---- */
@@ -378,11 +393,9 @@ static bool allocate(struct search *search)
     search->is_open = calloc(triangles, sizeof(bool));
     search->is_ambiguous = calloc(triangles, sizeof(bool));
     search->is_turned = calloc(triangles, sizeof(bool));
-    search->boundary = malloc((edges->corner_count + (size_t)1) * sizeof(*search->boundary));
     search->shell_of = malloc(triangles * sizeof(uint32_t));
     if (!search->objects || !search->triangles.parents || !search->triangles.parities ||
-        !search->is_open || !search->is_ambiguous || !search->is_turned || !search->boundary ||
-        !search->shell_of)
+        !search->is_open || !search->is_ambiguous || !search->is_turned || !search->shell_of)
         return false;
     for (uint32_t i = 0; i < edges->part_count; i++)
         search->objects[i] = i;
@@ -413,7 +426,7 @@ bool model_shells_find(struct mesh *mesh, struct shell_part *parts, uint32_t par
     if (done) {
         shell_edges_visit(&search.edges, &search, visit_objects);
         shell_edges_visit(&search.edges, &search, visit_triangles);
-        done = close_seams(&search) && list_shells(&search) &&
+        done = !search.is_out_of_memory && close_seams(&search) && list_shells(&search) &&
                shell_nesting_orient(&(struct shell_nesting){
                    .edges = &search.edges,
                    .shell_of = search.shell_of,

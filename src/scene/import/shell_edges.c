@@ -255,7 +255,7 @@ bool shell_edges_init(struct shell_edges *edges, struct mesh *mesh, struct shell
         .vertex_points = malloc(vertices * sizeof(uint32_t)),
         .points = malloc(corners * sizeof(uint32_t)),
         .corners = malloc(corners * sizeof(uint32_t)),
-        .owners = malloc(corners * sizeof(uint32_t)),
+        .owners = malloc((corners / 3 + 1) * sizeof(uint32_t)),
         .at = malloc(vertices * sizeof(vec3s)),
         .starts = malloc((vertices + 1) * sizeof(uint32_t)),
         .all = malloc(corners * sizeof(struct shell_edge)),
