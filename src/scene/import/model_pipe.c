@@ -365,9 +365,9 @@ static bool is_box(const struct box *box)
 
 static bool is_camera(const struct camera *camera)
 {
-    return is_bounded(camera->eye, (float)MODEL_ORIGIN_MAX) &&
-           is_bounded(camera->up, MODEL_ORIGIN_MAX) &&
-           is_bounded(camera->target, 8.0F * (float)MODEL_ORIGIN_MAX) &&
+    const float max = (float)MODEL_ORIGIN_MAX;
+    return is_bounded(camera->eye, max) && is_bounded(camera->up, max) &&
+           is_bounded(camera->target, 8.0F * max) &&
            glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
            camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
 }

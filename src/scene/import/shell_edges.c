@@ -100,7 +100,7 @@ static void sort_edges(struct shell_edge *all, uint32_t count)
     }
 }
 
-/* Sets the lower and the higher point of the edge from a corner. Returns false if both are equal. */
+/* Sets the lower and the higher point of the edge from a corner. Returns false if they are one. */
 static bool edge_at(const struct shell_edges *edges, uint32_t corner, uint32_t *low, uint32_t *high)
 {
     const uint32_t a = edges->points[corner];

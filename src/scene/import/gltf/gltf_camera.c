@@ -7,7 +7,7 @@
 
 static bool is_in_range(vec3s vector)
 {
-    const float max = MODEL_ORIGIN_MAX; /* comparisons with NaN are false */
+    const float max = (float)MODEL_ORIGIN_MAX; /* comparisons with NaN are false */
     return fabsf(vector.x) <= max && fabsf(vector.y) <= max && fabsf(vector.z) <= max;
 }
 
