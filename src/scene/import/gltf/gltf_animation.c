@@ -122,7 +122,7 @@ static void apply_keys(const struct gltf_object *channel, const struct keys *key
     struct gltf *gltf = channel->gltf;
     const struct gltf_object target = gltf_member(channel, "target");
     struct gltf_node *node = &gltf->nodes[gltf_index(&target, "node", "nodes")];
-    float numbers[WEIGHTS_MAX];
+    float numbers[WEIGHTS_MAX] = { 0 };
     const bool is_rotation = strcmp(path, "rotation") == 0;
     interpolate(keys, time, is_rotation, numbers);
     node->has_matrix = node->has_matrix && strcmp(path, "weights") == 0;
