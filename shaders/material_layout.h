@@ -6,8 +6,9 @@
 
 #define MATERIAL_ROW_FACTORS  0 /* metallic, roughness, specular, alpha */
 #define MATERIAL_ROW_F0       1 /* rgb: dielectric reflectance at normal incidence; a: alpha mode */
-#define MATERIAL_ROW_EMISSION 2 /* rgb: emission; a: alpha cutoff */
-/* x: normal scale; y: occlusion strength; z: 1 for textured ice; w: 1 for a water layer */
+#define MATERIAL_ROW_EMISSION 2 /* rgb: emission (tint if z below exceeds 1); a: alpha cutoff */
+/* x: normal scale; y: occlusion strength; z: 1 for textured ice, 2 + opacity for one of several
+ * materials of an object; w: 1 for a water layer */
 #define MATERIAL_ROW_SCALES 3
 /* First texel of the row's texture data. Each texture has two texels: the transform of u and array
  * layer + 1, then the transform of v and 9 * uv_set + 3 * wrap_v + wrap_u. */

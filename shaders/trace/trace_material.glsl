@@ -20,6 +20,9 @@ vec3 trace_object_material(trace_hit hit, vec3 origin, vec3 dir, bool is_object,
         iterations -= int(trace.one);
         trace_surface_point p = trace_surface_point_at(hit, origin, dir);
         lit_second_uv = p.other_uv;
+        if (scales.z > 1.0)
+            surface = object_material(material_texel(row, MATERIAL_ROW_EMISSION).rgb,
+                                      material_texel(row, MATERIAL_ROW_FACTORS).y, scales.z - 2.0);
         vec3 base = lit_texel(textures, row, MATERIAL_BASE_COLOR, p.uv, 1.0).rgb;
         float rough = lit_texel(data_textures, row, MATERIAL_METALLIC_ROUGHNESS, p.uv, 1.0).g;
         float through = lit_texel(data_textures, row, MATERIAL_TRANSMISSION, p.uv, 1.0).r;

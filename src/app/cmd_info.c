@@ -6,6 +6,7 @@
 #include "src/app/app.h"
 #include "src/base/log.h"
 #include "src/file/json_text.h"
+#include "src/scene/world_position.h"
 #include "src/tech/techniques.h"
 
 enum {
@@ -56,6 +57,15 @@ static int by_rank(const void *a, const void *b)
 
 /* ---- text ---- */
 
+/* Prints a position in the coordinates of the file. */
+static void print_position(const struct model *model, const char *before, vec3s relative)
+{
+    const int digits = world_position_digits(model, 6);
+    printf("%s%.*g,%.*g,%.*g", before, digits, world_position_axis(model, relative, 0), digits,
+           world_position_axis(model, relative, 1), digits,
+           world_position_axis(model, relative, 2));
+}
+
 /* Replaces control characters in the model's names, because they could control the terminal. */
 static void clean_names(struct model *model)
 {
@@ -83,7 +93,7 @@ static void print_objects(const struct model *model)
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         printf("  %-24s %10u  %-8s %s", object->name, object->index_count / 3,
-               object_is_closed(object, &model->object) ? "closed" : "open",
+               object->open_edge_count ? "open" : "closed",
                model->materials[object->material].name);
         if (object->container_rank) /* container_rank counts from 1; 0 means no container */
             printf(", inside %s", model->objects[object->container_rank - 1].name);
@@ -157,11 +167,11 @@ static void print_cameras(const struct model *model)
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const struct model_camera *m = &model->cameras[i];
         const bool is_flat = m->kind == MODEL_ORTHOGRAPHIC;
-        printf("  %-3u %-24s %-13s %g %s high, from %g,%g,%g\n", i,
-               m->name[0] ? m->name : "(no name)", camera_kind(m),
-               is_flat ? (double)m->height : (double)m->camera.fov_deg,
-               is_flat ? "metres" : "degrees", (double)m->camera.eye.x, (double)m->camera.eye.y,
-               (double)m->camera.eye.z);
+        printf("  %-3u %-24s %-13s %g %s high", i, m->name[0] ? m->name : "(no name)",
+               camera_kind(m), is_flat ? (double)m->height : (double)m->camera.fov_deg,
+               is_flat ? "metres" : "degrees");
+        print_position(model, ", from ", m->camera.eye);
+        printf("\n");
     }
 }
 
@@ -172,12 +182,14 @@ static void print_lights(const struct model *model)
     for (uint32_t i = 0; i < model->light_count; i++) {
         const struct light *m = &model->lights[i];
         const bool is_far = m->kind == LIGHT_DIRECTIONAL;
-        const vec3s where = is_far ? m->direction : m->position;
-        printf("  %-24s %-11s %g %s, colour %.3g,%.3g,%.3g, %s %g,%g,%g",
-               m->name[0] ? m->name : "(no name)", punctual_light_kind_name(m),
-               (double)m->intensity, is_far ? "lux" : "candela", (double)m->color.x,
-               (double)m->color.y, (double)m->color.z, is_far ? "along" : "at", (double)where.x,
-               (double)where.y, (double)where.z);
+        printf("  %-24s %-11s %g %s, colour %.3g,%.3g,%.3g", m->name[0] ? m->name : "(no name)",
+               punctual_light_kind_name(m), (double)m->intensity, is_far ? "lux" : "candela",
+               (double)m->color.x, (double)m->color.y, (double)m->color.z);
+        if (is_far)
+            printf(", along %g,%g,%g", (double)m->direction.x, (double)m->direction.y,
+                   (double)m->direction.z);
+        else
+            print_position(model, ", at ", m->position);
         if (m->range > 0.0f)
             printf(", within %g m", (double)m->range);
         if (m->kind == LIGHT_SPOT)
@@ -255,15 +267,17 @@ static void print_text(struct scene *scene, const struct technique *refraction)
     printf("%u triangles of %u objects, %u of surroundings, %u textures\n",
            model->object.index_count / 3, model->object_count, model->surroundings.index_count / 3,
            model->textures.count + model->numbers.count);
-    printf("box of the objects: %g,%g,%g to %g,%g,%g metres\n", (double)box.min.x,
-           (double)box.min.y, (double)box.min.z, (double)box.max.x, (double)box.max.y,
-           (double)box.max.z);
-    if (model->has_camera && !model->camera_count)
-        printf("camera: eye %g,%g,%g, target %g,%g,%g, field of view %g degrees\n",
-               (double)model->camera.eye.x, (double)model->camera.eye.y,
-               (double)model->camera.eye.z, (double)model->camera.target.x,
-               (double)model->camera.target.y, (double)model->camera.target.z,
-               (double)model->camera.fov_deg);
+    print_position(model, "box of the objects: ", box.min);
+    print_position(model, " to ", box.max);
+    printf(" metres\n");
+    if (world_position_is_far(model))
+        printf("origin of layer P: %.15g,%.15g,%.15g metres, because the model is far from 0,0,0\n",
+               model->origin[0], model->origin[1], model->origin[2]);
+    if (model->has_camera && !model->camera_count) {
+        print_position(model, "camera: eye ", model->camera.eye);
+        print_position(model, ", target ", model->camera.target);
+        printf(", field of view %g degrees\n", (double)model->camera.fov_deg);
+    }
     printf("default refraction model: %s\n", refraction->refraction.name);
     if (bvh_node_count(scene->bvh))
         print_tree(scene->bvh);
@@ -290,6 +304,16 @@ static json_t *vector(vec3s v)
     return json_pack("[f, f, f]", json_text_float(v.x), json_text_float(v.y), json_text_float(v.z));
 }
 
+/* Returns a position in the coordinates of the file. */
+static json_t *position_of(const struct model *model, vec3s relative)
+{
+    if (!world_position_is_far(model))
+        return vector(relative);
+    return json_pack("[f, f, f]", world_position_axis(model, relative, 0),
+                     world_position_axis(model, relative, 1),
+                     world_position_axis(model, relative, 2));
+}
+
 /* Returns a text from a file as a JSON string, or "?" if the text is not UTF-8. */
 static json_t *text_of(const char *text)
 {
@@ -302,8 +326,9 @@ static json_t *object_of(const struct model *model, const struct object *object)
     return json_pack("{s:o, s:i, s:i, s:i, s:i, s:b, s:o, s:o}", "name", text_of(object->name),
                      "rank", (int)object->rank, "inside_rank", (int)object->container_rank,
                      "triangles", (int)(object->index_count / 3), "material", (int)object->material,
-                     "closed", (int)object_is_closed(object, &model->object), "min",
-                     vector(object->box.min), "max", vector(object->box.max));
+                     "closed", object->open_edge_count == 0, "min",
+                     position_of(model, object->box.min), "max",
+                     position_of(model, object->box.max));
 }
 
 static json_t *objects_of(const struct model *model)
@@ -380,11 +405,11 @@ static json_t *materials_of(const struct model *model)
     return all;
 }
 
-static json_t *camera_of(const struct model_camera *m)
+static json_t *camera_of(const struct model *model, const struct model_camera *m)
 {
-    json_t *json =
-        json_pack("{s:o, s:s, s:o, s:o}", "name", text_of(m->name), "kind", camera_kind(m), "eye",
-                  vector(m->camera.eye), "target", vector(m->camera.target));
+    json_t *json = json_pack("{s:o, s:s, s:o, s:o}", "name", text_of(m->name), "kind",
+                             camera_kind(m), "eye", position_of(model, m->camera.eye), "target",
+                             position_of(model, m->camera.target));
     if (json && m->kind == MODEL_ORTHOGRAPHIC)
         (void)json_object_set_new(json, "height", json_real(json_text_float(m->height)));
     else if (json)
@@ -396,7 +421,7 @@ static json_t *cameras_of(const struct model *model)
 {
     json_t *all = json_array();
     for (uint32_t i = 0; i < model->camera_count && all; i++)
-        all = json_text_append(all, camera_of(&model->cameras[i]));
+        all = json_text_append(all, camera_of(model, &model->cameras[i]));
     return all;
 }
 
@@ -427,13 +452,13 @@ static json_t *undrawn_of(const struct model *model)
     return all;
 }
 
-static json_t *light_of(const struct light *m)
+static json_t *light_of(const struct model *model, const struct light *m)
 {
     json_t *json = json_pack("{s:o, s:s, s:o, s:o, s:o, s:f, s:s}", "name", text_of(m->name),
-                             "kind", punctual_light_kind_name(m), "position", vector(m->position),
-                             "direction", vector(m->direction), "color", vector(m->color),
-                             "intensity", json_text_float(m->intensity), "unit",
-                             m->kind == LIGHT_DIRECTIONAL ? "lux" : "candela");
+                             "kind", punctual_light_kind_name(m), "position",
+                             position_of(model, m->position), "direction", vector(m->direction),
+                             "color", vector(m->color), "intensity", json_text_float(m->intensity),
+                             "unit", m->kind == LIGHT_DIRECTIONAL ? "lux" : "candela");
     if (json && m->range > 0.0f)
         (void)json_object_set_new(json, "range", json_real(json_text_float(m->range)));
     if (json && m->kind == LIGHT_SPOT) {
@@ -447,7 +472,7 @@ static json_t *lights_of(const struct model *model)
 {
     json_t *all = json_array();
     for (uint32_t i = 0; i < model->light_count && all; i++)
-        all = json_text_append(all, light_of(&model->lights[i]));
+        all = json_text_append(all, light_of(model, &model->lights[i]));
     return all;
 }
 
@@ -465,8 +490,9 @@ static json_t *bvh_of(const struct bvh *bvh)
 {
     return json_pack("{s:i, s:i, s:I, s:f, s:b, s:f, s:f}", "nodes", (int)bvh_node_count(bvh),
                      "triangles", (int)bvh->triangle_count, "bytes", (json_int_t)bvh_size(bvh),
-                     "ms", bvh->ms, "cached", bvh->read > 0, "cost", bvh->costs[BVH_OBJECTS],
-                     "surrounding_cost", bvh->costs[BVH_SURROUNDINGS]);
+                     "ms", json_text_float((float)bvh->ms), "cached", bvh->read > 0, "cost",
+                     json_text_float((float)bvh->costs[BVH_OBJECTS]), "surrounding_cost",
+                     json_text_float((float)bvh->costs[BVH_SURROUNDINGS]));
 }
 
 static enum status print_json(const char *name, const struct scene *scene,
@@ -484,11 +510,13 @@ static enum status print_json(const char *name, const struct scene *scene,
         { "not_drawn", undrawn_of },
     };
 
-    json_t *root = json_pack("{s:o, s:s, s:i, s:i, s:o, s:o}", "scene", text_of(name), "refraction",
-                             refraction->refraction.name, "surrounding_triangles",
-                             (int)(model->surroundings.index_count / 3), "textures",
-                             (int)(model->textures.count + model->numbers.count), "min",
-                             vector(scene->box.min), "max", vector(scene->box.max));
+    json_t *root =
+        json_pack("{s:o, s:s, s:i, s:i, s:o, s:o, s:[f, f, f]}", "scene", text_of(name),
+                  "refraction", refraction->refraction.name, "surrounding_triangles",
+                  (int)(model->surroundings.index_count / 3), "textures",
+                  (int)(model->textures.count + model->numbers.count), "min",
+                  position_of(model, scene->box.min), "max", position_of(model, scene->box.max),
+                  "origin", model->origin[0], model->origin[1], model->origin[2]);
     for (size_t i = 0; root && i < sizeof(lists) / sizeof(lists[0]); i++) {
         if (json_object_set_new(root, lists[i].key, lists[i].make(model)) != 0) {
             json_decref(root);
@@ -499,8 +527,9 @@ static enum status print_json(const char *name, const struct scene *scene,
         (void)json_object_set_new(root, "tree", bvh_of(scene->bvh));
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
-                                  json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),
-                                            "target", vector(model->camera.target), "fov",
+                                  json_pack("{s:o, s:o, s:f}", "eye",
+                                            position_of(model, model->camera.eye), "target",
+                                            position_of(model, model->camera.target), "fov",
                                             json_text_float(model->camera.fov_deg)));
     return json_text_print(root);
 }

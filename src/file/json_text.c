@@ -6,7 +6,8 @@
 #include "src/base/log.h"
 
 enum {
-    DIGITS = 9 /* significant digits of numbers: enough to restore a float exactly */
+    DIGITS = 9,         /* significant digits that restore a float exactly */
+    DOUBLE_DIGITS = 15, /* significant digits that a double preserves */
 };
 
 json_t *json_text_string(const char *text)
@@ -45,7 +46,8 @@ double json_text_float(float value)
 
 enum status json_text_print(json_t *root)
 {
-    char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    const size_t format = JSON_INDENT(2) | JSON_REAL_PRECISION(DOUBLE_DIGITS);
+    char *text = root ? json_dumps(root, format) : NULL;
     json_decref(root);
     if (!text)
         return log_out_of_memory(NULL);

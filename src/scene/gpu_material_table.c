@@ -48,10 +48,14 @@ static void write_row(vec4s *row, const struct material *m)
     const float specular = is_diffuse(m) ? 0.0f : m->specular;
     row[MATERIAL_ROW_FACTORS] = (vec4s){ { m->metallic, m->roughness, specular, m->alpha } };
     row[MATERIAL_ROW_F0] = glms_vec4(f0, (float)kind_of(m));
-    row[MATERIAL_ROW_EMISSION] = glms_vec4(m->emission, m->alpha_cutoff);
-    row[MATERIAL_ROW_SCALES] =
-        (vec4s){ { m->normal_scale, m->occlusion_strength, material_is_textured(m) ? 1.0f : 0.0f,
-                   m->flags & MATERIAL_IS_WATER_LAYER ? 1.0f : 0.0f } };
+    const bool is_partial = m->flags & MATERIAL_IS_PARTIAL;
+    const float of_object = is_partial                ? 3.0f - m->transmission
+                            : material_is_textured(m) ? 1.0f
+                                                      : 0.0f;
+    row[MATERIAL_ROW_EMISSION] =
+        glms_vec4(is_partial ? m->base_color : m->emission, m->alpha_cutoff);
+    row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength, of_object,
+                                          m->flags & MATERIAL_IS_WATER_LAYER ? 1.0f : 0.0f } };
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
         write_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
 }

@@ -33,7 +33,7 @@ bool material_is_textured(const struct material *m)
 {
     return m->textures[MATERIAL_BASE_COLOR].layer || m->textures[MATERIAL_NORMAL].layer ||
            m->textures[MATERIAL_METALLIC_ROUGHNESS].layer ||
-           m->textures[MATERIAL_TRANSMISSION].layer;
+           m->textures[MATERIAL_TRANSMISSION].layer || m->flags & MATERIAL_IS_PARTIAL;
 }
 
 static bool clamp(float *value, float min, float max, float initial)

@@ -24,7 +24,9 @@ enum {
     /* legacy refractive index 0; specular_color is the reflectance at normal incidence */
     MATERIAL_IS_LEGACY = 128,
     MATERIAL_IS_WATER_LAYER = 256, /* opaque base with colour and normal map, under a water layer */
-    MATERIAL_FLAGS = 511,
+    /* an object has this material and others, so surface parameters are looked up per triangle */
+    MATERIAL_IS_PARTIAL = 512,
+    MATERIAL_FLAGS = 1023,
 };
 
 /* Returns true if textures of this use hold sRGB colours. Other textures are linear. */
@@ -70,8 +72,9 @@ struct material {
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 
-/* Returns true if a transmissive surface has a texture that affects transmission or reflection:
- * base colour, roughness, transmission or normal. */
+/* Returns true if the parameters of a transmissive surface vary over an object: if a texture
+ * affects transmission or reflection (base colour, roughness, transmission or normal), or for
+ * MATERIAL_IS_PARTIAL. */
 bool material_is_textured(const struct material *material);
 
 /* Returns glTF's default material, white and opaque, with a name. */

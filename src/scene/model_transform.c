@@ -3,6 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/base/log.h"
+#include "src/scene/geometry/affine.h"
 
 static const float coordinate_max = 1e6f; /* maximum absolute coordinate, metres */
 
@@ -28,6 +29,26 @@ static vec3s rotated(const mat4s *rotation, const struct model_transform *model_
 static float scale_of(const struct model_transform *model_transform)
 {
     return model_transform->scale > 0.0f ? model_transform->scale : 1.0f;
+}
+
+static void transform_origin(double origin[static 3], const struct model_transform *model_transform)
+{
+    static const double none[3], one[3] = { 1, 1, 1 };
+    const double half_degree = 0.008726646259971648;
+    const double y = origin[1];
+    if (model_transform->is_z_up) {
+        origin[1] = origin[2];
+        origin[2] = -y;
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        const double half = half_degree * (double)model_transform->rotate_deg.raw[axis];
+        double quaternion[4] = { 0, 0, 0, cos(half) };
+        quaternion[axis] = sin(half);
+        const struct affine rotation = affine_compose(none, quaternion, one);
+        affine_transform(&rotation, origin);
+    }
+    for (int k = 0; k < 3; k++)
+        origin[k] *= (double)scale_of(model_transform);
 }
 
 static bool transform_mesh(struct mesh *mesh, const mat4s *rotation,
@@ -88,6 +109,7 @@ enum status model_transform_apply(struct model *model,
                   (double)scale_of(model_transform));
         return STATUS_DATA;
     }
+    transform_origin(model->origin, model_transform);
     if (model->has_camera)
         transform_camera(&model->camera, &rotation, model_transform);
     for (uint32_t i = 0; i < model->camera_count; i++) {

@@ -24,7 +24,7 @@ static bool is_in_range(float value, float min, float max)
 
 bool punctual_light_is_valid(const struct light *light)
 {
-    const float far = 1e6f, half_pi = 1.5707964f;
+    const float far = 1e9f, half_pi = 1.5707964f;
     const bool is_spot = light->kind == LIGHT_SPOT;
     for (int k = 0; k < 3; k++) {
         if (!is_in_range(light->position.raw[k], -far, far) ||

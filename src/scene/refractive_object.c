@@ -41,12 +41,38 @@ struct box object_box(const struct object *object, const struct mesh *mesh)
     return box;
 }
 
-/* Returns true if all corners of `part` satisfy `contains` for the closed mesh. */
-static bool all_inside(const struct closed_mesh *container, const struct mesh *part,
+bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint32_t count)
+{
+    struct box *boxes = malloc((count + (size_t)1) * sizeof(*boxes));
+    for (uint32_t i = 0; boxes && i < count; i++)
+        boxes[i] = objects[i].box;
+    const bool done = boxes && box_tree_init(tree, boxes, count);
+    free(boxes);
+    return done;
+}
+
+/* Maximum number of point-in-mesh tests of object_assign_ranks(). Objects that overlap densely,
+ * such as thousands of copies at one place, need a number that is quadratic or worse. */
+#define TESTS_MAX (1u << 24)
+
+/* Search for the objects that one object encloses. */
+struct enclosure {
+    struct ranked *ranking;
+    const struct object *objects;
+    const struct mesh *mesh;
+    struct closed_mesh container; /* empty until the first candidate */
+    uint32_t index;               /* of the enclosing object */
+    uint32_t test_count;          /* in all searches */
+    bool is_out_of_memory;
+};
+
+/* Returns true if all corners of `part` satisfy `contains` for the container. */
+static bool all_inside(struct enclosure *enclosure, const struct mesh *part,
                        bool (*contains)(const struct closed_mesh *container, vec3s point))
 {
     for (uint32_t i = 0; i < part->index_count; i++) {
-        if (!contains(container, part->vertices[part->indices[i]].position))
+        enclosure->test_count++;
+        if (!contains(&enclosure->container, part->vertices[part->indices[i]].position))
             return false;
     }
     return true;
@@ -59,30 +85,50 @@ static void update_innermost(const struct object *objects, uint32_t k, uint32_t 
         *innermost = k + 1;
 }
 
-/* Records the objects that object `k` encloses. Returns false when out of memory. */
-static bool record_enclosed(struct ranked *ranking, const struct object *objects, uint32_t count,
-                            const struct mesh *mesh, uint32_t k)
+/* Records whether the container encloses object `i`. Returns false to end the search. */
+static bool visit_candidate(void *user, uint32_t i)
 {
-    const struct mesh container = object_mesh(&objects[k], mesh);
-    struct closed_mesh closed_mesh = { 0 };
-    bool is_made = false;
-    for (uint32_t i = 0; i < count; i++) {
-        if (i == k || !box_contains(&objects[k].box, &objects[i].box))
-            continue;
-        if (!is_made && !closed_mesh_init(&closed_mesh, &container))
-            return false;
-        is_made = true;
-        const struct mesh part = object_mesh(&objects[i], mesh);
-        if (!all_inside(&closed_mesh, &part, closed_mesh_surrounds))
-            continue;
-        update_innermost(objects, k, &ranking[i].enclosing_object);
-        if (!all_inside(&closed_mesh, &part, closed_mesh_contains))
-            continue;
-        ranking[i].depth++;
-        update_innermost(objects, k, &ranking[i].container_rank);
+    struct enclosure *enclosure = user;
+    const struct object *objects = enclosure->objects;
+    const uint32_t k = enclosure->index;
+    enclosure->test_count++;
+    if (i == k || !box_contains(&objects[k].box, &objects[i].box))
+        return enclosure->test_count < TESTS_MAX;
+    const struct mesh container = object_mesh(&objects[k], enclosure->mesh);
+    if (!enclosure->container.first && !closed_mesh_init(&enclosure->container, &container)) {
+        enclosure->is_out_of_memory = true;
+        return false;
     }
-    closed_mesh_finish(&closed_mesh);
-    return true;
+    const struct mesh part = object_mesh(&objects[i], enclosure->mesh);
+    enclosure->container.mesh = &container;
+    if (all_inside(enclosure, &part, closed_mesh_surrounds)) {
+        update_innermost(objects, k, &enclosure->ranking[i].enclosing_object);
+        if (all_inside(enclosure, &part, closed_mesh_contains)) {
+            enclosure->ranking[i].depth++;
+            update_innermost(objects, k, &enclosure->ranking[i].container_rank);
+        }
+    }
+    return enclosure->test_count < TESTS_MAX;
+}
+
+/* Records which objects enclose which. Returns false when out of memory. */
+static bool record_enclosed(struct ranked *ranking, const struct object *objects, uint32_t count,
+                            const struct mesh *mesh)
+{
+    struct enclosure enclosure = { .ranking = ranking, .objects = objects, .mesh = mesh };
+    struct box_tree tree;
+    if (!object_boxes_init(&tree, objects, count))
+        return false;
+    for (uint32_t k = 0; k < count && enclosure.test_count < TESTS_MAX; k++) {
+        enclosure.index = k;
+        box_tree_visit(&tree, &objects[k].box, &enclosure, visit_candidate);
+        closed_mesh_finish(&enclosure.container);
+    }
+    if (enclosure.test_count >= TESTS_MAX)
+        log_warning("objects overlap too densely to find out which are inside which; of "
+                    "overlapping objects, the last one in the file applies");
+    box_tree_finish(&tree);
+    return !enclosure.is_out_of_memory;
 }
 
 static int by_priority(const void *a, const void *b)
@@ -108,8 +154,8 @@ enum status object_assign_ranks(struct object *objects, uint32_t count, const st
         ranking[i].priority = is_stated ? material->priority : INT64_MIN;
         objects[i].box = object_box(&objects[i], mesh);
     }
-    for (uint32_t i = 0; done && count > 1 && i < count; i++)
-        done = record_enclosed(ranking, objects, count, mesh, i);
+    if (done && count > 1)
+        done = record_enclosed(ranking, objects, count, mesh);
     if (done) {
         qsort(ranking, count, sizeof(*ranking), by_priority);
         for (uint32_t i = 0; i < count; i++)
@@ -130,24 +176,6 @@ uint32_t object_outermost(const struct object *objects, uint32_t index)
     while (objects[index].enclosing_object)
         index = objects[index].enclosing_object - 1;
     return index;
-}
-
-bool object_is_closed(const struct object *object, const struct mesh *mesh)
-{
-    double sum[3] = { 0 };
-    double all = 0;
-    for (uint32_t i = 0; i < object->index_count; i += 3) {
-        const uint32_t *corners = &mesh->indices[object->first_index + i];
-        const vec3s a = mesh->vertices[corners[0]].position;
-        const vec3s b = mesh->vertices[corners[1]].position;
-        const vec3s c = mesh->vertices[corners[2]].position;
-        const vec3s area = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
-        for (int k = 0; k < 3; k++)
-            sum[k] += (double)area.raw[k];
-        all += (double)glms_vec3_norm(area);
-    }
-    const double left = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
-    return left <= 1e-4 * all;
 }
 
 /* Returns the signed solid angle of a triangle seen from the origin, in steradians (van Oosterom

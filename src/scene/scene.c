@@ -146,8 +146,9 @@ static enum status locate(const char *name, enum asset_kind kind, char **path)
     return status == STATUS_OK && !*path ? log_out_of_memory(name) : status;
 }
 
-static enum status load_file(struct model *model, const struct scene_params *params)
+static enum status load_file(struct scene *scene, const struct scene_params *params)
 {
+    struct model *model = &scene->model;
     char *path;
     struct model_pose pose = params->pose;
     char *names =
@@ -155,11 +156,13 @@ static enum status load_file(struct model *model, const struct scene_params *par
     if (!names)
         return log_out_of_memory(params->name);
     pose.objects = names;
+    pose.origin = params->previous_pose ? params->previous_pose->file_origin : NULL;
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
         status = sandboxed_load_model(model, path,
                                       params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS,
                                       &pose, params->decode);
+    memcpy(scene->file_origin, model->origin, sizeof(scene->file_origin));
     if (status == STATUS_OK)
         status = material_override_apply(model, params->material_overrides,
                                          params->material_override_count);
@@ -191,7 +194,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
     if (!builtin)
-        return load_file(&scene->model, params);
+        return load_file(scene, params);
     if (!builtin->generate)
         return make_pool(scene, params);
     uint32_t triangles = params->object_triangles ? params->object_triangles : builtin->triangles;

@@ -55,7 +55,8 @@ struct scene_files {
 };
 
 struct scene {
-    struct model model; /* loaded model, with ranked objects (medium priorities) */
+    struct model model;    /* loaded model, with ranked objects (medium priorities) */
+    double file_origin[3]; /* model.origin before the model transform */
     struct scene_background background;
     struct scene_tables tables;
     struct scene_inclusions inclusions;
@@ -107,7 +108,7 @@ struct scene_params {
      * `files` and `rest`, and does not load them again. */
     struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
-    struct model_pose pose; /* animation pose; scene_load() sets its `objects` */
+    struct model_pose pose; /* animation pose; scene_load() sets `objects`, `origin` */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background;      /* background colour; NULL for the sky */

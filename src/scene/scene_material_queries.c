@@ -3,13 +3,21 @@
 #include <cglm/struct.h>
 #include "src/scene/scene.h"
 
+static bool is_lit(const struct material *m)
+{
+    return !(m->flags & MATERIAL_FROM_SETTINGS) &&
+           (m->transmission < 1.0f || m->textures[MATERIAL_TRANSMISSION].layer);
+}
+
 bool scene_has_lit_object(const struct scene *scene)
 {
     const struct model *model = &scene->model;
     for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct material *m = &model->materials[model->objects[i].material];
-        if (!(m->flags & MATERIAL_FROM_SETTINGS) &&
-            (m->transmission < 1.0f || m->textures[MATERIAL_TRANSMISSION].layer))
+        if (is_lit(&model->materials[model->objects[i].material]))
+            return true;
+    }
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        if (model->materials[i].flags & MATERIAL_IS_PARTIAL && is_lit(&model->materials[i]))
             return true;
     }
     return false;

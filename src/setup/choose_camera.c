@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/base/suggest.h"
+#include "src/scene/world_position.h"
 #include "src/setup/setup.h"
 
 static const float default_fov_deg = 45.0f;
@@ -80,10 +81,14 @@ static struct camera choose(const struct scene *scene, const struct setup_image 
                             const struct camera *model_camera)
 {
     const vec3s center = box_center(scene->framing_box);
-    const vec3s target = p->target.is_given ? p->target.value : center;
+    const struct model *model = &scene->model;
+    const vec3s target =
+        p->target.is_given ? world_position_relative(model, p->target.value) : center;
     const float fov = p->fov_deg > 0.0f ? p->fov_deg : default_fov_deg;
     if (p->eye.is_given)
-        return (struct camera){ .eye = p->eye.value, .target = target, .fov_deg = fov };
+        return (struct camera){ .eye = world_position_relative(model, p->eye.value),
+                                .target = target,
+                                .fov_deg = fov };
     if (model_camera && !p->orbit.is_given) {
         struct camera camera = *model_camera;
         camera.fov_deg = p->fov_deg > 0.0f ? fov : camera.fov_deg;

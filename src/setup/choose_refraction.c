@@ -2,6 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "shaders/trace/bvh_layout.h"
 #include "src/base/log.h"
@@ -28,6 +29,11 @@ static bool is_rough(const struct material *material)
     return material->roughness > 0.0f;
 }
 
+static bool is_partial(const struct material *material)
+{
+    return material->flags & MATERIAL_IS_PARTIAL;
+}
+
 static bool is_thin(const struct material *material)
 {
     return !(material->thickness > 0.0f);
@@ -51,30 +57,52 @@ static bool has_second_set(const struct material *material)
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct object *object = &model->objects[i];
-        uint32_t depth = 0, beside = 0;
-        for (uint32_t k = i; model->objects[k].enclosing_object;
+    uint32_t *inner_counts = calloc(model->object_count + (size_t)1, sizeof(*inner_counts));
+    for (uint32_t i = 0; inner_counts && i < model->object_count; i++)
+        inner_counts[model->objects[i].enclosing_object]++;
+    for (uint32_t i = 0; inner_counts && i < model->object_count; i++) {
+        const uint32_t around = model->objects[i].enclosing_object;
+        uint32_t depth = 0;
+        for (uint32_t k = i; model->objects[k].enclosing_object && depth < ICE_NESTED_LEVELS;
              k = model->objects[k].enclosing_object - 1)
             depth++;
-        for (uint32_t k = 0; k < model->object_count && object->enclosing_object; k++)
-            beside += k != i && model->objects[k].enclosing_object == object->enclosing_object;
-        count += beside || depth >= ICE_NESTED_LEVELS;
+        count += (around && inner_counts[around] > 1) || depth >= ICE_NESTED_LEVELS;
     }
+    free(inner_counts);
     return count;
+}
+
+/* Test whether another box contains the box of an object. */
+struct inside_test {
+    const struct object *objects;
+    uint32_t index;
+    uint32_t left; /* number of further tests in all, which limits the time for dense objects */
+    bool is_inside;
+};
+
+static bool visit_box(void *user, uint32_t i)
+{
+    struct inside_test *test = user;
+    test->is_inside =
+        i != test->index && box_contains(&test->objects[i].box, &test->objects[test->index].box);
+    test->left -= test->left > 0;
+    return !test->is_inside && test->left > 0;
 }
 
 /* Counts the objects that rasterisation leaves out because another object's box contains them. */
 static uint32_t count_inside(const struct model *model)
 {
+    struct inside_test test = { .objects = model->objects, .left = 1u << 24 };
+    struct box_tree tree;
     uint32_t count = 0;
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct box *box = &model->objects[i].box;
-        bool is_inside = false;
-        for (uint32_t k = 0; k < model->object_count && !is_inside; k++)
-            is_inside = k != i && box_contains(&model->objects[k].box, box);
-        count += is_inside;
+    if (!object_boxes_init(&tree, model->objects, model->object_count))
+        return 0;
+    for (test.index = 0; test.index < model->object_count && test.left > 0; test.index++) {
+        test.is_inside = false;
+        box_tree_visit(&tree, &model->objects[test.index].box, &test, visit_box);
+        count += test.is_inside;
     }
+    box_tree_finish(&tree);
     return count;
 }
 
@@ -93,6 +121,7 @@ static void name_undrawn(const struct scene *scene, bool is_nested, char *text, 
         bool (*is_present)(const struct material *material);
     } kinds[] = { { "rough", is_rough },
                   { "thin-walled", is_thin },
+                  { "with several materials", is_partial },
                   { "with a second set of texture coordinates", has_second_set } };
     const struct model *model = &scene->model;
     text[0] = '\0';
@@ -167,7 +196,7 @@ static void name_reason(const struct scene *scene, bool is_inside, char *text, s
         return;
     if (model->object_count > 1)
         snprintf(text, size, "it has %u refractive objects", model->object_count);
-    else if (!object_is_closed(&model->objects[0], &model->object))
+    else if (model->objects[0].open_edge_count)
         snprintf(text, size, "its object is not closed");
     else if (is_inside)
         snprintf(text, size, "the camera is inside its object");

@@ -15,6 +15,7 @@
 #include "src/lab/reference/reference.h"
 #include "src/render/frame/frame_uniforms.h"
 #include "src/render/frame/pass_list.h"
+#include "src/scene/world_position.h"
 #include "src/settings/scene_settings.h"
 #include "src/setup/aov_to_png.h"
 #include "src/setup/object_id_names.h"
@@ -23,14 +24,14 @@
 
 /* Maximum number of metadata texts. */
 enum {
-    TEXT_COUNT_MAX = 7
+    TEXT_COUNT_MAX = 8
 };
 
 /* Metadata texts of a file. --resume compares only the first compared_count texts. */
 struct texts {
     struct image_text all[TEXT_COUNT_MAX];
     uint32_t count, compared_count;
-    char tile[32], samples[16], noise[32];
+    char tile[32], samples[16], noise[32], origin[96];
 };
 
 /* ---- metadata ---- */
@@ -38,6 +39,15 @@ struct texts {
 static void print_vector(FILE *out, const char *name, vec3s v)
 {
     fprintf(out, " %s=%.9g,%.9g,%.9g", name, (double)v.x, (double)v.y, (double)v.z);
+}
+
+/* Prints a position in the coordinates of the model's file. */
+static void print_position(FILE *out, const char *name, const struct model *model, vec3s relative)
+{
+    const int digits = world_position_digits(model, 9);
+    fprintf(out, " %s=%.*g,%.*g,%.*g", name, digits, world_position_axis(model, relative, 0),
+            digits, world_position_axis(model, relative, 1), digits,
+            world_position_axis(model, relative, 2));
 }
 
 static void print_settings(FILE *out, const struct settings *settings)
@@ -131,8 +141,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
         print_surroundings(out, &p->scene);
         if (p->camera)
             fprintf(out, " camera=%s", p->camera);
-        print_vector(out, "eye", camera->eye);
-        print_vector(out, "target", camera->target);
+        print_position(out, "eye", &output->scene->model, camera->eye);
+        print_position(out, "target", &output->scene->model, camera->target);
         if (camera->height > 0.0f)
             fprintf(out, " height=%.9g", (double)camera->height);
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);
@@ -180,6 +190,12 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     }
     texts->compared_count = texts->count;
     add_text(texts, "firn/device", device);
+    if (world_position_is_far(&output->scene->model)) {
+        const double *origin = output->scene->model.origin;
+        snprintf(texts->origin, sizeof(texts->origin), "%.15g,%.15g,%.15g", origin[0], origin[1],
+                 origin[2]);
+        add_text(texts, "firn/origin", texts->origin);
+    }
     if (!output->samples)
         return;
     snprintf(texts->samples, sizeof(texts->samples), "%u", output->samples);

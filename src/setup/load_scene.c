@@ -126,6 +126,36 @@ static void note_brightness(const struct setup_scene *options, const struct scen
                  options->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
+/* Returns true if an object should enclose a medium, but has holes. */
+static bool is_open(const struct model *model, const struct object *object)
+{
+    const struct material *material = &model->materials[object->material];
+    const bool is_thin = !(material->flags & MATERIAL_FROM_SETTINGS) && !(material->thickness > 0);
+    return object->open_edge_count && !is_thin;
+}
+
+/* Warns of objects that are not closed, in one line. */
+static void check_shells(const struct setup_scene *options, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    const struct object *first = NULL;
+    uint32_t count = 0;
+    char others[32] = "";
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (is_open(model, &model->objects[i]) && !count++)
+            first = &model->objects[i];
+    }
+    if (!first || options->quiet)
+        return;
+    if (count > 1)
+        snprintf(others, sizeof(others), " and %u other%s", count - 1, count > 2 ? "s" : "");
+    log_warning("%s: object '%s'%s %s open: its shell has %u edges around holes, through which "
+                "light leaks between its medium and the air; close the holes, or give the surface "
+                "a thickness",
+                options->name, first->name, others, count > 1 ? "are" : "is",
+                first->open_edge_count);
+}
+
 /* Warns of an empty environment box. This is no error, because a user may be editing the box. */
 static void check_box(const struct setup_scene *options, const struct scene *scene)
 {
@@ -388,6 +418,7 @@ enum status setup_begin_scene(struct scene *scene, struct setup_scene *options)
         choose_sun(options, scene);
         check_box(options, scene);
         check_lights(options, scene);
+        check_shells(options, scene);
         note_brightness(options, scene);
     }
     return status;

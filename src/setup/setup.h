@@ -27,10 +27,16 @@ enum setup_overlay {
     SETUP_OVERLAY_OFF,
 };
 
-/* A vector option, such as --eye X,Y,Z. */
+/* A vector option, such as --orbit AZIMUTH,ELEVATION,DISTANCE. */
 struct setup_vector {
     bool is_given;
     vec3s value;
+};
+
+/* A position option in the coordinates of the model's file, such as --eye X,Y,Z. */
+struct setup_position {
+    bool is_given;
+    double value[3];
 };
 
 /* Options that describe the scene. */
@@ -77,7 +83,7 @@ struct setup_image {
     uint32_t png_bits;              /* bits per channel; 0 means 8 */
     const struct frame_layer *show; /* PNG layer; NULL: tone-mapped image */
     const char *camera;             /* name or number; NULL if unset */
-    struct setup_vector eye, target;
+    struct setup_position eye, target;
     struct setup_vector orbit; /* azimuth, elevation (degrees), distance (metres) */
     float fov_deg;             /* 0: the model camera's, or 45 */
 };

@@ -277,7 +277,8 @@ class Scenes(Case):
         self.refuse(USAGE, 'info', names=['SCENE'])
 
     def test_a_mesh_without_materials_is_ice(self):
-        (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+        (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n'
+                                           'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n')
         note = b'firn: note: a.obj: has no materials, so it is drawn as ice'
         for words, is_said in (((), True), (('--material', 'ice'), False), (('-q',), False)):
             done = self.succeed('graph', 'a.obj', '-r', 'paper', *words, env=NO_DRIVER)

@@ -25,6 +25,7 @@ enum {
     IOR_AT = 4 + offsetof(struct model, ior),
     BOX_AT = 4 + offsetof(struct model, box),
     OPAQUE_COUNT_AT = 4 + offsetof(struct model, surroundings_object_count),
+    ORIGIN_AT = 4 + offsetof(struct model, origin),
     VERTICES_AT = 4 + sizeof(struct model),
     VERTEX_SIZE = 48,
     INDICES_AT = VERTICES_AT + 4 * VERTEX_SIZE,
@@ -301,6 +302,10 @@ static void cameras_are_checked(void **state)
         refuse_number(BOX_AT + 4 * i, NAN, PIPE_CAMERA);
     refuse_number(BOX_AT, 1, PIPE_CAMERA); /* no wider than nothing */
     refuse_number(BOX_AT + 12, 2e6F, PIPE_CAMERA);
+    for (size_t i = 0; i < 3; i++) {
+        refuse_word(ORIGIN_AT + 8 * i + 4, 0x7ff80000, PIPE_CAMERA); /* NaN */
+        refuse_word(ORIGIN_AT + 8 * i + 4, 0x42000000, PIPE_CAMERA); /* 8.6e9 */
+    }
 }
 
 static void listed_cameras_are_checked(void **state)
@@ -434,6 +439,7 @@ static void objects_are_checked(void **state)
     refuse_word(OBJECTS_AT + offsetof(struct object, rank), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, container_rank), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, enclosing_object), 1, PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, open_edge_count), 7, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, first_index), 3, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 6, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 0, PIPE_INDEX);

@@ -244,12 +244,11 @@ enum status option_orbit(const struct option *option, void *at, const char *valu
 
 enum status option_position(const struct option *option, void *at, const char *value)
 {
-    struct setup_vector *vector = at;
-    const vec3s *v = &vector->value;
-    vector->is_given = option_parse_numbers(value, ',', vector->value.raw, 3) &&
-                       fabsf(v->x) <= position_max && fabsf(v->y) <= position_max &&
-                       fabsf(v->z) <= position_max;
-    return vector->is_given
+    struct setup_position *position = at;
+    position->is_given = option_parse_doubles(value, ',', position->value, 3);
+    for (int k = 0; k < 3; k++)
+        position->is_given = position->is_given && fabs(position->value[k]) <= (double)position_max;
+    return position->is_given
                ? STATUS_OK
                : option_refuse(option, value, "X,Y,Z in metres, each from -1e9 to 1e9");
 }

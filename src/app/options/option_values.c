@@ -104,7 +104,7 @@ enum status option_parse_names(const struct option *option, enum option_names na
     }
 }
 
-bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count)
+bool option_parse_doubles(const char *text, char separator, double *numbers, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         char *end;
@@ -114,9 +114,19 @@ bool option_parse_numbers(const char *text, char separator, float *numbers, size
         bool last = i + 1 == count;
         if (end == text || !(fabs(value) <= 1e30) || *end != (last ? '\0' : separator))
             return false;
-        numbers[i] = (float)value;
+        numbers[i] = value;
         text = end + !last;
     }
+    return true;
+}
+
+bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count)
+{
+    double values[OPTION_NUMBERS_MAX];
+    if (!option_parse_doubles(text, separator, values, count))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        numbers[i] = (float)values[i];
     return true;
 }
 

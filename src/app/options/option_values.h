@@ -43,7 +43,12 @@ enum status option_parse_names(const struct option *option, enum option_names na
 /* Returns the index of `value` in the array of words, or -1 if the array does not contain it. */
 int option_find_word(const char *const *names, int count, const char *value);
 
+enum {
+    OPTION_NUMBERS_MAX = 4, /* maximum `count` of option_parse_numbers() */
+};
+
 /* Parses numbers between separators. Returns true if there are exactly `count`, all finite. */
+bool option_parse_doubles(const char *text, char separator, double *numbers, size_t count);
 bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count);
 
 /* Parses a decimal number from min to max. *rest points to the text after it. */

@@ -49,6 +49,7 @@ enum {
 #define IMAGE(set)         AT(struct setup_image, image, set)
 #define SCENE(set)         AT(struct setup_scene, image.scene, set)
 #define VECTOR(field, set) AT(struct setup_vector, image.field, set)
+#define POSITION(field)    AT(struct setup_position, image.field, option_position)
 #define OUTPUTS            AT(struct setup_outputs, run.outputs, option_output)
 #define FORMAT             AT(enum app_format, run.format, option_format)
 #define SWEEP              AT(struct app_sweeps, sweeps, option_sweep)
@@ -229,10 +230,10 @@ static const struct option options[] = {
       "camera of the model file: name, or number from 0, see firn info (default: first)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", IMAGES, VECTOR(orbit, option_orbit),
       "orbit camera: azimuth and elevation, degrees; distance to the target, metres" },
-    { "Camera", "eye", 0, "X,Y,Z", IMAGES, VECTOR(eye, option_position),
-      "position of the camera, metres" },
-    { "Camera", "target", 0, "X,Y,Z", IMAGES, VECTOR(target, option_position),
-      "point that the camera looks at, metres (default: the object's centre)" },
+    { "Camera", "eye", 0, "X,Y,Z", IMAGES, POSITION(eye),
+      "position of the camera, metres, in the coordinates of the model file" },
+    { "Camera", "target", 0, "X,Y,Z", IMAGES, POSITION(target),
+      "point that the camera looks at, as --eye (default: the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", IMAGES, FLOAT(image.fov_deg),
       "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)", 1, 170,
       " degrees" },

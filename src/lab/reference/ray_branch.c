@@ -206,6 +206,12 @@ static void evaluate_material(const struct tracer *tracing, const struct ray_bra
     if (hit->kind != EMBREE_SCENE_OBJECT || !surface->is_textured)
         return;
     const struct material *material = &model->materials[model->objects[hit->object].material];
+    const uint32_t own = hit->surface.material >> MESH_SURFACE_SHIFT;
+    if (material->flags & MATERIAL_IS_PARTIAL && own) {
+        material = &model->materials[own - 1];
+        surface_hit->material = (struct object_material){ material->base_color, material->roughness,
+                                                          1.0f - material->transmission };
+    }
     const struct radiance_point point = {
         .vertex = &hit->surface,
         .extra = &hit->extra,

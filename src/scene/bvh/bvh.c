@@ -97,7 +97,8 @@ static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
     return object->rank + BVH_OBJECT_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
-/* Returns the material of a triangle's object, or NULL if the settings define the material. */
+/* Returns the material of a triangle's object, or of the triangle if the object has several.
+ * Returns NULL if the settings define the material. */
 static const struct material *material_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -106,6 +107,9 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     const struct object *object =
         object_of_index(model->objects, model->object_count, triangle * 3);
     const struct material *material = &model->materials[object->material];
+    const uint32_t own = bvh_corner(part, triangle, 0)->material >> MESH_SURFACE_SHIFT;
+    if (material->flags & MATERIAL_IS_PARTIAL && own)
+        material = &model->materials[own - 1];
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 

@@ -5,10 +5,13 @@
 #define FIRN_SCENE_IMPORT_IMPORTER_H
 
 #include <stdio.h>
+#include "src/scene/geometry/affine.h"
 #include "src/scene/import/model.h"
+#include "src/scene/import/model_shells.h"
 
 enum {
-    MODEL_COORDINATE_MAX = 1000000,
+    MODEL_COORDINATE_MAX = 1000000, /* maximum distance of a vertex from model.origin, per axis */
+    MODEL_ORIGIN_MAX = 1000000000,  /* maximum coordinate of model.origin, and of cameras from it */
     MODEL_NODE_MAX = 1 << 22,
     MODEL_ELEMENT_MAX = 1 << 28, /* maximum vertices or indices per mesh */
     MODEL_TEXTURE_MAX = 4096,
@@ -25,10 +28,13 @@ enum {
 
 struct model_import {
     const char *path;
+    const double *origin;       /* model_pose.origin; may be NULL */
     char refused_file[256];     /* first file outside folder, else "" */
     uint32_t clamped_materials; /* number of materials with clamped colours */
     uint32_t clamped_vertices;
-    char missing_file[256]; /* first missing referenced file, else "" */
+    uint32_t collapsed_triangles; /* degenerate triangles of far shapes */
+    struct shell_counts shells;   /* numbers of changed shells */
+    char missing_file[256];       /* first missing referenced file, else "" */
 };
 
 /* Model file format, identified by its lower-case suffix, such as "glb". */
@@ -113,14 +119,25 @@ struct model_shape {
     uint32_t material; /* mesh_vertex.material */
 };
 
+/* Refractive object under construction. */
+struct model_build_object {
+    uint32_t group;    /* objects of equal groups (consecutive) and media may close together */
+    uint32_t override; /* equal and not 0: the same medium, whatever the materials; 0 for none */
+    uint32_t first_vertex, vertex_count;
+};
+
 /* The two meshes of a model under construction. */
 struct model_build {
     struct model_import *import;
     struct model *model;
     struct mesh *meshes[MODEL_ROLE_COUNT];
     uint64_t vertex_count[MODEL_ROLE_COUNT], index_count[MODEL_ROLE_COUNT];
-    bool has_extras[MODEL_ROLE_COUNT]; /* set before the meshes are allocated */
-    const char *surroundings_name;     /* next object's; NULL continues the last */
+    bool has_extras[MODEL_ROLE_COUNT];  /* set before the meshes are allocated */
+    const char *surroundings_name;      /* next object's; NULL continues the last */
+    struct model_build_object *objects; /* model->object_count elements; owned */
+    uint32_t object_capacity;
+    bool is_animated; /* nodes move, so objects of different nodes stay separate */
+    double low[MODEL_ROLE_COUNT][3], high[MODEL_ROLE_COUNT][3]; /* bounds; low > high if empty */
 };
 
 /* Checks that the numbers of a shape are finite and its indices in range. */
@@ -132,15 +149,33 @@ void model_build_init(struct model_build *build, struct model_import *import, st
 /* Counts a shape's vertices and indices. Count all shapes before allocating the meshes. */
 MUST_USE enum status model_build_count(struct model_build *build, enum model_role role,
                                        uint64_t vertex_count, uint64_t index_count);
+/* Extends the bounds of a mesh by the transformed box of `vertex_count` positions; without any, by
+ * the transformed point (0, 0, 0). */
+void model_build_extend(struct model_build *build, enum model_role role, const float *positions,
+                        uint32_t vertex_count, const struct affine *model_from_shape);
+/* Chooses model.origin by the bounds, and allocates the counted meshes. */
 MUST_USE enum status model_build_allocate(struct model_build *build);
-/* Adds a shape to an allocated mesh. Add the shapes in the order in which they were counted. */
+/* Adds a shape to an allocated mesh. `model_from_shape` is relative to model.origin. Add the shapes
+ * in the order in which they were counted. */
 MUST_USE enum status model_build_add(struct model_build *build, enum model_role role,
-                                     const struct model_shape *shape, mat4s model_from_shape);
-/* Computes missing normals and welds identical vertices. */
-MUST_USE enum status model_build_end(struct model_build *build);
+                                     const struct model_shape *shape,
+                                     const struct affine *model_from_shape);
+/* Adds a refractive object, whose triangles must be added to the mesh afterwards. Sets its first
+ * index, and the first vertex of `params`. */
+MUST_USE enum status model_build_add_object(struct model_build *build, const struct object *object,
+                                            const struct model_build_object *params);
 
 /* Adds one object for the whole file, with the material MATERIAL_FROM_SETTINGS. */
 MUST_USE enum status model_build_default_object(struct model_build *build);
+
+/* Joins objects that close together, and orients their shells. Needs the model's materials. */
+MUST_USE enum status model_build_close_objects(struct model_build *build);
+
+/* Completes the objects and meshes of a model: closes objects, computes missing normals, and welds
+ * identical vertices. */
+MUST_USE enum status model_build_end(struct model_build *build);
+
+void model_build_finish(struct model_build *build);
 
 /* Computes missing (zero) normals. Welds identical vertices within each surroundings object, and
  * updates `starts`, the objects' first vertices. Returns false when out of memory. */
@@ -150,7 +185,7 @@ MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t 
  * Non-finite colours stay unchanged. Returns true if the colour changed. */
 bool model_color_clamp(vec3s *color, bool is_unlit);
 
-/* Logs a warning if colours of the file were clamped. Call it only for accepted files. */
-void model_color_warn(const struct model_import *import);
+/* Logs warnings of clamped colours and collapsed triangles. Call it only for accepted files. */
+void model_build_warn(const struct model_import *import);
 
 #endif

@@ -1,6 +1,7 @@
 /* model.c: loads a model file of any format, and appends models to the surroundings of another. */
 #include "src/scene/import/model.h"
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -42,7 +43,7 @@ static enum status refuse_names(const char *path, const char *animation)
 enum status model_load_posed(struct model *model, const char *path, enum model_role default_role,
                              const struct model_pose *pose)
 {
-    struct model_import import = { .path = path };
+    struct model_import import = { .path = path, .origin = pose->origin };
     const struct model_format *format;
     *model = (struct model){ 0 };
     enum status status = check_file(path);
@@ -57,7 +58,7 @@ enum status model_load_posed(struct model *model, const char *path, enum model_r
     else
         status = model_load_obj_ply(&import, format->suffix, model, default_role);
     if (status == STATUS_OK)
-        model_color_warn(&import);
+        model_build_warn(&import);
     else
         model_finish(model);
     return status;
@@ -76,6 +77,37 @@ static void offset_materials(struct mesh *mesh, uint32_t first_layer, uint32_t f
             *material += first_layer;
         if (*material >> MESH_SURFACE_SHIFT)
             *material += first_material << MESH_SURFACE_SHIFT;
+    }
+}
+
+static void move_mesh(struct mesh *mesh, const double by[static 3])
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        for (int k = 0; k < 3; k++)
+            mesh->vertices[i].position.raw[k] =
+                (float)((double)mesh->vertices[i].position.raw[k] + by[k]);
+    }
+}
+
+/* Makes the positions of `other` that model_add_surroundings() takes relative to `origin`. */
+static void change_origin(struct model *other, const double origin[static 3])
+{
+    double by[3];
+    bool is_same = true;
+    for (int k = 0; k < 3; k++) {
+        by[k] = other->origin[k] - origin[k];
+        is_same = is_same && fabs(by[k]) <= 0;
+    }
+    if (is_same)
+        return;
+    move_mesh(&other->object, by);
+    move_mesh(&other->surroundings, by);
+    for (int k = 0; k < 3; k++) {
+        for (uint32_t i = 0; i < other->light_count; i++)
+            other->lights[i].position.raw[k] =
+                (float)((double)other->lights[i].position.raw[k] + by[k]);
+        other->box.min.raw[k] = (float)((double)other->box.min.raw[k] + by[k]);
+        other->box.max.raw[k] = (float)((double)other->box.max.raw[k] + by[k]);
     }
 }
 
@@ -149,6 +181,7 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     if (status != STATUS_OK)
         goto fail;
     status = add_materials(model, other);
+    change_origin(other, model->origin);
     if (status == STATUS_OK)
         status = add_lights(model, other);
     if (status != STATUS_OK)

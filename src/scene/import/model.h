@@ -6,8 +6,9 @@
  * material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
  * transmissive material (docs/models.md), meshes with such a material are the objects and all
  * others the surroundings; in any other file `default_role` decides. Coordinates are those of the
- * file. Each instance of a mesh in a node is one object; a file without materials has a single
- * object. Points and lines are left out; polygons are triangulated; identical vertices are welded.
+ * file, minus model.origin. Primitives of one instance of a mesh and one medium whose shells close
+ * together are one object; a file without materials has a single object. Points and lines are left
+ * out; polygons are triangulated; identical vertices are welded.
  *
  * Normals are taken from the file; smooth normals are computed where they are missing. Vertex
  * colours, base colours and base colour textures become mesh_vertex.color, .uv and .material.
@@ -26,8 +27,8 @@
  * Errors: one line is logged, with the file's name and the location, and *model is {0}.
  * STATUS_NO_INPUT: missing or unreadable. STATUS_TRY_AGAIN: out of memory. STATUS_DATA: unknown
  * format, unsupported required extension, syntax error, empty file, no triangles, non-finite
- * number, coordinate beyond 1e6, index out of range, index of refraction outside 1 to 4, damaged or
- * missing texture, invalid box.
+ * number, coordinate beyond 1e6 from model.origin, index out of range, index of refraction outside
+ * 1 to 4, damaged or missing texture, invalid box.
  */
 #ifndef FIRN_SCENE_IMPORT_MODEL_H
 #define FIRN_SCENE_IMPORT_MODEL_H
@@ -84,6 +85,9 @@ struct model_extension {
 };
 
 struct model {
+    /* Position in the file's coordinates from which all other positions are counted, so that single
+     * precision suffices far from the file's origin; 0 unless the model is far from it. */
+    double origin[3];
     struct mesh object; /* all refractive objects, merged */
     struct mesh surroundings;
     struct object *objects; /* index ranges of `object`; ranks unset */
@@ -127,8 +131,9 @@ enum model_role {
 struct model_pose {
     /* animation name or number (from 0); NULL for the rest pose or if is_first is set */
     const char *animation;
-    bool is_first; /* use the first animation, if any */
-    float time;    /* animation time, seconds */
+    bool is_first;        /* use the first animation, if any */
+    float time;           /* animation time, seconds */
+    const double *origin; /* model.origin of another pose of the file; NULL to choose it */
     /* Names of the refractive objects, one per line, or NULL. Each name is of a node with a mesh,
      * or else of a material. Other meshes are surroundings unless transmissive. */
     const char *objects;

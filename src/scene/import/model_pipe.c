@@ -129,7 +129,8 @@ static enum pipe_fault check_object(const struct model *model, const void *items
     const uint32_t first = i > 0 ? object[-1].first_index + object[-1].index_count : 0;
     const uint32_t left = model->object.index_count - first;
     if (!IS_TEXT(object->name) || object->rank != 0 || object->container_rank != 0 ||
-        object->enclosing_object != 0 || object->material >= model->material_count)
+        object->enclosing_object != 0 || object->material >= model->material_count ||
+        object->open_edge_count > object->index_count)
         return PIPE_MATERIAL;
     if (object->first_index != first || object->index_count == 0 || object->index_count % 3 != 0 ||
         object->index_count > left || (i + 1 == model->object_count && object->index_count != left))
@@ -146,9 +147,9 @@ static bool is_box(const struct box *box)
 
 static bool is_camera(const struct camera *camera)
 {
-    return is_bounded(camera->eye, MODEL_COORDINATE_MAX) &&
-           is_bounded(camera->up, MODEL_COORDINATE_MAX) &&
-           is_bounded(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
+    const float max = (float)MODEL_ORIGIN_MAX;
+    return is_bounded(camera->eye, max) && is_bounded(camera->up, max) &&
+           is_bounded(camera->target, 8.0F * max) &&
            glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
            camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
 }
@@ -260,7 +261,7 @@ enum {
 };
 
 _Static_assert(offsetof(struct texture_layers, texels) == 0, "an array begins with its pointer");
-_Static_assert(sizeof(struct model) == 1320, "every pointer needs a row in `arrays`");
+_Static_assert(sizeof(struct model) == 1344, "every pointer needs a row in `arrays`");
 
 static void *items_of(const struct array *array, const struct model *model)
 {
@@ -338,6 +339,10 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
 /* Checks the members of a received struct that are no arrays. */
 static enum pipe_fault check_head(const struct model *head)
 {
+    for (int k = 0; k < 3; k++) {
+        if (!(fabs(head->origin[k]) <= MODEL_ORIGIN_MAX))
+            return PIPE_CAMERA;
+    }
     if (!pipe_is_bool(&head->has_camera) || !pipe_is_bool(&head->has_box) ||
         !pipe_is_bool(&head->has_ior) || (head->has_box && !is_box(&head->box)) ||
         (head->has_ior && !is_in_range(head->ior, 1, 4)) ||

@@ -71,18 +71,18 @@ static enum status add_object(struct model_build *build, const struct obj_ply *o
                               const struct obj_ply_part *part)
 {
     struct model *model = build->model;
-    struct object *grown =
-        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
-    if (!grown)
-        return log_out_of_memory(obj_ply->import->path);
-    model->objects = grown;
-    struct object *object = &grown[model->object_count++];
-    *object = (struct object){
-        .first_index = (uint32_t)build->index_count[MODEL_OBJECT],
+    struct object object = {
         .index_count = part->index_count,
         .material = material_index(obj_ply, part),
     };
-    memcpy(object->name, part->name, sizeof(object->name));
+    const struct model_build_object params = {
+        .group = (uint32_t)(part - obj_ply->parts) + 1,
+        .vertex_count = part->vertex_count,
+    };
+    memcpy(object.name, part->name, sizeof(object.name));
+    const enum status status = model_build_add_object(build, &object, &params);
+    if (status != STATUS_OK)
+        return status;
     model->has_ior = true;
     if (model->object_count == 1)
         model->ior = material_of(obj_ply, part)->material.ior;
@@ -121,6 +121,8 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
                                const struct role_rule *role_rule, bool is_counting)
 {
     enum status status = STATUS_OK;
+    const struct affine in_file = affine_identity();
+    const struct affine from_origin = affine_relocate(&in_file, build->model->origin);
     const char *last = NULL; /* previous part's name */
     for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
         const struct obj_ply_part *part = &obj_ply->parts[i];
@@ -136,6 +138,8 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
         if (is_counting) {
             status = model_shape_check(obj_ply->import, &shape);
             if (status == STATUS_OK)
+                model_build_extend(build, role, shape.positions, shape.vertex_count, &in_file);
+            if (status == STATUS_OK)
                 status = model_build_count(build, role, part->vertex_count, part->index_count);
             continue;
         }
@@ -147,7 +151,7 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
             build->surroundings_name = part->name;
         last = part->name;
         if (status == STATUS_OK)
-            status = model_build_add(build, role, &shape, glms_mat4_identity());
+            status = model_build_add(build, role, &shape, &from_origin);
     }
     return status;
 }
@@ -168,7 +172,10 @@ static enum status build_model(struct obj_ply *obj_ply, struct model *model,
     if (status == STATUS_OK)
         status = role_rule.is_split ? list_materials(obj_ply, model)
                                     : model_build_default_object(&build);
-    return status == STATUS_OK ? model_build_end(&build) : status;
+    if (status == STATUS_OK)
+        status = model_build_end(&build);
+    model_build_finish(&build);
+    return status;
 }
 
 static void finish(struct obj_ply *obj_ply)

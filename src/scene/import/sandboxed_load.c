@@ -1,6 +1,7 @@
 /* sandboxed_load.c: loads models, environment maps and images through a sandboxed reader process:
  * the parent's side and the child's side. */
 #include "src/scene/import/sandboxed_load.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,22 +12,26 @@
 #include "src/scene/import/model_pipe.h"
 
 /* Encodes a pose as an argument for the child process. The caller frees the text. Line 1 has a
- * mark, the time as a hexadecimal float, a space and the animation name. The mark is '-' (rest
- * pose), '*' (first animation) or '=' (named animation). The other lines are object names. */
+ * mark, the time and the origin's coordinates as hexadecimal floats (NaN if the origin is not
+ * given) and the animation name, separated by spaces. The mark is '-' (rest pose), '*' (first
+ * animation) or '=' (named animation). The other lines are object names. */
 static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
     const char *name = pose->animation ? pose->animation : "";
     const char *objects = pose->objects ? pose->objects : "";
-    const size_t size = strlen(name) + strlen(objects) + 64;
+    static const double unknown[3] = { NAN, NAN, NAN };
+    const double *origin = pose->origin ? pose->origin : unknown;
+    const size_t size = strlen(name) + strlen(objects) + 160;
     char *text = malloc(size);
     if (text)
-        (void)snprintf(text, size, "%s%a %s\n%s", mark, (double)pose->time, name, objects);
+        (void)snprintf(text, size, "%s%a %a %a %a %s\n%s", mark, (double)pose->time, origin[0],
+                       origin[1], origin[2], name, objects);
     return text;
 }
 
-/* Decodes a pose. Modifies `text`. The strings of the pose point into `text`. */
-static struct model_pose decode_pose(char *text)
+/* Decodes a pose. Modifies `text` and `origin`, to which the pose points. */
+static struct model_pose decode_pose(char *text, double origin[static 3])
 {
     struct model_pose pose = { .is_first = text[0] == '*' };
     char *end = strchr(text, '\n');
@@ -37,6 +42,9 @@ static struct model_pose decode_pose(char *text)
     if (text[0] == '\0')
         return pose;
     pose.time = strtof(&text[1], &end);
+    for (int k = 0; k < 3; k++)
+        origin[k] = strtod(end, &end);
+    pose.origin = isfinite(origin[0]) ? origin : NULL;
     if (text[0] == '=' && *end == ' ')
         pose.animation = end + 1;
     return pose;
@@ -96,7 +104,8 @@ static enum status send_model(const struct reader_job *job)
     char *details = strdup(job->details);
     if (!details)
         return log_out_of_memory(job->path);
-    const struct model_pose pose = decode_pose(details);
+    double origin[3];
+    const struct model_pose pose = decode_pose(details, origin);
     enum status status = model_load_posed(&model, job->path, part, &pose);
     if (status == STATUS_OK && !model_pipe_write_model(&reader_sink, &model))
         status = STATUS_WRITE;

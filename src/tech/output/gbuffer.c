@@ -98,7 +98,8 @@ static const struct frame_layer layers[] = {
         .image = &gbuffer_position,
         .planes = { "P.X", "P.Y", "P.Z" },
         .shown = FRAME_SHOWN_POSITION,
-        .help = "world-space position of the visible surface, metres",
+        .help = "position of the visible surface, metres (of models far from 0,0,0: from "
+                "firn/origin)",
     },
     { 0 },
 };

@@ -28,9 +28,12 @@ struct box env_box_of(const struct scene *scene, const struct settings *settings
                       fabsf(box->max_y) + fabsf(box->min_z) + fabsf(box->max_z);
     if (!(all > 0.0f))
         return scene->model.box;
+    const double *origin = scene->model.origin;
     return (struct box){
-        .min = { { box->min_x, box->min_y, box->min_z } },
-        .max = { { box->max_x, box->max_y, box->max_z } },
+        .min = { { (float)((double)box->min_x - origin[0]), (float)((double)box->min_y - origin[1]),
+                   (float)((double)box->min_z - origin[2]) } },
+        .max = { { (float)((double)box->max_x - origin[0]), (float)((double)box->max_y - origin[1]),
+                   (float)((double)box->max_z - origin[2]) } },
     };
 }
 

@@ -99,6 +99,21 @@ static uint32_t objects_constant(const struct scene *scene, const struct setting
     return bits;
 }
 
+/* Returns the feature bits that depend on materials of single triangles. */
+static uint32_t materials_constant(const struct model *model)
+{
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        const struct material *m = &model->materials[i];
+        if (m->flags & (MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED))
+            bits |= TRACE_HAS_HOLES;
+        if (m->flags & MATERIAL_IS_PARTIAL)
+            bits |=
+                m->roughness > ROUGHNESS_MIN ? TRACE_HAS_ROUGH | TRACE_HAS_TINT : TRACE_HAS_TINT;
+    }
+    return bits;
+}
+
 bool trace_has_diffuse_light(const struct scene *scene, const struct settings *settings)
 {
     const struct ground_params *ground = settings_of(settings, &ground_settings);
@@ -123,10 +138,7 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
         bits |= bubble_is_sphere(&scene->inclusions.bubbles.all[i]) ? 0 : TRACE_HAS_SHAPES;
     if (count == 1 && scene->bvh && scene->bvh->is_closed && !(bits & TRACE_HAS_MEDIA))
         bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
-    for (uint32_t i = 0; i < model->material_count; i++) {
-        if (model->materials[i].flags & (MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED))
-            bits |= TRACE_HAS_HOLES;
-    }
+    bits |= materials_constant(model);
     bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN_MAPS : 0;
     bits |= trace_has_diffuse_light(scene, settings) ? TRACE_HAS_DIFFUSE_LIGHT : 0;
     bits |= medium_field_exists(scene, settings) ? TRACE_HAS_SCATTERING : 0;

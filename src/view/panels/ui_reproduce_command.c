@@ -8,6 +8,7 @@
 #include "src/render/frame/pass_list.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
+#include "src/scene/world_position.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
 
@@ -29,6 +30,24 @@ static void print_vector(FILE *out, const char *option, vec3s v)
             fputc(',', out);
         settings_print_number(v.raw[i], out);
     }
+}
+
+/* Prints a position in the coordinates of the model's file. */
+static void print_position(FILE *out, const char *option, const struct model *model, vec3s relative)
+{
+    if (!world_position_is_far(model)) {
+        print_vector(out, option, relative);
+        return;
+    }
+    fprintf(out, " --%s %.15g,%.15g,%.15g", option, world_position_axis(model, relative, 0),
+            world_position_axis(model, relative, 1), world_position_axis(model, relative, 2));
+}
+
+static void print_given_position(FILE *out, const char *option, const struct model *model,
+                                 const struct setup_position *position)
+{
+    if (position->is_given)
+        print_position(out, option, model, world_position_relative(model, position->value));
 }
 
 static void print_given(FILE *out, const char *option, const struct setup_vector *vector)
@@ -65,8 +84,8 @@ static void print_camera(FILE *out, const struct ui_render_command *c)
     if (setup_camera(&given, c->scene, p) == STATUS_OK && same_camera(&given, c->camera)) {
         print_name(out, "camera", p->camera);
         print_given(out, "orbit", &p->orbit);
-        print_given(out, "eye", &p->eye);
-        print_given(out, "target", &p->target);
+        print_given_position(out, "eye", &c->scene->model, &p->eye);
+        print_given_position(out, "target", &c->scene->model, &p->target);
         if (p->fov_deg > 0.0f)
             print_fov(out, p->fov_deg);
         return;
@@ -77,8 +96,8 @@ static void print_camera(FILE *out, const struct ui_render_command *c)
     if (c->camera->height > 0.0f)
         log_warning("the camera is orthographic and was moved, which no option of firn render "
                     "supports: the copied view is a perspective one");
-    print_vector(out, "eye", c->camera->eye);
-    print_vector(out, "target", c->camera->target);
+    print_position(out, "eye", &c->scene->model, c->camera->eye);
+    print_position(out, "target", &c->scene->model, c->camera->target);
     print_fov(out, c->camera->fov_deg);
 }
 

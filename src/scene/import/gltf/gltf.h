@@ -10,6 +10,7 @@
 #define FIRN_SCENE_IMPORT_GLTF_GLTF_H
 
 #include <jansson.h>
+#include "src/scene/geometry/affine.h"
 #include "src/scene/import/importer.h"
 
 enum {
@@ -56,17 +57,17 @@ struct gltf_mesh {
 
 struct gltf_node {
     char name[MATERIAL_NAME_SIZE];
-    vec3s translation, scale;
-    versors rotation;
-    mat4s matrix; /* used instead of TRS if has_matrix */
+    double translation[3], scale[3];
+    double rotation[4];   /* unit quaternion: x, y, z, w */
+    struct affine matrix; /* used instead of TRS if has_matrix */
     bool has_matrix;
     bool is_listed;
     uint32_t parent; /* index into gltf.order, or gltf_none */
     uint32_t mesh, camera, skin;
     float *weights; /* owned morph target weights */
     uint32_t weight_count;
-    mat4s model_from_node;
-    mat4s *instances; /* node_from_instance matrices, instance_count of them; owned */
+    struct affine model_from_node; /* in the file's coordinates, not relative to model.origin */
+    struct affine *instances; /* node_from_instance transforms, instance_count of them; owned */
     uint32_t instance_count;
 };
 
@@ -129,6 +130,7 @@ struct gltf {
     uint32_t mesh_count;
     struct gltf_material *materials; /* file's materials, then the default */
     uint32_t material_count;
+    double origin[3];       /* model.origin, known after the first pass of gltf_build() */
     uint32_t undrawn;       /* bits 1 << enum gltf_undrawn */
     uint32_t clamped_count; /* materials with factors out of range */
 };
@@ -172,8 +174,11 @@ uint32_t gltf_index(const struct gltf_object *object, const char *key, const cha
 uint32_t gltf_index_at(const struct gltf_object *object, const char *key, uint32_t index,
                        const char *list);
 
-/* Copies a member that is an array of `count` numbers. Returns false if it is absent or invalid. */
+/* Copies a member that is an array of `count` numbers, each in the range of a float. Returns false
+ * if the member is absent or invalid. */
 bool gltf_floats(const struct gltf_object *object, const char *key, float *numbers, uint32_t count);
+bool gltf_doubles(const struct gltf_object *object, const char *key, double *numbers,
+                  uint32_t count);
 
 /* ---- bytes ---- */
 
@@ -232,7 +237,8 @@ void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 /* Returns true if morph targets or a skin deform a primitive of a node's mesh. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
 /* Stores the deformed positions and normals in *posed, and zeroes other members. If the mesh is
- * skinned, the results are in model space. The caller frees *posed, even after a fault. */
+ * skinned, the results are in model space, relative to gltf.origin. The caller frees *posed, even
+ * after a fault. */
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,
                                      struct gltf_primitive *posed);

@@ -122,17 +122,20 @@ static void apply_keys(const struct gltf_object *channel, const struct keys *key
     struct gltf *gltf = channel->gltf;
     const struct gltf_object target = gltf_member(channel, "target");
     struct gltf_node *node = &gltf->nodes[gltf_index(&target, "node", "nodes")];
-    float numbers[WEIGHTS_MAX];
+    float numbers[WEIGHTS_MAX] = { 0 };
     const bool is_rotation = strcmp(path, "rotation") == 0;
     interpolate(keys, time, is_rotation, numbers);
     node->has_matrix = node->has_matrix && strcmp(path, "weights") == 0;
     if (is_rotation) {
-        memcpy(&node->rotation, numbers, sizeof(node->rotation));
-        node->rotation = glms_quat_normalize(node->rotation);
-    } else if (strcmp(path, "translation") == 0) {
-        memcpy(&node->translation, numbers, sizeof(node->translation));
-    } else if (strcmp(path, "scale") == 0) {
-        memcpy(&node->scale, numbers, sizeof(node->scale));
+        versors rotation;
+        memcpy(&rotation, numbers, sizeof(rotation));
+        rotation = glms_quat_normalize(rotation);
+        for (int k = 0; k < 4; k++)
+            node->rotation[k] = (double)rotation.raw[k];
+    } else if (strcmp(path, "translation") == 0 || strcmp(path, "scale") == 0) {
+        double *to = path[0] == 't' ? node->translation : node->scale;
+        for (int k = 0; k < 3; k++)
+            to[k] = (double)numbers[k];
     } else {
         const uint32_t count = keys->width < node->weight_count ? keys->width : node->weight_count;
         memcpy(node->weights, numbers, count * sizeof(*numbers));

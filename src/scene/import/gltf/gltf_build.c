@@ -15,6 +15,7 @@ struct traversal {
     struct model_build build;
     enum model_role default_role;
     bool is_node[NAMES_MAX]; /* name belongs to a node */
+    uint32_t instance;       /* number of the visited instance of a mesh */
     bool is_split;           /* true to choose roles by transmission */
     bool is_counting;        /* first pass, which only counts */
 };
@@ -82,8 +83,10 @@ static const char *next_line(const char *line)
     return line + (*line == '\n');
 }
 
-static bool is_named(const struct traversal *traversal, const struct gltf_node *node,
-                     const struct gltf_primitive *primitive)
+/* Returns 0 if no selected name is that of a primitive's node or material. Equal results otherwise
+ * mean that --material sets the same material. */
+static uint32_t override_of(const struct traversal *traversal, const struct gltf_node *node,
+                            const struct gltf_primitive *primitive)
 {
     const struct gltf *gltf = traversal->gltf;
     const char *line = gltf->objects ? gltf->objects : "";
@@ -91,9 +94,9 @@ static bool is_named(const struct traversal *traversal, const struct gltf_node *
         const char *name =
             traversal->is_node[i] ? node->name : gltf->materials[primitive->material].material.name;
         if (equals_line(line, name))
-            return true;
+            return (uint32_t)i + 1;
     }
-    return false;
+    return 0;
 }
 
 /* Checks that a node or material exists for each selected name. If not, logs a suggestion. */
@@ -134,7 +137,7 @@ static enum model_role role_of(const struct traversal *traversal, const struct g
 {
     if (!traversal->is_split)
         return traversal->default_role;
-    if (is_named(traversal, node, primitive))
+    if (override_of(traversal, node, primitive))
         return MODEL_OBJECT;
     return traversal->gltf->materials[primitive->material].material.transmission > 0
                ? MODEL_OBJECT
@@ -179,24 +182,51 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
 static enum status add_object(struct traversal *traversal, const struct gltf_node *node,
                               const struct gltf_primitive *primitive)
 {
-    struct model *model = traversal->build.model;
-    struct object *grown =
-        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
-    if (!grown)
-        return gltf_out_of_memory(traversal->gltf);
-    model->objects = grown;
-    struct object *object = &grown[model->object_count++];
-    *object = (struct object){
-        .first_index = (uint32_t)traversal->build.index_count[MODEL_OBJECT],
+    struct object object = {
         .index_count = primitive->index_count,
         .material = primitive->material,
     };
-    memcpy(object->name, node->name, sizeof(object->name));
-    return STATUS_OK;
+    const struct model_build_object params = {
+        .group = traversal->instance,
+        .override = override_of(traversal, node, primitive),
+        .vertex_count = primitive->vertex_count,
+    };
+    memcpy(object.name, node->name, sizeof(object.name));
+    return model_build_add_object(&traversal->build, &object, &params);
+}
+
+/* Returns true if a skin, not the node's transform, places a primitive. */
+static bool is_skinned(const struct gltf_node *node, const struct gltf_primitive *primitive)
+{
+    return node->skin != gltf_none && primitive->joints;
+}
+
+/* Counts a primitive. The position of a skinned one is taken from its joints. */
+static enum status count_primitive(struct traversal *traversal, const struct gltf_node *node,
+                                   const struct gltf_primitive *primitive,
+                                   const struct affine *model_from_mesh)
+{
+    struct gltf *gltf = traversal->gltf;
+    struct model_build *build = &traversal->build;
+    const enum model_role role = role_of(traversal, node, primitive);
+    if (role == MODEL_OBJECT)
+        read_ior(traversal, &gltf->materials[primitive->material]);
+    build->has_extras[role] |= primitive->other_uvs || primitive->tangents;
+    if (is_skinned(node, primitive)) {
+        const struct gltf_object skin = gltf_element(gltf, "skins", node->skin);
+        for (uint32_t i = 0; i < gltf_length(&skin, "joints"); i++) {
+            const uint32_t joint = gltf_index_at(&skin, "joints", i, "nodes");
+            model_build_extend(build, role, NULL, 0, &gltf->nodes[joint].model_from_node);
+        }
+    } else {
+        model_build_extend(build, role, primitive->positions, primitive->vertex_count,
+                           model_from_mesh);
+    }
+    return model_build_count(build, role, primitive->vertex_count, primitive->index_count);
 }
 
 static enum status visit_primitive(struct traversal *traversal, const struct gltf_node *node,
-                                   mat4s model_from_mesh, uint32_t index)
+                                   const struct affine *model_from_mesh, uint32_t index)
 {
     struct gltf *gltf = traversal->gltf;
     const struct gltf_primitive *primitive = &gltf->meshes[node->mesh].primitives[index];
@@ -204,13 +234,9 @@ static enum status visit_primitive(struct traversal *traversal, const struct glt
     enum status status = STATUS_OK;
     if (primitive->index_count == 0)
         return STATUS_OK;
-    if (traversal->is_counting) {
-        if (role == MODEL_OBJECT)
-            read_ior(traversal, &gltf->materials[primitive->material]);
-        traversal->build.has_extras[role] |= primitive->other_uvs || primitive->tangents;
-        return model_build_count(&traversal->build, role, primitive->vertex_count,
-                                 primitive->index_count);
-    }
+    if (traversal->is_counting)
+        return count_primitive(traversal, node, primitive, model_from_mesh);
+    struct affine relative = affine_relocate(model_from_mesh, gltf->origin);
     char name[64];
     (void)snprintf(name, sizeof(name), "meshes[%u].primitives[%u]", node->mesh, index);
     struct model_shape shape = shape_of(gltf, primitive, name);
@@ -220,13 +246,13 @@ static enum status visit_primitive(struct traversal *traversal, const struct glt
         shape.positions = posed.positions;
         shape.normals = posed.normals;
         shape.tangents = NULL; /* undeformed tangents: derived from UVs instead */
-        if (node->skin != gltf_none && primitive->joints)
-            model_from_mesh = glms_mat4_identity();
+        if (is_skinned(node, primitive))
+            relative = affine_identity();
     }
     if (status == STATUS_OK && traversal->is_split && role == MODEL_OBJECT)
         status = add_object(traversal, node, primitive);
     if (status == STATUS_OK)
-        status = model_build_add(&traversal->build, role, &shape, model_from_mesh);
+        status = model_build_add(&traversal->build, role, &shape, &relative);
     gltf_primitive_finish(&posed);
     return status;
 }
@@ -238,12 +264,13 @@ static enum status visit_mesh(struct traversal *traversal, const struct gltf_nod
     const uint32_t instance_count = node->instances ? node->instance_count : 1;
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < instance_count; i++) {
-        const mat4s model_from_mesh = node->instances
-                                          ? glms_mat4_mul(node->model_from_node, node->instances[i])
-                                          : node->model_from_node;
+        const struct affine model_from_mesh =
+            node->instances ? affine_multiply(&node->model_from_node, &node->instances[i])
+                            : node->model_from_node;
         traversal->build.surroundings_name = node->name;
+        traversal->instance++;
         for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
-            status = visit_primitive(traversal, node, model_from_mesh, k);
+            status = visit_primitive(traversal, node, &model_from_mesh, k);
     }
     return status;
 }
@@ -299,6 +326,7 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role d
     if (default_role == MODEL_BY_MATERIALS && !traversal.is_split && has_colors(gltf))
         gltf->undrawn |= 1u << GLTF_COLORS_WITHOUT_MATERIAL; /* ice shows no vertex colours */
     model_build_init(&traversal.build, gltf->import, model);
+    traversal.build.is_animated = gltf_list_length(gltf, "animations") > 0;
     enum status status = find_names(&traversal);
     if (status == STATUS_OK)
         status = check_shapes(gltf);
@@ -306,12 +334,16 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role d
         status = walk_nodes(&traversal);
     if (status == STATUS_OK)
         status = model_build_allocate(&traversal.build);
+    memcpy(gltf->origin, model->origin, sizeof(gltf->origin));
     traversal.is_counting = false;
     if (status == STATUS_OK)
         status = walk_nodes(&traversal);
     if (status == STATUS_OK)
         status = list_materials(&traversal);
-    return status == STATUS_OK ? model_build_end(&traversal.build) : status;
+    if (status == STATUS_OK)
+        status = model_build_end(&traversal.build);
+    model_build_finish(&traversal.build);
+    return status;
 }
 
 enum status model_load_gltf(struct model_import *import, struct model *model,

@@ -7,7 +7,7 @@
 
 static bool is_in_range(vec3s vector)
 {
-    const float max = MODEL_COORDINATE_MAX; /* comparisons with NaN are false */
+    const float max = (float)MODEL_ORIGIN_MAX; /* comparisons with NaN are false */
     return fabsf(vector.x) <= max && fabsf(vector.y) <= max && fabsf(vector.z) <= max;
 }
 
@@ -48,7 +48,9 @@ static bool read_camera(struct model_camera *camera, const struct gltf_object *o
     const bool is_valid = camera->kind == MODEL_PERSPECTIVE
                               ? camera->camera.fov_deg > 0 && camera->camera.fov_deg < 180
                               : camera->height > 0 && camera->height <= MODEL_COORDINATE_MAX;
-    return is_valid && set_transform(&camera->camera, node->model_from_node, mesh);
+    return is_valid &&
+           set_transform(&camera->camera,
+                         affine_to_mat4(&node->model_from_node, object->gltf->origin), mesh);
 }
 
 static uint32_t count_cameras(const struct gltf *gltf)
@@ -87,23 +89,23 @@ enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
 
 /* ---- box in extras ---- */
 
-static bool read_corner(const json_t *numbers, vec3s *corner)
+static bool read_corner(const json_t *numbers, const double origin[static 3], vec3s *corner)
 {
     bool is_valid_corner = json_is_array(numbers) && json_array_size(numbers) == 3;
     for (size_t k = 0; is_valid_corner && k < 3; k++) {
         const json_t *number = json_array_get(numbers, k);
-        corner->raw[k] = (float)json_number_value(number);
+        corner->raw[k] = (float)(json_number_value(number) - origin[k]);
         is_valid_corner =
             json_is_number(number) && fabsf(corner->raw[k]) <= (float)MODEL_COORDINATE_MAX;
     }
     return is_valid_corner;
 }
 
-static bool read_box(const json_t *corners, struct box *box)
+static bool read_box(const json_t *corners, const double origin[static 3], struct box *box)
 {
     return json_is_array(corners) && json_array_size(corners) == 2 &&
-           read_corner(json_array_get(corners, 0), &box->min) &&
-           read_corner(json_array_get(corners, 1), &box->max) && box->min.x < box->max.x &&
+           read_corner(json_array_get(corners, 0), origin, &box->min) &&
+           read_corner(json_array_get(corners, 1), origin, &box->max) && box->min.x < box->max.x &&
            box->min.y < box->max.y && box->min.z < box->max.z;
 }
 
@@ -115,7 +117,7 @@ enum status gltf_box_read(struct gltf *gltf, struct model *model)
         const json_t *box = json_object_get(json_object_get(extras, "firn"), "box");
         if (!box)
             continue;
-        if (!read_box(box, &model->box))
+        if (!read_box(box, gltf->origin, &model->box))
             return gltf_fault(&object, "expected extras.firn.box as [[x,y,z],[x,y,z]], metres, "
                                        "minima before maxima");
         model->has_box = true;

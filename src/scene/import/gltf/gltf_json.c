@@ -184,15 +184,35 @@ uint32_t gltf_index_at(const struct gltf_object *object, const char *key, uint32
     return read_index(object, key, json_array_get(get(object, key), index), list);
 }
 
-bool gltf_floats(const struct gltf_object *object, const char *key, float *numbers, uint32_t count)
+/* Returns a member that is an array of `count` numbers, each in the range of a float. Returns NULL
+ * if it is absent, or invalid, which is a fault. */
+static const json_t *find_numbers(const struct gltf_object *object, const char *key, uint32_t count)
 {
     const json_t *list = get(object, key);
+    float number;
     if (!list)
-        return false;
+        return NULL;
     bool is_valid = json_is_array(list) && json_array_size(list) == count;
     for (uint32_t i = 0; is_valid && i < count; i++)
-        is_valid = read_float(json_array_get(list, i), &numbers[i]);
+        is_valid = read_float(json_array_get(list, i), &number);
     if (!is_valid)
         (void)gltf_fault(object, "%s: expected %u numbers", key, count);
-    return is_valid;
+    return is_valid ? list : NULL;
+}
+
+bool gltf_floats(const struct gltf_object *object, const char *key, float *numbers, uint32_t count)
+{
+    const json_t *list = find_numbers(object, key, count);
+    for (uint32_t i = 0; list && i < count; i++)
+        numbers[i] = (float)json_number_value(json_array_get(list, i));
+    return list;
+}
+
+bool gltf_doubles(const struct gltf_object *object, const char *key, double *numbers,
+                  uint32_t count)
+{
+    const json_t *list = find_numbers(object, key, count);
+    for (uint32_t i = 0; list && i < count; i++)
+        numbers[i] = json_number_value(json_array_get(list, i));
+    return list;
 }

@@ -26,11 +26,11 @@ static bool read_kind(const struct gltf_object *object, struct light *light)
 }
 
 /* Sets position and direction. Lights emit along -Z of their node. Node scale has no effect. */
-static void set_transform(struct light *light, const struct gltf_node *node)
+static void set_transform(struct light *light, mat4s model_from_node)
 {
-    light->position = glms_mat4_mulv3(node->model_from_node, glms_vec3_zero(), 1);
+    light->position = glms_mat4_mulv3(model_from_node, glms_vec3_zero(), 1);
     light->direction =
-        glms_vec3_normalize(glms_mat4_mulv3(node->model_from_node, (vec3s){ { 0, 0, -1 } }, 0));
+        glms_vec3_normalize(glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 0, -1 } }, 0));
     if (light->kind == LIGHT_POINT)
         light->direction = (vec3s){ { 0, 0, -1 } };
 }
@@ -54,7 +54,7 @@ static void read_light(struct gltf *gltf, const struct gltf_node *node, uint32_t
         light->inner_cone = gltf_number(&spot, "innerConeAngle", 0);
         light->outer_cone = gltf_number(&spot, "outerConeAngle", 0.78539816F);
     }
-    set_transform(light, node);
+    set_transform(light, affine_to_mat4(&node->model_from_node, gltf->origin));
     if (!punctual_light_is_valid(light))
         (void)gltf_fault(&object, "colour, intensity, range, cone or position out of range");
 }

@@ -1,17 +1,31 @@
 /* gltf_node.c: reads the node hierarchy of a glTF file's scene and computes world transforms. */
-#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf/gltf.h"
 
-static mat4s local_matrix(const struct gltf_node *node)
+static struct affine local_transform(const struct gltf_node *node)
 {
-    if (node->has_matrix)
-        return node->matrix;
-    const mat4s rotated =
-        glms_mat4_mul(glms_translate_make(node->translation), glms_quat_mat4(node->rotation));
-    return glms_scale(rotated, node->scale);
+    return node->has_matrix ? node->matrix
+                            : affine_compose(node->translation, node->rotation, node->scale);
+}
+
+/* Normalises a quaternion. Returns false if its length is 0 or not finite. */
+static bool normalize(double rotation[static 4])
+{
+    double length = 0;
+    for (int k = 0; k < 4; k++)
+        length += rotation[k] * rotation[k];
+    length = sqrt(length);
+    for (int k = 0; k < 4 && length > 0; k++)
+        rotation[k] /= length;
+    return length > 0 && isfinite(length);
+}
+
+static void copy_floats(double *to, const float *from, size_t count)
+{
+    for (size_t k = 0; from && k < count; k++)
+        to[k] = (double)from[k];
 }
 
 /* Returns an instance attribute with `width` components per instance; NULL if absent or invalid. */
@@ -47,15 +61,13 @@ static void read_instancing(const struct gltf_object *object, struct gltf_node *
     if (count > 0 && !node->instances)
         (void)gltf_out_of_memory(object->gltf);
     for (size_t i = 0; node->instances && i < count; i++) {
-        struct gltf_node instance = { .scale = glms_vec3_one(), .rotation = glms_quat_identity() };
-        if (translations)
-            memcpy(&instance.translation, &translations[3 * i], sizeof(instance.translation));
-        if (rotations)
-            memcpy(&instance.rotation, &rotations[4 * i], sizeof(instance.rotation));
-        if (scales)
-            memcpy(&instance.scale, &scales[3 * i], sizeof(instance.scale));
-        instance.rotation = glms_quat_normalize(instance.rotation);
-        node->instances[i] = local_matrix(&instance);
+        struct gltf_node instance = { .scale = { 1, 1, 1 }, .rotation = { 0, 0, 0, 1 } };
+        copy_floats(instance.translation, translations ? &translations[3 * i] : NULL, 3);
+        copy_floats(instance.rotation, rotations ? &rotations[4 * i] : NULL, 4);
+        copy_floats(instance.scale, scales ? &scales[3 * i] : NULL, 3);
+        if (!normalize(instance.rotation))
+            memcpy(instance.rotation, (const double[4]){ 0, 0, 0, 1 }, sizeof(instance.rotation));
+        node->instances[i] = local_transform(&instance);
     }
     node->instance_count = node->instances ? count : 0;
     free(translations);
@@ -86,24 +98,23 @@ static void read_node(struct gltf *gltf, uint32_t index)
 {
     const struct gltf_object object = gltf_element(gltf, "nodes", index);
     struct gltf_node *node = &gltf->nodes[index];
+    double matrix[16];
     *node = (struct gltf_node){
-        .scale = glms_vec3_one(),
-        .rotation = glms_quat_identity(),
-        .matrix = glms_mat4_identity(),
+        .scale = { 1, 1, 1 },
+        .rotation = { 0, 0, 0, 1 },
         .mesh = gltf_index(&object, "mesh", "meshes"),
         .camera = gltf_index(&object, "camera", "cameras"),
         .skin = gltf_index(&object, "skin", "skins"),
         .parent = gltf_none,
     };
     (void)snprintf(node->name, sizeof(node->name), "%s", gltf_string(&object, "name", ""));
-    node->has_matrix = gltf_floats(&object, "matrix", &node->matrix.raw[0][0], 16);
-    (void)gltf_floats(&object, "translation", node->translation.raw, 3);
-    (void)gltf_floats(&object, "rotation", node->rotation.raw, 4);
-    (void)gltf_floats(&object, "scale", node->scale.raw, 3);
-    const float length = glms_quat_norm(node->rotation);
-    if (length > 0 && isfinite(length))
-        node->rotation = glms_quat_normalize(node->rotation);
-    else
+    node->has_matrix = gltf_doubles(&object, "matrix", matrix, 16);
+    if (node->has_matrix)
+        node->matrix = affine_from_columns(matrix);
+    (void)gltf_doubles(&object, "translation", node->translation, 3);
+    (void)gltf_doubles(&object, "rotation", node->rotation, 4);
+    (void)gltf_doubles(&object, "scale", node->scale, 3);
+    if (!normalize(node->rotation))
         (void)gltf_fault(&object, "rotation: expected a unit quaternion");
     read_instancing(&object, node);
     read_weights(&object, node);
@@ -176,11 +187,11 @@ static void compute_transforms(struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->order_count && gltf->status == STATUS_OK; i++) {
         struct gltf_node *node = &gltf->nodes[gltf->order[i]];
-        const mat4s local = local_matrix(node);
+        const struct affine local = local_transform(node);
         node->model_from_node = local;
         if (node->parent != gltf_none)
             node->model_from_node =
-                glms_mat4_mul(gltf->nodes[gltf->order[node->parent]].model_from_node, local);
+                affine_multiply(&gltf->nodes[gltf->order[node->parent]].model_from_node, &local);
     }
 }
 

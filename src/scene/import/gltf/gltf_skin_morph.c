@@ -22,7 +22,8 @@ static void add_deltas(float *to, const float *deltas, float weight, uint32_t ve
         to[i] += weight * deltas[i];
 }
 
-/* Returns the skinning matrices (joint times inverse bind matrix), which the caller frees. */
+/* Returns the skinning matrices (joint times inverse bind matrix, relative to gltf->origin), which
+ * the caller frees. */
 static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
 {
     const struct gltf_object object = gltf_element(gltf, "skins", skin);
@@ -44,7 +45,9 @@ static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
             memcpy(&joint_from_mesh, &matrices.values[(size_t)16 * i], sizeof(joint_from_mesh));
         if (!gltf->nodes[node].is_listed)
             (void)gltf_fault(&object, "joints: nodes[%u] is not in the scene", node);
-        joints[i] = glms_mat4_mul(gltf->nodes[node].model_from_node, joint_from_mesh);
+        const struct affine bind = affine_from_mat4(joint_from_mesh);
+        const struct affine joint = affine_multiply(&gltf->nodes[node].model_from_node, &bind);
+        joints[i] = affine_to_mat4(&joint, gltf->origin);
     }
     free(matrices.values);
     return joints;
