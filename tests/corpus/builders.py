@@ -9,6 +9,8 @@ from typing import NamedTuple
 # What the program makes of a file; what is drawn is accepted, and has a picture worth looking at.
 DRAWN, ACCEPTED, REFUSED, EITHER = 'drawn', 'accepted', 'refused', 'either'
 
+WEBP = base64.b64decode(  # 1 x 1 texels
+    'UklGRiIAAABXRUJQVlA4IBYAAAAwAQCdASoBAAEADsD+JaQAA3AAAAAA')
 POINTS = ((0, 1, 0), (-1, -1, 1), (1, -1, 1), (0, -1, -1))
 CORNERS = (0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2)
 

@@ -9,7 +9,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
-from builders import glb, gltf, hdr, hdr_line, obj, ply, png, tent, textured  # noqa: E402
+from builders import WEBP, glb, gltf, hdr, hdr_line, obj, ply, png, tent, textured  # noqa: E402
 from make_corpus import corpus  # noqa: E402
 from pictures import profile, tile  # noqa: E402
 
@@ -75,6 +75,7 @@ def seeds():
     yield 'model', beside(gltf('beside'), tent()[0])
     yield 'model', beside(obj('mtllib beside\nusemtl a\n'), b'newmtl a\nKd 1 0.5 0\n')
     yield 'model', beside(gltf('beside', textured('beside')), png(4, 4))
+    yield 'model', beside(gltf('beside', textured('beside')), WEBP)
 
 
 def main():

@@ -426,6 +426,46 @@ static void textures_of_materials(void **state)
                               "coordinate set\n");
 }
 
+/* A texture without `source`; the image has a red and a half transparent blue texel. */
+static void webp_textures(void **state)
+{
+    (void)state;
+    static const uint8_t texels[2][4] = { { 255, 0, 0, 255 }, { 0, 0, 255, 128 } };
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    assert_int_equal(
+        gltf_file_material(
+            &model, "'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}",
+            ",'extensionsRequired':['EXT_texture_webp','KHR_texture_basisu'],'textures':[{"
+            "'extensions':{'EXT_texture_webp':{'source':0}}}],'images':[{'uri':'data:image/webp;"
+            "base64,UklGRiAAAABXRUJQVlA4TBMAAAAvAQAAEA8Q+z//D/yPChWI6H8AAA=='}]",
+            said),
+        STATUS_OK);
+    assert_int_equal(model.textures.size, 2);
+    assert_memory_equal(model.textures.texels, texels[0], 4);
+    assert_memory_equal(&model.textures.texels[4], texels[1], 4);
+    model_finish(&model);
+    assert_string_equal(said, "firn: warning: m.gltf: the extension KHR_texture_basisu is not "
+                              "supported and is ignored\n");
+}
+
+static void attenuation_without_distance(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    assert_int_equal(gltf_file_material(&model,
+                                        "'extensions':{'KHR_materials_transmission':{"
+                                        "'transmissionFactor':1},'KHR_materials_volume':{"
+                                        "'attenuationDistance':0,'attenuationColor':[0,0,0]}}",
+                                        "", said),
+                     STATUS_OK);
+    CHECK_NEAR(material_absorption(&model.materials[0]).x, 0, 0);
+    model_finish(&model);
+    assert_string_equal(said,
+                        "firn: warning: m.gltf: not drawn: attenuation with a distance of 0\n");
+}
+
 static void unread_pictures(void **state)
 {
     (void)state;
@@ -526,6 +566,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(material_defaults, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(textures_of_materials, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(webp_textures, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(attenuation_without_distance, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(unread_pictures, temporary_folder_enter,
                                         temporary_folder_leave),

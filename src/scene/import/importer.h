@@ -23,10 +23,17 @@ enum {
     MODEL_ROLE_COUNT = 2,                /* MODEL_OBJECT and MODEL_SURROUNDINGS */
 };
 
+/* Parts of a file that cannot be read and that the model is drawn without. */
+struct model_loss {
+    char first[256]; /* location and reason of the first one */
+    uint32_t count;
+};
+
 struct model_import {
     const char *path;
-    char refused_file[256];     /* first file outside folder, else "" */
-    uint32_t clamped_materials; /* number of materials with clamped colours */
+    struct model_loss textures, channels; /* channels of animations */
+    char refused_file[256];               /* first file outside folder, else "" */
+    uint32_t clamped_materials;           /* number of materials with clamped colours */
     uint32_t clamped_vertices;
     char missing_file[256]; /* first missing referenced file, else "" */
 };
@@ -83,16 +90,26 @@ struct model_texture {
     char *file;
     enum model_texture_conversion change;
     float exponent; /* Ns for MODEL_TEXTURE_NS_TO_ROUGHNESS */
+    bool is_normal_map;
     /* File of a second image that replaces one channel, or NULL. If other_change is
      * MODEL_TEXTURE_TO_ALPHA, replaces alpha. If it is MODEL_TEXTURE_METALLIC, replaces blue. */
     char *other;
     enum model_texture_conversion other_change;
 };
 
-/* Decodes images as sRGB colours or linear numbers. Resamples all to layers of one size. */
-MUST_USE enum status model_texture_load(const char *path, const struct model_texture *textures,
-                                        uint32_t count, bool are_numbers,
-                                        struct texture_layers *layers);
+/* Decodes images as sRGB colours or linear numbers. Resamples all to layers of one size. An image
+ * that cannot be decoded becomes a neutral layer and is recorded in import->textures. */
+MUST_USE enum status model_texture_load(struct model_import *import,
+                                        const struct model_texture *textures, uint32_t count,
+                                        bool are_numbers, struct texture_layers *layers);
+
+/* Records a part of the file that the model is drawn without. */
+void model_loss_add(struct model_loss *loss, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Logs a warning for each kind of lost parts and lists it in model->undrawn_text. Call it only for
+ * accepted files. */
+void model_loss_warn(const struct model_import *import, struct model *model);
 
 /* Returns the name of an image's unsupported format, such as "KTX2"; NULL if it is supported. */
 const char *model_texture_unsupported_format(const struct model_texture *texture);

@@ -2,10 +2,12 @@
 #include <assert.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <webp/decode.h>
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 
@@ -23,32 +25,64 @@ struct encoded {
     int width, height;
 };
 
-static enum status fault(const char *path, const struct model_texture *texture, const char *what)
+void model_loss_add(struct model_loss *loss, const char *format, ...)
 {
-    log_error("%s: texture %s: %s", path, texture->name, what);
+    char text[sizeof(loss->first)];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    if (loss->count == 0)
+        memcpy(loss->first, text, sizeof(text));
+    loss->count += loss->count == 0 || strcmp(loss->first, text) != 0;
+}
+
+static void warn_of_loss(const char *path, const struct model_loss *loss, const char *name,
+                         struct model *model)
+{
+    char more[32] = "";
+    const size_t length = strlen(model->undrawn_text);
+    if (loss->count == 0)
+        return;
+    if (loss->count > 1)
+        (void)snprintf(more, sizeof(more), " (and %u more)", loss->count - 1);
+    log_warning("%s: drawn without %s: %s%s", path, name, loss->first, more);
+    (void)snprintf(&model->undrawn_text[length], sizeof(model->undrawn_text) - length, "%s: %s%s\n",
+                   name, loss->first, more);
+}
+
+void model_loss_warn(const struct model_import *import, struct model *model)
+{
+    warn_of_loss(import->path, &import->textures, "a texture", model);
+    warn_of_loss(import->path, &import->channels, "an animation channel", model);
+}
+
+static enum status refuse(const char **fault, const char *what)
+{
+    *fault = what;
     return STATUS_DATA;
 }
 
-static enum status read_file(const char *path, const struct model_texture *texture,
-                             struct encoded *encoded)
+static enum status read_file(const struct model_texture *texture, struct encoded *encoded,
+                             const char **fault)
 {
     struct stat info;
     /* Opens only regular files, because opening a named pipe would block. */
     if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
-        return fault(path, texture, "file not found");
+        return refuse(fault, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
-        return fault(path, texture, "expected a file of 1 byte to 256 MiB");
+        return refuse(fault, "expected a file of 1 byte to 256 MiB");
     size_t size = (size_t)info.st_size;
     FILE *file = fopen(texture->file, "rb");
     if (!file)
-        return fault(path, texture, "the file cannot be opened");
+        return refuse(fault, "the file cannot be opened");
     encoded->owned = malloc(size);
     bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
     fclose(file);
     if (!encoded->owned)
-        return log_out_of_memory(path);
+        return STATUS_TRY_AGAIN;
     if (!is_read)
-        return fault(path, texture, "the file cannot be read");
+        return refuse(fault, "the file cannot be read");
     encoded->bytes = encoded->owned;
     encoded->size = (int)size;
     return STATUS_OK;
@@ -61,9 +95,8 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
         uint32_t at, size;
         const char *magic;
     } formats[] = {
-        { "KTX2", 0, 7, "\xabKTX 20" }, { "WebP", 8, 4, "WEBP" },       { "DDS", 0, 4, "DDS " },
-        { "AVIF", 4, 8, "ftypavif" },   { "OpenEXR", 0, 4, "v/1\x01" }, { "TIFF", 0, 4, "II*\0" },
-        { "TIFF", 0, 4, "MM\0*" },
+        { "KTX2", 0, 7, "\xabKTX 20" }, { "DDS", 0, 4, "DDS " },   { "AVIF", 4, 8, "ftypavif" },
+        { "OpenEXR", 0, 4, "v/1\x01" }, { "TIFF", 0, 4, "II*\0" }, { "TIFF", 0, 4, "MM\0*" },
     };
 
     uint8_t head[12] = { 0 };
@@ -84,26 +117,42 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
     return NULL;
 }
 
-/* Loads an encoded image and reads its size. The caller frees encoded->owned, even on failure. */
-static enum status open_image(const char *path, const struct model_texture *texture,
-                              struct encoded *encoded)
+static bool is_webp(const struct encoded *encoded)
+{
+    return encoded->size >= 12 && !memcmp(encoded->bytes, "RIFF", 4) &&
+           !memcmp(&encoded->bytes[8], "WEBP", 4);
+}
+
+/* Reads the size of an image from its header. Returns false if the format is not supported. */
+static bool read_size(struct encoded *encoded)
+{
+    int channels;
+    if (is_webp(encoded))
+        return WebPGetInfo(encoded->bytes, (size_t)encoded->size, &encoded->width,
+                           &encoded->height) != 0;
+    return stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
+                                 &channels) != 0;
+}
+
+/* Loads an encoded image and reads its size. The caller frees encoded->owned, even on failure. With
+ * STATUS_DATA, *fault is the reason. Logs nothing. */
+static enum status open_image(const struct model_texture *texture, struct encoded *encoded,
+                              const char **fault)
 {
     *encoded = (struct encoded){ 0 };
     if (!texture->bytes) {
-        enum status status = read_file(path, texture, encoded);
+        enum status status = read_file(texture, encoded, fault);
         if (status != STATUS_OK)
             return status;
     } else if (texture->size <= FILE_SIZE_MAX) {
         encoded->bytes = texture->bytes;
         encoded->size = (int)texture->size;
     }
-    int channels;
-    if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
-                               &channels))
-        return fault(path, texture, "not a supported image format");
+    if (!read_size(encoded))
+        return refuse(fault, "not a supported image format");
     if (encoded->width < 1 || encoded->width > IMAGE_SIDE_MAX || encoded->height < 1 ||
         encoded->height > IMAGE_SIDE_MAX)
-        return fault(path, texture, "expected 1 to 16384 texels per side");
+        return refuse(fault, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
 
@@ -130,25 +179,62 @@ static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int w
                         are_numbers ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB, NULL) != 0;
 }
 
-static enum status decode(const char *path, const struct model_texture *texture, bool are_numbers,
-                          uint8_t *layer, uint32_t side)
+/* Decodes an image to RGBA texels, which the caller frees. */
+static enum status decode_texels(const struct encoded *encoded, uint8_t **texels,
+                                 const char **fault)
+{
+    int width, height, channels;
+    if (!is_webp(encoded)) {
+        *texels = stbi_load_from_memory(encoded->bytes, encoded->size, &width, &height, &channels,
+                                        CHANNELS);
+        if (*texels)
+            return STATUS_OK;
+        *fault = stbi_failure_reason();
+        return strcmp(*fault, "outofmem") == 0 ? STATUS_TRY_AGAIN : STATUS_DATA;
+    }
+    const size_t size = (size_t)encoded->width * (size_t)encoded->height * CHANNELS;
+    *texels = malloc(size);
+    if (!*texels)
+        return STATUS_TRY_AGAIN;
+    if (WebPDecodeRGBAInto(encoded->bytes, (size_t)encoded->size, *texels, size,
+                           encoded->width * CHANNELS))
+        return STATUS_OK;
+    return refuse(fault, "a damaged or animated WebP image");
+}
+
+/* Fills a layer with the texel that has no effect: white, or the unperturbed normal. */
+static void fill_neutral(uint8_t *layer, uint32_t side, bool is_normal_map)
+{
+    static const uint8_t normal[CHANNELS] = { 128, 128, 255, 255 };
+    const size_t size = (size_t)side * side * CHANNELS;
+    memset(layer, 255, size);
+    for (size_t i = 0; is_normal_map && i < size; i += CHANNELS)
+        memcpy(&layer[i], normal, CHANNELS);
+}
+
+static enum status decode(struct model_import *import, const struct model_texture *texture,
+                          bool are_numbers, uint8_t *layer, uint32_t side)
 {
     uint8_t *texels = NULL;
+    const char *fault = NULL;
     struct encoded encoded;
-    enum status status = open_image(path, texture, &encoded);
-    if (status != STATUS_OK)
-        goto fail;
-    texels = stbi_load_from_memory(encoded.bytes, encoded.size, &encoded.width, &encoded.height,
-                                   &(int){ 0 }, CHANNELS);
-    if (!texels)
-        status = fault(path, texture, stbi_failure_reason());
-    else if (!model_texture_convert(texels, encoded.width, encoded.height, texture) ||
-             !resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
-        status = log_out_of_memory(path);
-fail:
+    enum status status = open_image(texture, &encoded, &fault);
+    if (status == STATUS_OK)
+        status = decode_texels(&encoded, &texels, &fault);
+    if (status == STATUS_OK &&
+        (!model_texture_convert(texels, encoded.width, encoded.height, texture) ||
+         !resample(layer, side, texels, encoded.width, encoded.height, are_numbers)))
+        status = STATUS_TRY_AGAIN;
     free(texels);
     free(encoded.owned);
-    return status;
+    if (status == STATUS_TRY_AGAIN)
+        return log_out_of_memory(import->path);
+    if (status == STATUS_DATA) {
+        model_loss_add(&import->textures, "%s: %s", texture->name, fault);
+        fill_neutral(layer, side,
+                     texture->is_normal_map || texture->change == MODEL_TEXTURE_TO_NORMALS);
+    }
+    return STATUS_OK;
 }
 
 static uint32_t layer_side(uint32_t side_max, uint32_t count)
@@ -177,11 +263,11 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
 }
 
 /* Decodes a layer. If texture->other is set, one channel is taken from that image. */
-static enum status decode_both(const char *path, const struct model_texture *texture,
+static enum status decode_both(struct model_import *import, const struct model_texture *texture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
     const size_t count = (size_t)side * side;
-    enum status status = decode(path, texture, are_numbers, layer, side);
+    enum status status = decode(import, texture, are_numbers, layer, side);
     if (status != STATUS_OK || !texture->other)
         return status;
     const struct model_texture other = {
@@ -193,26 +279,30 @@ static enum status decode_both(const char *path, const struct model_texture *tex
     const size_t channel = texture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
     uint8_t *texels = malloc(count * CHANNELS);
     if (!texels)
-        return log_out_of_memory(path);
-    status = decode(path, &other, true, texels, side);
+        return log_out_of_memory(import->path);
+    status = decode(import, &other, true, texels, side);
     for (size_t i = channel; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
         layer[i] = texels[i];
     free(texels);
     return status;
 }
 
-enum status model_texture_load(const char *path, const struct model_texture *textures,
+enum status model_texture_load(struct model_import *import, const struct model_texture *textures,
                                uint32_t count, bool are_numbers, struct texture_layers *layers)
 {
+    const char *path = import->path;
+    const char *fault;
     int side_max = 1;
     if (count == 0)
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
         struct encoded encoded;
-        enum status status = open_image(path, &textures[i], &encoded);
+        enum status status = open_image(&textures[i], &encoded, &fault);
         free(encoded.owned);
+        if (status == STATUS_TRY_AGAIN)
+            return log_out_of_memory(path);
         if (status != STATUS_OK)
-            return status;
+            continue; /* becomes a neutral layer */
         side_max = encoded.width > side_max ? encoded.width : side_max;
         side_max = encoded.height > side_max ? encoded.height : side_max;
     }
@@ -223,7 +313,7 @@ enum status model_texture_load(const char *path, const struct model_texture *tex
                     path, count, side_max, layers->size);
     for (uint32_t i = 0; i < count; i++) {
         enum status status =
-            decode_both(path, &textures[i], are_numbers, layer_at(layers, i), layers->size);
+            decode_both(import, &textures[i], are_numbers, layer_at(layers, i), layers->size);
         if (status != STATUS_OK)
             return status;
     }

@@ -66,8 +66,11 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     m->attenuation_distance = gltf_number(&volume, "attenuationDistance", 0);
     (void)gltf_floats(&volume, "attenuationColor", m->attenuation_color.raw, 3);
     m->dispersion = gltf_number(&dispersion_ext, "dispersion", 0);
-    if (json_object_get(volume.json, "attenuationDistance") && !(m->attenuation_distance > 0))
-        (void)gltf_fault(&volume, "attenuationDistance: expected a length above 0");
+    if (json_object_get(volume.json, "attenuationDistance") && !(m->attenuation_distance > 0)) {
+        m->attenuation_distance = 0; /* a clear medium */
+        if (m->transmission > 0)
+            object->gltf->undrawn |= 1u << GLTF_ATTENUATION_DISTANCE;
+    }
     material->ior = gltf_number(&index, "ior", 0);
     if (m->transmission > 0 && material->ior != 0 && !(material->ior >= 1 && material->ior <= 4))
         (void)gltf_fault(&index, "expected an index of refraction from 1 to 4, got %g",

@@ -74,8 +74,11 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
         return;
     }
     const struct gltf_object object = gltf_element(gltf, "textures", index);
+    const struct gltf_object webp = gltf_extension(&object, "EXT_texture_webp");
     const uint32_t sampler = gltf_index(&object, "sampler", "samplers");
-    texture->image = gltf_index(&object, "source", "images");
+    texture->image = gltf_index(&webp, "source", "images");
+    if (texture->image == gltf_none)
+        texture->image = gltf_index(&object, "source", "images");
     if (sampler != gltf_none) {
         const struct gltf_object sampler_object = gltf_element(gltf, "samplers", sampler);
         read_sampler(&sampler_object, texture);
@@ -131,7 +134,10 @@ void gltf_texture_info_read(const struct gltf_object *object, struct gltf_materi
         const struct gltf_object info = gltf_member(&group, slot->key);
         struct gltf_texture *texture = &material->textures[i];
         struct material_texture *out = &material->material.textures[i];
+        gltf_attempt_begin(gltf, &gltf->import->textures);
         read_texture(&info, texture);
+        if (!gltf_attempt_end(gltf))
+            texture->image = gltf_none;
         if (texture->image == gltf_none)
             continue;
         if (material->uv_set == gltf_none) {
