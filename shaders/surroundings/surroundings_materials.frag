@@ -79,12 +79,16 @@ void main()
     vec3 to_eye = -normalize(view_vector());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
-    vec3 top = n; /* clear coat's normal; `n`: diffuse base's */
+    vec3 top = n; /* specular lobe's normal; `n`: diffuse base's */
+    vec3 unmapped = n;
     if (m.normal_texel != vec4(1.0))
         n = NORMAL_MAP(row, n, normal, m.normal_texel.rgb, m.scales.x, eye_to_point, uv);
     top = m.scales.w > 0.0 ? top : n;
     vec3 reflected_dir = reflect(-to_eye, top);
     float lod = lit_mirror_lod(reflected_dir, push.environment_lod);
+    float coat_lod = lod;
+    if (lit_has_coats())
+        coat_lod = lit_mirror_lod(reflect(-to_eye, unmapped), push.environment_lod);
     if (is_hole(base.a, row))
         discard;
     vec3 caustics;
@@ -101,12 +105,27 @@ void main()
     vec3 specular_light = env.specular * lit_specular(reflected_dir, s.roughness, lod);
     vec3 unoccluded_diffuse = lit_diffuse(n), diffuse_light = env.diffuse * unoccluded_diffuse;
     ao_shade(s, env, push.eye + eye_to_point, n, unoccluded_diffuse, diffuse_light, specular_light);
-    sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
-    vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
-    color = vec4((specular_light + diffuse_light) * m.occlusion + sun + lit + m.emission, alpha);
+    vec3 lit = sun * lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
+    lit += lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
+    color = vec4((specular_light + diffuse_light) * m.occlusion + lit + m.emission, alpha);
 #ifdef SURROUNDINGS_SSR
     float reflectance_mean = dot(env.specular, vec3(1.0 / 3.0));
     out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * m.occlusion);
     out_specular = vec4(specular_light * m.occlusion, 0.0);
 #endif
+    if (lit_has_coats() && m.coat > 0.0) {
+        lit_coat c = lit_coat_of(m, push.eye + eye_to_point, unmapped, to_eye, coat_lod, sun,
+                                 frame.sun_spread);
+        vec3 coat_light = c.reflectance * m.occlusion * c.environment;
+        color.rgb = (1.0 - c.reflectance) * color.rgb + coat_light + c.direct;
+#ifdef SURROUNDINGS_SSR
+        out_surface.w *= 1.0 - c.reflectance;
+        out_specular *= 1.0 - c.reflectance;
+        if (lit_coat_is_stronger(c.reflectance, (1.0 - c.reflectance) * env.specular)) {
+            out_surface =
+                vec4(octahedral_encode(unmapped), m.coat_roughness, c.reflectance * m.occlusion);
+            out_specular = vec4(coat_light, 0.0);
+        }
+#endif
+    }
 }

@@ -30,6 +30,8 @@ static const char *const texture_names[MATERIAL_TEXTURE_COUNT] = {
     [MATERIAL_THICKNESS] = "thickness",
     [MATERIAL_SPECULAR] = "specular",
     [MATERIAL_SPECULAR_COLOR] = "specular colour",
+    [MATERIAL_COAT] = "clear coat",
+    [MATERIAL_COAT_ROUGHNESS] = "clear coat roughness",
 };
 
 /* Returns how a material is drawn. */
@@ -105,6 +107,8 @@ static void print_surface(const struct material *m)
     if (m->specular < 1.0f || !glms_vec3_eqv(m->specular_color, glms_vec3_one()))
         printf(", specular %g of %.3g,%.3g,%.3g", (double)m->specular, (double)m->specular_color.x,
                (double)m->specular_color.y, (double)m->specular_color.z);
+    if (m->coat > 0.0f)
+        printf(", clear coat %g of roughness %g", (double)m->coat, (double)m->coat_roughness);
     if (m->flags & MATERIAL_IS_CUTOUT)
         printf(", holes where alpha is below %g", (double)m->alpha_cutoff);
     if (m->flags & MATERIAL_IS_BLENDED)
@@ -349,12 +353,13 @@ static json_t *surface_of(const struct material *m)
     const char *mode = m->flags & MATERIAL_IS_CUTOUT    ? "mask"
                        : m->flags & MATERIAL_IS_BLENDED ? "blend"
                                                         : "opaque";
-    return json_pack("{s:f, s:o, s:f, s:o, s:s, s:f, s:f, s:b}", "metallic",
+    return json_pack("{s:f, s:o, s:f, s:o, s:f, s:f, s:s, s:f, s:f, s:b}", "metallic",
                      json_text_float(m->metallic), "emission", vector(m->emission), "specular",
                      json_text_float(m->specular), "specular_color", vector(m->specular_color),
-                     "alpha_mode", mode, "alpha", json_text_float(m->alpha), "alpha_cutoff",
-                     json_text_float(m->alpha_cutoff), "unlit",
-                     (int)(m->flags & MATERIAL_IS_UNLIT) > 0);
+                     "clearcoat", json_text_float(m->coat), "clearcoat_roughness",
+                     json_text_float(m->coat_roughness), "alpha_mode", mode, "alpha",
+                     json_text_float(m->alpha), "alpha_cutoff", json_text_float(m->alpha_cutoff),
+                     "unlit", (int)(m->flags & MATERIAL_IS_UNLIT) > 0);
 }
 
 static json_t *material_of(const struct material *m)

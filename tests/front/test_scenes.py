@@ -20,7 +20,7 @@ UNKNOWN = {
     'buffers': 'MPEG_buffer_circular',
     'materials': 'ADOBE_materials_clearcoat_specular ADOBE_materials_clearcoat_tint '
                  'ADOBE_materials_thin_transparency KHR_materials_anisotropy '
-                 'KHR_materials_clearcoat KHR_materials_diffuse_transmission '
+                 'KHR_materials_diffuse_transmission '
                  'KHR_materials_iridescence KHR_materials_pbrSpecularGlossiness '
                  'KHR_materials_sheen KHR_techniques_webgl MSFT_packing_normalRoughnessMetallic '
                  'MSFT_packing_occlusionRoughnessMetallic NV_materials_mdl',

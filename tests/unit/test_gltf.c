@@ -311,6 +311,7 @@ static void materials(void **state)
         "'extensions':{"
         "'KHR_materials_emissive_strength':{'emissiveStrength':8},"
         "'KHR_materials_specular':{'specularFactor':0.5,'specularColorFactor':[1,2,3]},"
+        "'KHR_materials_clearcoat':{'clearcoatFactor':0.75,'clearcoatRoughnessFactor':0.25},"
         "'KHR_materials_ior':{'ior':1.25},'KHR_materials_dispersion':{'dispersion':0.5},"
         "'KHR_materials_volume':{'thicknessFactor':2,'attenuationDistance':4,"
         "'attenuationColor':[0.5,0.25,0.125]}}";
@@ -341,6 +342,8 @@ static void materials(void **state)
         { m->attenuation_color.z, 0.125F },
         { m->normal_scale, 1 },
         { m->occlusion_strength, 1 },
+        { m->coat, 0.75F },
+        { m->coat_roughness, 0.25F },
     };
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
         CHECK_NEAR((double)numbers[i][0], (double)numbers[i][1], 0);

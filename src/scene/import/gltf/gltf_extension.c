@@ -12,6 +12,8 @@ static const struct model_extension supported[] = {
     { "KHR_draco_mesh_compression", MODEL_DRAWN },
     /* without shadows; lights opaque surfaces only */
     { "KHR_lights_punctual", MODEL_APPROXIMATED },
+    /* on opaque materials only, without clearcoatNormalTexture */
+    { "KHR_materials_clearcoat", MODEL_APPROXIMATED },
     { "KHR_materials_dispersion", MODEL_DRAWN },
     { "KHR_materials_emissive_strength", MODEL_DRAWN },
     { "KHR_materials_ior", MODEL_DRAWN },
@@ -29,8 +31,10 @@ static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_TRANSMISSIVE_EMISSION] = "emission of transmissive materials",
     [GLTF_TRANSMISSIVE_METALLIC] = "metallic factor of transmissive materials",
     [GLTF_TRANSMISSIVE_OCCLUSION] = "occlusion of transmissive materials",
+    [GLTF_TRANSMISSIVE_COAT] = "clear coat of transmissive materials",
     [GLTF_TRANSMISSIVE_SPECULAR] = "specular of transmissive materials",
     [GLTF_TRANSMISSIVE_THICKNESS] = "thickness textures",
+    [GLTF_COAT_NORMAL] = "normal textures of clear coats",
     [GLTF_ATTENUATION_DISTANCE] = "attenuation with a distance of 0",
     [GLTF_THIRD_UV_SET] = "textures with a third texture coordinate set",
     [GLTF_NO_IMAGE] = "textures without an image in a supported format",

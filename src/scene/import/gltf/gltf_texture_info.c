@@ -18,6 +18,8 @@ static const struct slot slots[MATERIAL_TEXTURE_COUNT] = {
     [MATERIAL_THICKNESS] = { "KHR_materials_volume", "thicknessTexture" },
     [MATERIAL_SPECULAR] = { "KHR_materials_specular", "specularTexture" },
     [MATERIAL_SPECULAR_COLOR] = { "KHR_materials_specular", "specularColorTexture" },
+    [MATERIAL_COAT] = { "KHR_materials_clearcoat", "clearcoatTexture" },
+    [MATERIAL_COAT_ROUGHNESS] = { "KHR_materials_clearcoat", "clearcoatRoughnessTexture" },
 };
 
 /* Reads KHR_texture_transform as an affine transform: scale, then rotate, then translate. */
