@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/info_surroundings.h"
 #include "src/base/log.h"
 #include "src/file/json_text.h"
 #include "src/tech/techniques.h"
@@ -65,6 +66,8 @@ static void clean_names(struct model *model)
         log_sanitize(model->objects[i].name);
     for (uint32_t i = 0; i < model->material_count; i++)
         log_sanitize(model->materials[i].name);
+    for (uint32_t i = 0; i < model->surroundings_object_count; i++)
+        log_sanitize(model->surroundings_names[i]);
     for (uint32_t i = 0; i < model->camera_count; i++)
         log_sanitize(model->cameras[i].name);
     for (uint32_t i = 0; i < model->animation_count; i++)
@@ -153,6 +156,15 @@ static void print_material(const struct material *m)
     printf("\n");
 }
 
+static void print_materials(const struct model *model)
+{
+    if (model->material_count)
+        printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
+               "dispersion", "roughness", "attenuation, or surface");
+    for (uint32_t i = 0; i < model->material_count; i++)
+        print_material(&model->materials[i]);
+}
+
 static void print_cameras(const struct model *model)
 {
     if (model->camera_count)
@@ -231,7 +243,7 @@ static void print_tree(const struct bvh *bvh)
     } bvhs[] = { { BVH_OBJECTS, "the objects" }, { BVH_SURROUNDINGS, "the surroundings" } };
 
     const char *separator = ", in triangle tests: ";
-    printf("BVH for ray tracing: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
+    printf("\nBVH for ray tracing: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
            bvh_node_count(bvh), bvh->triangle_count, (double)bvh_size(bvh) / (1 << 20),
            bvh->read ? "from the cache" : "built", bvh->ms);
     printf("cost of a ray");
@@ -269,22 +281,19 @@ static void print_text(struct scene *scene, const struct technique *refraction)
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
     printf("default refraction model: %s\n", refraction->refraction.name);
+    print_cameras(model);
+    print_materials(model);
+    print_objects(model);
+    info_surroundings_print(model);
+    print_lights(model);
+    print_animations(model);
+    print_extensions(model);
     if (bvh_node_count(scene->bvh))
         print_tree(scene->bvh);
     else if (has_many_triangles(model))
-        printf("BVH for ray tracing: not built, because this large model is not ray traced by "
+        printf("\nBVH for ray tracing: not built, because this large model is not ray traced by "
                "default; "
                "firn profile --refraction trace builds it\n");
-    print_cameras(model);
-    print_extensions(model);
-    print_lights(model);
-    print_animations(model);
-    print_objects(model);
-    if (model->material_count)
-        printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
-               "dispersion", "roughness", "attenuation, or surface");
-    for (uint32_t i = 0; i < model->material_count; i++)
-        print_material(&model->materials[i]);
 }
 
 /* ---- JSON ---- */
@@ -483,10 +492,10 @@ static enum status print_json(const char *name, const struct scene *scene,
         const char *key;
         json_t *(*make)(const struct model *model);
     } lists[] = {
-        { "objects", objects_of },       { "materials", materials_of },
-        { "cameras", cameras_of },       { "lights", lights_of },
-        { "animations", animations_of }, { "extensions", extensions_of },
-        { "not_drawn", undrawn_of },
+        { "objects", objects_of },       { "surroundings", info_surroundings_json },
+        { "materials", materials_of },   { "cameras", cameras_of },
+        { "lights", lights_of },         { "animations", animations_of },
+        { "extensions", extensions_of }, { "not_drawn", undrawn_of },
     };
 
     json_t *root = json_pack("{s:o, s:s, s:i, s:i, s:o, s:o}", "scene", text_of(name), "refraction",

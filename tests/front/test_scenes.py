@@ -292,6 +292,10 @@ class Scenes(Case):
         (self.folder / 'wood.gltf').write_text(boxes((wood, [0, 0, 0], 1)))
         said = json.loads(self.succeed('info', 'wood.gltf', '--json', env=NO_DRIVER).stdout)
         self.assertEqual((said['objects'], said['surrounding_triangles']), ([], 12))
+        self.assertEqual(said['surroundings'], [{'name': 'box 0', 'triangles': 12,
+                                                 'materials': [0]}])
+        text = self.succeed('info', 'wood.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?s)\nmaterials:.*\n  box 0 +12  wood\n.*\nBVH for ray tracing')
         for words, is_ice in (((), False), (('--material', 'ice'), True)):
             done = self.succeed('render', 'wood.gltf', *words, '--plain', '-r', 'reference',
                                 '--size', '9x9', '--background', '1,1,1', '-o', 'a.exr',
