@@ -106,8 +106,8 @@ ABI_FUNCTION float lit_reflectance_in_medium(float f0, float ior)
     return fminf(in_medium * in_medium / (root * root), 1.0f);
 }
 
-/* Returns a clear coat's specular lobe, as a surface without a diffuse base (KHR_materials_clearcoat,
- * refractive index 1.5). */
+/* Returns a clear coat's specular lobe (KHR_materials_clearcoat, refractive index 1.5). It is a
+ * surface without a diffuse base. */
 ABI_FUNCTION ABI_STRUCT(lit_surface) lit_coat_surface(float roughness)
 {
     ABI_STRUCT(lit_surface) s;

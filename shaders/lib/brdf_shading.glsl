@@ -168,8 +168,8 @@ struct lit_coat {
     vec3 direct;       /* reflected light of the sun and of punctual lights */
 };
 
-/* Shades a material's clear coat. `n` is the normal without the normal map. `sun` is the sunlight as
- * radiance of a white diffuse surface, and `spread` the minimum width of its lobe. */
+/* Shades a material's clear coat. `n` is the normal without the normal map. `sun` is the sunlight
+ * as radiance of a white diffuse surface, and `spread` the minimum width of its lobe. */
 lit_coat lit_coat_of(lit_material m, vec3 point, vec3 n, vec3 to_eye, float lod, vec3 sun,
                      float spread)
 {

@@ -62,6 +62,24 @@ vec3 sun_light(out vec3 caustics)
 #endif
 }
 
+/* Adds a clear coat over the base in the outputs. `n` is the normal without the normal map, `sun`
+ * the sunlight and `base_specular` the factors of the base's specular environment light. */
+void add_coat(lit_material m, vec3 n, vec3 to_eye, float lod, vec3 sun, vec3 base_specular)
+{
+    lit_coat c = lit_coat_of(m, push.eye + eye_to_point, n, to_eye, lod, sun, frame.sun_spread);
+    float rest = 1.0 - c.reflectance;
+    vec3 coat_light = c.reflectance * m.occlusion * c.environment;
+    color.rgb = rest * color.rgb + coat_light + c.direct;
+#ifdef SURROUNDINGS_SSR
+    out_surface.w *= rest;
+    out_specular *= rest;
+    if (lit_coat_is_stronger(c.reflectance, rest * base_specular)) {
+        out_surface = vec4(octahedral_encode(n), m.coat_roughness, c.reflectance * m.occlusion);
+        out_specular = vec4(coat_light, 0.0);
+    }
+#endif
+}
+
 void main()
 {
 #ifdef SURROUNDINGS_EXTRA
@@ -86,9 +104,8 @@ void main()
     top = m.scales.w > 0.0 ? top : n;
     vec3 reflected_dir = reflect(-to_eye, top);
     float lod = lit_mirror_lod(reflected_dir, push.environment_lod);
-    float coat_lod = lod;
-    if (lit_has_coats())
-        coat_lod = lit_mirror_lod(reflect(-to_eye, unmapped), push.environment_lod);
+    float coat_lod =
+        lit_has_coats() ? lit_mirror_lod(reflect(-to_eye, unmapped), push.environment_lod) : lod;
     if (is_hole(base.a, row))
         discard;
     vec3 caustics;
@@ -113,19 +130,6 @@ void main()
     out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * m.occlusion);
     out_specular = vec4(specular_light * m.occlusion, 0.0);
 #endif
-    if (lit_has_coats() && m.coat > 0.0) {
-        lit_coat c = lit_coat_of(m, push.eye + eye_to_point, unmapped, to_eye, coat_lod, sun,
-                                 frame.sun_spread);
-        vec3 coat_light = c.reflectance * m.occlusion * c.environment;
-        color.rgb = (1.0 - c.reflectance) * color.rgb + coat_light + c.direct;
-#ifdef SURROUNDINGS_SSR
-        out_surface.w *= 1.0 - c.reflectance;
-        out_specular *= 1.0 - c.reflectance;
-        if (lit_coat_is_stronger(c.reflectance, (1.0 - c.reflectance) * env.specular)) {
-            out_surface =
-                vec4(octahedral_encode(unmapped), m.coat_roughness, c.reflectance * m.occlusion);
-            out_specular = vec4(coat_light, 0.0);
-        }
-#endif
-    }
+    if (lit_has_coats() && m.coat > 0.0)
+        add_coat(m, unmapped, to_eye, coat_lod, sun, env.specular);
 }

@@ -24,7 +24,8 @@ static void add_material(struct surroundings_object *object, uint32_t material)
         object->materials[object->material_count++] = material;
 }
 
-/* Returns an entry for each surroundings object, which the caller frees; NULL when out of memory. */
+/* Returns an entry for each surroundings object, or NULL when out of memory. The caller frees the
+ * array. */
 static struct surroundings_object *list_objects(const struct model *model)
 {
     const struct mesh *mesh = &model->surroundings;

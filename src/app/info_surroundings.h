@@ -5,8 +5,8 @@
 #include <jansson.h>
 #include "src/scene/import/model.h"
 
-/* Prints a table of the surroundings objects: name, triangles and materials. Prints nothing if there
- * are none, or without memory. */
+/* Prints a table of the surroundings objects: name, triangles and materials. Prints nothing if
+ * there are none, or when out of memory. */
 void info_surroundings_print(const struct model *model);
 
 /* Returns the surroundings objects as a JSON array; NULL when out of memory. */

@@ -6,8 +6,7 @@ import struct
 
 from builders import (
     ACCEPTED, CORNERS, DRAWN, EITHER, POINTS, REFUSED, WEBP, at, data_uri, exr, flipped, glb,
-    glb_of, gltf, hdr, hdr_line, nodes, obj, ply, png, tent, textured,
-)
+    glb_of, gltf, hdr, hdr_line, nodes, obj, ply, png, tent, textured)
 
 NAN, INFINITY = float('nan'), float('inf')
 

@@ -221,6 +221,8 @@ static const char *find_name(const uint8_t *data, size_t size)
         return "a.glb";
     if (size >= 3 && !memcmp(data, "ply", 3))
         return "a.ply";
+    if (size >= 5 && (!memcmp(data, "solid", 5) || !memcmp(data, "STL b", 5)))
+        return "a.stl";
     return size >= 1 && data[0] == '{' ? "a.gltf" : "a.obj";
 }
 

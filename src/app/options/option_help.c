@@ -80,7 +80,8 @@ void option_help(enum app_command command, const struct option *options, size_t 
     const char *group = "";
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (strstr(usages[command], "SCENE"))
-        printf("\nSCENE is a name (firn list scenes) or a model file (.gltf .glb .obj .ply).\n");
+        printf("\nSCENE is a name (firn list scenes) or a model file "
+               "(.gltf .glb .obj .ply .stl).\n");
     if (command == APP_BAKE)
         printf("\nThe file is a vertical strip of six faces, +X -X +Y -Y +Z -Z from the top, of "
                "half floats: R, G,\nB, and A = 1 / distance from the object's centre in metres. "

@@ -1,4 +1,4 @@
-/* importer.h: declares the internal interface of the model importers (glTF, OBJ, PLY): import
+/* importer.h: declares the internal interface of the model importers (glTF, OBJ, PLY, STL): import
  * state, formats, textures, mesh building. If a function returns a status other than STATUS_OK, it
  * has logged one line. */
 #ifndef FIRN_SCENE_IMPORT_IMPORTER_H
@@ -52,7 +52,7 @@ MUST_USE enum status model_format_find(const char *path, const struct model_form
 /* Loads a glTF file, posed by `pose`. */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
                                      enum model_role default_role, const struct model_pose *pose);
-/* Loads an OBJ or PLY file; `suffix` is "obj" or "ply". */
+/* Loads an OBJ, PLY or STL file; `suffix` is "obj", "ply" or "stl". */
 MUST_USE enum status model_load_obj_ply(struct model_import *import, const char *suffix,
                                         struct model *model, enum model_role default_role);
 

@@ -1,13 +1,14 @@
 /*
  * model.h: model file loader and the imported model: meshes, objects, materials, cameras, lights.
  *
- * Reads .gltf and .glb (gltf.h), and .obj and .ply (obj_ply.h). All meshes are transformed and
- * merged into two: the refractive objects and the surroundings. If any mesh of a glTF file has a
- * material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
+ * Reads .gltf and .glb (gltf.h), and .obj, .ply and .stl (obj_ply.h). All meshes are transformed
+ * and merged into two: the refractive objects and the surroundings. If any mesh of a glTF file
+ * has a material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
  * transmissive material (docs/models.md), meshes with such a material are the objects and all
  * others the surroundings; in any other file `default_role` decides. Coordinates are those of the
  * file. Each instance of a mesh in a node is one object; a file without materials has a single
- * object. Points and lines are left out; polygons are triangulated; identical vertices are welded.
+ * object. Points and lines are left out; polygons are triangulated; identical vertices are
+ * welded.
  *
  * Normals are taken from the file; smooth normals are computed where they are missing. Vertex
  * colours, base colours and base colour textures become mesh_vertex.color, .uv and .material.
