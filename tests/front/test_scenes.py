@@ -305,6 +305,29 @@ class Scenes(Case):
             middle = [planes[name][40] for name in 'RGB']
             self.assertEqual(middle[0] > 1.5 * middle[2], not is_ice, middle)
 
+    def test_clear_things_that_are_blended(self):
+        """A note has the option that draws them as such."""
+        def said(name, node='thing', mode='BLEND', *words):
+            material = {'name': name, 'alphaMode': mode,
+                        'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, 0.3]}}
+            scene = json.loads(boxes((material, [0, 0, 0], 1)))
+            scene['nodes'][0]['name'] = node
+            (self.folder / 'pane.gltf').write_text(json.dumps(scene))
+            return self.succeed('graph', 'pane.gltf', *words, env=NO_DRIVER).stderr.decode()
+        for name, node, option in (
+                ('glass', 'thing', 'glass=glass'), ('Window_GLASS.001', 'x', 'Window_GLASS.001=glass'),
+                ('Big Diamond', 'x', "'Big Diamond=diamond'"), ('WineGlass', 'x', 'WineGlass=glass'),
+                ('crystal2', 'x', 'crystal2=glass'), ('blue', 'Water', 'Water=water'),
+                ('Ice', 'Water', 'Ice=ice')):
+            self.assertEqual(said(name, node), (
+                'firn: note: pane.gltf: alpha-blended surfaces do not refract; to draw them as '
+                f'clear objects, use --material {option}\n'))
+        for words in (('eyeglasses', 'dice'), ('price', 'underwater'), ('paint', 'wall'),
+                      ('glass', 'x', 'OPAQUE'), ('glass', 'x', 'BLEND', '-q'),
+                      ('glass', 'x', 'BLEND', '--material', 'glass=glass')):
+            self.assertEqual(said(*words), '', words)
+        self.assertIn('refract_bounce', str(self.passes('pane.gltf', '-m', 'glass=glass')))
+
     def test_files_of_other_formats(self):
         """What they lack, and what is not read, is said."""
         (self.folder / 'a.obj').write_text('mtllib gone.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n'
