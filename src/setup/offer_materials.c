@@ -1,4 +1,4 @@
-/* offer_materials.c: suggests --material for opaque surfaces whose names say that they are clear. */
+/* offer_materials.c: suggests --material for blended surfaces with names of clear materials. */
 #include "src/setup/offer_materials.h"
 #include <ctype.h>
 #include <stdio.h>

@@ -315,8 +315,9 @@ class Scenes(Case):
             (self.folder / 'pane.gltf').write_text(json.dumps(scene))
             return self.succeed('graph', 'pane.gltf', *words, env=NO_DRIVER).stderr.decode()
         for name, node, option in (
-                ('glass', 'thing', 'glass=glass'), ('Window_GLASS.001', 'x', 'Window_GLASS.001=glass'),
-                ('Big Diamond', 'x', "'Big Diamond=diamond'"), ('WineGlass', 'x', 'WineGlass=glass'),
+                ('glass', 'thing', 'glass=glass'), ('a_GLASS.001', 'x', 'a_GLASS.001=glass'),
+                ('Big Diamond', 'x', "'Big Diamond=diamond'"),
+                ('WineGlass', 'x', 'WineGlass=glass'),
                 ('crystal2', 'x', 'crystal2=glass'), ('blue', 'Water', 'Water=water'),
                 ('Ice', 'Water', 'Ice=ice')):
             self.assertEqual(said(name, node), (
