@@ -27,8 +27,8 @@
  * Errors: one line is logged, with the file's name and the location, and *model is {0}.
  * STATUS_NO_INPUT: missing or unreadable. STATUS_TRY_AGAIN: out of memory. STATUS_DATA: unknown
  * format, unsupported required extension, syntax error, empty file, no triangles, non-finite
- * number, coordinate beyond 1e6, index out of range, index of refraction outside 1 to 4, damaged or
- * missing texture, invalid box.
+ * number, coordinate beyond 1e6, index out of range, index of refraction outside 1 to 4, invalid
+ * box. Textures and animation channels that cannot be read are left out, with a warning.
  */
 #ifndef FIRN_SCENE_IMPORT_MODEL_H
 #define FIRN_SCENE_IMPORT_MODEL_H

@@ -189,8 +189,9 @@ static enum status decode_texels(const struct encoded *encoded, uint8_t **texels
                                         CHANNELS);
         if (*texels)
             return STATUS_OK;
-        *fault = stbi_failure_reason();
-        return strcmp(*fault, "outofmem") == 0 ? STATUS_TRY_AGAIN : STATUS_DATA;
+        if (strcmp(stbi_failure_reason(), "outofmem") == 0)
+            return STATUS_TRY_AGAIN;
+        return refuse(fault, "the image is damaged");
     }
     const size_t size = (size_t)encoded->width * (size_t)encoded->height * CHANNELS;
     *texels = malloc(size);
@@ -199,7 +200,7 @@ static enum status decode_texels(const struct encoded *encoded, uint8_t **texels
     if (WebPDecodeRGBAInto(encoded->bytes, (size_t)encoded->size, *texels, size,
                            encoded->width * CHANNELS))
         return STATUS_OK;
-    return refuse(fault, "a damaged or animated WebP image");
+    return refuse(fault, "the image is damaged or an animation");
 }
 
 /* Fills a layer with the texel that has no effect: white, or the unperturbed normal. */

@@ -85,7 +85,7 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
         const struct gltf_object sampler_object = gltf_element(gltf, "samplers", sampler);
         read_sampler(&sampler_object, texture);
     }
-    if (texture->image == gltf_none)
+    if (texture->image == gltf_none && gltf->status == STATUS_OK)
         gltf->undrawn |= 1u << GLTF_NO_IMAGE;
     read_transform(info, texture);
 }
