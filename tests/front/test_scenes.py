@@ -566,6 +566,8 @@ class Scenes(Case):
         material.update(emissiveFactor=[1, 0, 0], occlusionTexture={'index': 0})
         material['extensions']['KHR_materials_specular']['specularFactor'] = 0.5
         material['extensions']['KHR_materials_volume']['thicknessFactor'] = 1
+        material['extensions']['KHR_materials_clearcoat'] = {'clearcoatFactor': 1,
+                                                             'clearcoatNormalTexture': {'index': 0}}
         scene['samplers'] = [{'magFilter': 9728}]
         scene['textures'][0]['sampler'] = 0
         scene['scenes'].append({})
@@ -574,8 +576,8 @@ class Scenes(Case):
         attributes['targets'] = [{'COLOR_0': 0}]
         self.assertEqual(said(), 'firn: warning: a.gltf: not drawn: ' + ', '.join(
             [f'{name} of transmissive materials'
-             for name in ('alpha', 'emission', 'occlusion', 'specular')] +
-            ['thickness textures', 'nearest filtering (magFilter NEAREST)',
+             for name in ('alpha', 'emission', 'occlusion', 'clear coat', 'specular')] +
+            ['thickness textures', 'normal textures of clear coats', 'nearest filtering (magFilter NEAREST)',
              'vertex colours beyond COLOR_0', 'colours and texture coordinates of morph targets',
              'scenes other than the one shown']) + '\n')
 
