@@ -360,9 +360,12 @@ class Surfaces(Cards):
         self.card('unbent coat', coated(1, base=(0, 0, 0), more={
             'normalTexture': self.scene.texture(slope)}), even)
         self.check_all()
-        found = self.draw({c: [1] * 512 for c in 'RGB'}, '-r', 'trace')
-        for place, wanted in self.known:
-            self.check(found[place], wanted, self.names[place], 8e-3)
+        traced = '--set', 'ground.light=traced', '--samples', 4
+        for words in [('-r', 'trace'), ('-r', 'trace', *traced)] + [
+                (*REFERENCE, *traced)] * HAS_REFERENCE:
+            found = self.draw({c: [1] * 512 for c in 'RGB'}, *words)
+            for place, wanted in self.known:
+                self.check(found[place], wanted, f'{words} {self.names[place]}', 0.02)
 
     @unsanitized
     def test_places_in_textures(self):
