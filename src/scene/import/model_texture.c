@@ -278,7 +278,7 @@ static enum status decode_both(struct model_import *import, const struct model_t
     };
     assert(count > 0);
     const size_t channel = texture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
-    uint8_t *texels = malloc(count * CHANNELS);
+    uint8_t *texels = calloc(count, CHANNELS);
     if (!texels)
         return log_out_of_memory(import->path);
     status = decode(import, &other, true, texels, side);

@@ -47,6 +47,11 @@ static enum status fault(const struct stl *stl, const char *format, ...)
 
 /* ---- vertices ---- */
 
+static bool is_equal(const float *a, const float *b)
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 static size_t find_slot(const struct stl *stl, const float *position)
 {
     const float *positions = stl->positions.items;
@@ -59,7 +64,7 @@ static size_t find_slot(const struct stl *stl, const float *position)
     }
     size_t slot = hash & (stl->slot_count - 1);
     while (stl->slots[slot] != 0 &&
-           memcmp(&positions[3 * (size_t)(stl->slots[slot] - 1)], position, sizeof(words)) != 0)
+           !is_equal(&positions[3 * (size_t)(stl->slots[slot] - 1)], position))
         slot = (slot + 1) & (stl->slot_count - 1);
     return slot;
 }
@@ -309,8 +314,8 @@ static enum status store_corners(struct stl *stl)
     const uint32_t *indices = stl->indices.items;
     struct facets facets;
     enum status status = STATUS_OK;
-    obj_ply->positions = malloc((count + 1) * sizeof(vec3s));
-    obj_ply->normals = malloc((count + 1) * sizeof(vec3s));
+    obj_ply->positions = malloc(3 * (count + 1) * sizeof(*obj_ply->positions));
+    obj_ply->normals = malloc(3 * (count + 1) * sizeof(*obj_ply->normals));
     obj_ply->indices = malloc((count + 1) * sizeof(*obj_ply->indices));
     obj_ply->parts = calloc(1, sizeof(*obj_ply->parts));
     if (!facets_init(&facets, stl) || !obj_ply->positions || !obj_ply->normals ||
