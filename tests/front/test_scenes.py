@@ -577,7 +577,8 @@ class Scenes(Case):
         self.assertEqual(said(), 'firn: warning: a.gltf: not drawn: ' + ', '.join(
             [f'{name} of transmissive materials'
              for name in ('alpha', 'emission', 'occlusion', 'clear coat', 'specular')] +
-            ['thickness textures', 'normal textures of clear coats', 'nearest filtering (magFilter NEAREST)',
+            ['thickness textures', 'normal textures of clear coats',
+             'nearest filtering (magFilter NEAREST)',
              'vertex colours beyond COLOR_0', 'colours and texture coordinates of morph targets',
              'scenes other than the one shown']) + '\n')
 
