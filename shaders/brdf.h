@@ -21,6 +21,7 @@
  * the square root of n_dot_v, and the y axis is the roughness. Both go from 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
+#define LIT_COAT_F0      0.04f  /* clear coat's reflectance at normal incidence */
 #define LIT_LIGHT_SPREAD 0.001f /* minimum lobe width for punctual lights */
 #define LIT_SUN_SPREAD   0.065f /* procedural sun's specular lobe width */
 
@@ -103,6 +104,32 @@ ABI_FUNCTION float lit_reflectance_in_medium(float f0, float ior)
     float surface_ior = (1.0f + root) / (1.0f - root);
     float in_medium = (surface_ior - ior) / (surface_ior + ior);
     return fminf(in_medium * in_medium / (root * root), 1.0f);
+}
+
+/* Returns a clear coat's specular lobe (KHR_materials_clearcoat, refractive index 1.5). It is a
+ * surface without a diffuse base. */
+ABI_FUNCTION ABI_STRUCT(lit_surface) lit_coat_surface(float roughness)
+{
+    ABI_STRUCT(lit_surface) s;
+    s.diffuse = ABI_VEC3(0.0f, 0.0f, 0.0f);
+    s.f0 = ABI_VEC3(LIT_COAT_F0, LIT_COAT_F0, LIT_COAT_F0);
+    s.f90 = 1.0f;
+    s.roughness = roughness;
+    return s;
+}
+
+/* Returns a clear coat's directional albedo. The rest of the light reaches the base. `coat` is the
+ * coat's factor, and `split` its entry in the split-sum table. */
+ABI_FUNCTION float lit_coat_reflectance(float coat, vec2s split)
+{
+    return coat * (LIT_COAT_F0 * split.x + split.y);
+}
+
+/* Returns true if a clear coat reflects more than the base's specular lobe below it. Traced and
+ * screen-space reflections replace only the environment light of the stronger lobe. */
+ABI_FUNCTION bool lit_coat_is_stronger(float reflectance, vec3s below)
+{
+    return reflectance > glms_vec3_max(below);
 }
 
 /* Returns the radiance that a surface reflects from a light in direction `l`, relative to that of a

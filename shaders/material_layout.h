@@ -10,9 +10,10 @@
 /* x: normal scale; y: occlusion strength; z: 1 for textured ice, 2 + opacity for one of several
  * materials of an object; w: 1 for a water layer */
 #define MATERIAL_ROW_SCALES 3
+#define MATERIAL_ROW_COAT   4 /* x: clear coat factor; y: its roughness */
 /* First texel of the row's texture data. Each texture has two texels: the transform of u and array
  * layer + 1, then the transform of v and 9 * uv_set + 3 * wrap_v + wrap_u. */
-#define MATERIAL_ROW_TEXTURES 4
+#define MATERIAL_ROW_TEXTURES 5
 #define MATERIAL_ROW_WIDTH    (MATERIAL_ROW_TEXTURES + 2 * MATERIAL_TEXTURE_COUNT)
 
 /* alpha modes */
@@ -21,16 +22,18 @@
 #define MATERIAL_KIND_BLENDED 2
 
 /* Uses of textures. Comments name texture channels, and the material parameters they affect. */
-#define MATERIAL_BASE_COLOR         0 /* rgb: base_color; a: alpha */
-#define MATERIAL_METALLIC_ROUGHNESS 1 /* b: metallic; g: roughness */
-#define MATERIAL_NORMAL             2 /* rgb: normal */
-#define MATERIAL_OCCLUSION          3 /* r */
-#define MATERIAL_EMISSION           4 /* rgb: emission */
-#define MATERIAL_TRANSMISSION       5 /* r: transmission */
-#define MATERIAL_THICKNESS          6 /* g: thickness */
-#define MATERIAL_SPECULAR           7 /* a: specular */
-#define MATERIAL_SPECULAR_COLOR     8 /* rgb: specular_color */
-#define MATERIAL_TEXTURE_COUNT      9
+#define MATERIAL_BASE_COLOR         0  /* rgb: base_color; a: alpha */
+#define MATERIAL_METALLIC_ROUGHNESS 1  /* b: metallic; g: roughness */
+#define MATERIAL_NORMAL             2  /* rgb: normal */
+#define MATERIAL_OCCLUSION          3  /* r */
+#define MATERIAL_EMISSION           4  /* rgb: emission */
+#define MATERIAL_TRANSMISSION       5  /* r: transmission */
+#define MATERIAL_THICKNESS          6  /* g: thickness */
+#define MATERIAL_SPECULAR           7  /* a: specular */
+#define MATERIAL_SPECULAR_COLOR     8  /* rgb: specular_color */
+#define MATERIAL_COAT               9  /* r: coat */
+#define MATERIAL_COAT_ROUGHNESS     10 /* g: coat_roughness */
+#define MATERIAL_TEXTURE_COUNT      11
 
 /* wrapping of texture coordinates outside 0 to 1 */
 #define MATERIAL_REPEAT     0

@@ -73,9 +73,15 @@ struct lit_material {
     lit_surface surface;
     float metallic, occlusion;
     vec3 emission;
-    vec4 normal_texel; /* of the normal map; 1 if there is none */
-    vec4 scales;       /* MATERIAL_ROW_SCALES */
+    vec4 normal_texel;          /* of the normal map; 1 if there is none */
+    vec4 scales;                /* MATERIAL_ROW_SCALES */
+    float coat, coat_roughness; /* clear coat's factor, 0 if there is none, and its roughness */
 };
+
+bool lit_has_coats()
+{
+    return (constant_textured & CONSTANT_TEXTURED_COAT) != 0u;
+}
 
 /* Samples a material. `albedo` includes the base colour texture. `ior` is the refractive index of a
  * water layer above, or 0. Water reduces specular reflection (lit_reflectance_in_medium()). */
@@ -97,6 +103,13 @@ lit_material lit_material_at(uint row, vec2 uv, float blur, vec3 albedo, float i
     if (ior > 0.0 && m.scales.w > 0.0)
         specular *= lit_reflectance_in_medium(max(f0.r, max(f0.g, f0.b)), ior);
     m.surface = lit_surface_of(albedo, m.metallic, factors.y * rough.g, f0, specular);
+    m.coat = m.coat_roughness = 0.0;
+    if (lit_has_coats()) {
+        vec4 coat = material_texel(row, MATERIAL_ROW_COAT);
+        m.coat = coat.x * lit_texel(data_textures, row, MATERIAL_COAT, uv, blur).r;
+        m.coat_roughness =
+            coat.y * lit_texel(data_textures, row, MATERIAL_COAT_ROUGHNESS, uv, blur).g;
+    }
     return m;
 }
 
@@ -146,6 +159,28 @@ vec2 lit_split(float roughness, float n_dot_v)
 {
     vec2 at = lit_split_at(roughness, n_dot_v) + 0.5;
     return textureLod(splits, at / float(LIT_SPLIT_SIDE), 0.0).rg;
+}
+
+/* Light that a clear coat reflects. */
+struct lit_coat {
+    float reflectance; /* fraction that the base does not receive */
+    vec3 environment;  /* unweighted specular environment light */
+    vec3 direct;       /* reflected light of the sun and of punctual lights */
+};
+
+/* Shades a material's clear coat. `n` is the normal without the normal map. `sun` is the sunlight
+ * as radiance of a white diffuse surface, and `spread` the minimum width of its lobe. */
+lit_coat lit_coat_of(lit_material m, vec3 point, vec3 n, vec3 to_eye, float lod, vec3 sun,
+                     float spread)
+{
+    lit_surface s = lit_coat_surface(m.coat_roughness);
+    vec2 split = lit_split(s.roughness, clamp(dot(n, to_eye), 0.0, 1.0));
+    lit_coat c;
+    c.reflectance = lit_coat_reflectance(m.coat, split);
+    c.environment = lit_specular(reflect(-to_eye, n), s.roughness, lod);
+    c.direct = m.coat * (sun * lit_by_light(s, n, to_eye, frame.sun_dir, spread) +
+                         lit_by_lights(s, point, n, to_eye));
+    return c;
 }
 
 #if !defined LIT_NO_DERIVATIVES && !defined LIT_PER_VERTEX

@@ -62,6 +62,24 @@ vec3 sun_light(out vec3 caustics)
 #endif
 }
 
+/* Adds a clear coat over the base in the outputs. `n` is the normal without the normal map, `sun`
+ * the sunlight and `base_specular` the factors of the base's specular environment light. */
+void add_coat(lit_material m, vec3 n, vec3 to_eye, float lod, vec3 sun, vec3 base_specular)
+{
+    lit_coat c = lit_coat_of(m, push.eye + eye_to_point, n, to_eye, lod, sun, frame.sun_spread);
+    float rest = 1.0 - c.reflectance;
+    vec3 coat_light = c.reflectance * m.occlusion * c.environment;
+    color.rgb = rest * color.rgb + coat_light + c.direct;
+#ifdef SURROUNDINGS_SSR
+    out_surface.w *= rest;
+    out_specular *= rest;
+    if (lit_coat_is_stronger(c.reflectance, rest * base_specular)) {
+        out_surface = vec4(octahedral_encode(n), m.coat_roughness, c.reflectance * m.occlusion);
+        out_specular = vec4(coat_light, 0.0);
+    }
+#endif
+}
+
 void main()
 {
 #ifdef SURROUNDINGS_EXTRA
@@ -79,12 +97,15 @@ void main()
     vec3 to_eye = -normalize(view_vector());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
-    vec3 top = n; /* clear coat's normal; `n`: diffuse base's */
+    vec3 top = n; /* specular lobe's normal; `n`: diffuse base's */
+    vec3 unmapped = n;
     if (m.normal_texel != vec4(1.0))
         n = NORMAL_MAP(row, n, normal, m.normal_texel.rgb, m.scales.x, eye_to_point, uv);
     top = m.scales.w > 0.0 ? top : n;
     vec3 reflected_dir = reflect(-to_eye, top);
     float lod = lit_mirror_lod(reflected_dir, push.environment_lod);
+    float coat_lod =
+        lit_has_coats() ? lit_mirror_lod(reflect(-to_eye, unmapped), push.environment_lod) : lod;
     if (is_hole(base.a, row))
         discard;
     vec3 caustics;
@@ -101,12 +122,14 @@ void main()
     vec3 specular_light = env.specular * lit_specular(reflected_dir, s.roughness, lod);
     vec3 unoccluded_diffuse = lit_diffuse(n), diffuse_light = env.diffuse * unoccluded_diffuse;
     ao_shade(s, env, push.eye + eye_to_point, n, unoccluded_diffuse, diffuse_light, specular_light);
-    sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
-    vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
-    color = vec4((specular_light + diffuse_light) * m.occlusion + sun + lit + m.emission, alpha);
+    vec3 lit = sun * lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
+    lit += lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
+    color = vec4((specular_light + diffuse_light) * m.occlusion + lit + m.emission, alpha);
 #ifdef SURROUNDINGS_SSR
     float reflectance_mean = dot(env.specular, vec3(1.0 / 3.0));
     out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * m.occlusion);
     out_specular = vec4(specular_light * m.occlusion, 0.0);
 #endif
+    if (lit_has_coats() && m.coat > 0.0)
+        add_coat(m, unmapped, to_eye, coat_lod, sun, env.specular);
 }

@@ -99,7 +99,18 @@ vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
     out_specular = reflected + sky_sun() * highlight;
     if ((constant_textured & 1u << MATERIAL_EMISSION) == 0u)
         out_specular += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
-    return sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - highlight);
+    vec3 sun =
+        sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - highlight);
+    if (lit_has_coats()) {
+        lit_coat c =
+            lit_coat_of(m, point, n, to_eye, push.environment_lod, sky_sun(), frame.sun_spread);
+        float base_fraction = 1.0 - c.reflectance;
+        out_diffuse *= base_fraction;
+        out_specular *= base_fraction;
+        out_specular += c.reflectance * m.occlusion * c.environment + c.direct;
+        sun *= base_fraction;
+    }
+    return sun;
 }
 
 void main()

@@ -173,6 +173,24 @@ float trace_alpha_transmittance(trace_surface_point p)
     return trace_alpha_transmittance_of(row, lit_base(row, layer, p.uv, 1.0).a);
 }
 
+/* Returns a surface's radiance with its clear coat; `base` is the radiance without it. Updates
+ * `lobes`. `unhidden` is the occlusion factor. */
+vec3 trace_coated(lit_material m, trace_surface_point p, vec3 dir, vec3 base, vec3 unhidden,
+                  vec3 sun, float spread)
+{
+    lit_coat c = lit_coat_of(m, p.position, p.normal, -dir, 0.0, sun, spread);
+    lobes.diffuse *= 1.0 - c.reflectance;
+    lobes.specular *= 1.0 - c.reflectance;
+    vec3 reflected = c.reflectance * unhidden;
+    if (lit_coat_is_stronger(c.reflectance, lobes.specular)) {
+        lobes.specular = reflected;
+        lobes.mirrored = c.environment;
+        lobes.top = p.normal;
+        lobes.roughness = m.coat_roughness;
+    }
+    return (1.0 - c.reflectance) * base + reflected * c.environment + c.direct;
+}
+
 /* Returns a surface's radiance; sets `passing` to the transmitted fraction of light. */
 vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passing)
 {
@@ -213,9 +231,12 @@ vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passin
                         lit_by_environment(s, split, unhidden, vec3(0.0)), unoccluded_diffuse,
                         mirrored, n, top, s.roughness, true);
     vec3 through;
-    vec3 sun = trace_sun(p, false, through) *
-               lit_by_light_on(s, top, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
-    return ambient * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + m.emission;
+    float spread = max(frame.sun_spread, sun_spread);
+    vec3 sun = trace_sun(p, false, through);
+    vec3 light = ambient * unhidden + sun * lit_by_light_on(s, top, n, -dir, frame.sun_dir, spread);
+    light += lit_by_lights_on(s, p.position, top, n, -dir) + m.emission;
+    return lit_has_coats() && m.coat > 0.0 ? trace_coated(m, p, dir, light, unhidden, sun, spread)
+                                           : light;
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
+#include "src/app/info_surroundings.h"
 #include "src/base/log.h"
 #include "src/file/json_text.h"
 #include "src/scene/world_position.h"
@@ -31,6 +32,8 @@ static const char *const texture_names[MATERIAL_TEXTURE_COUNT] = {
     [MATERIAL_THICKNESS] = "thickness",
     [MATERIAL_SPECULAR] = "specular",
     [MATERIAL_SPECULAR_COLOR] = "specular colour",
+    [MATERIAL_COAT] = "clear coat",
+    [MATERIAL_COAT_ROUGHNESS] = "clear coat roughness",
 };
 
 /* Returns how a material is drawn. */
@@ -73,6 +76,8 @@ static void clean_names(struct model *model)
         log_sanitize(model->objects[i].name);
     for (uint32_t i = 0; i < model->material_count; i++)
         log_sanitize(model->materials[i].name);
+    for (uint32_t i = 0; i < model->surroundings_object_count; i++)
+        log_sanitize(model->surroundings_names[i]);
     for (uint32_t i = 0; i < model->camera_count; i++)
         log_sanitize(model->cameras[i].name);
     for (uint32_t i = 0; i < model->animation_count; i++)
@@ -115,6 +120,8 @@ static void print_surface(const struct material *m)
     if (m->specular < 1.0f || !glms_vec3_eqv(m->specular_color, glms_vec3_one()))
         printf(", specular %g of %.3g,%.3g,%.3g", (double)m->specular, (double)m->specular_color.x,
                (double)m->specular_color.y, (double)m->specular_color.z);
+    if (m->coat > 0.0f)
+        printf(", clear coat %g of roughness %g", (double)m->coat, (double)m->coat_roughness);
     if (m->flags & MATERIAL_IS_CUTOUT)
         printf(", holes where alpha is below %g", (double)m->alpha_cutoff);
     if (m->flags & MATERIAL_IS_BLENDED)
@@ -157,6 +164,15 @@ static void print_material(const struct material *m)
         }
     }
     printf("\n");
+}
+
+static void print_materials(const struct model *model)
+{
+    if (model->material_count)
+        printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
+               "dispersion", "roughness", "attenuation, or surface");
+    for (uint32_t i = 0; i < model->material_count; i++)
+        print_material(&model->materials[i]);
 }
 
 static void print_cameras(const struct model *model)
@@ -239,7 +255,7 @@ static void print_tree(const struct bvh *bvh)
     } bvhs[] = { { BVH_OBJECTS, "the objects" }, { BVH_SURROUNDINGS, "the surroundings" } };
 
     const char *separator = ", in triangle tests: ";
-    printf("BVH for ray tracing: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
+    printf("\nBVH for ray tracing: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
            bvh_node_count(bvh), bvh->triangle_count, (double)bvh_size(bvh) / (1 << 20),
            bvh->read ? "from the cache" : "built", bvh->ms);
     printf("cost of a ray");
@@ -279,22 +295,19 @@ static void print_text(struct scene *scene, const struct technique *refraction)
         printf(", field of view %g degrees\n", (double)model->camera.fov_deg);
     }
     printf("default refraction model: %s\n", refraction->refraction.name);
+    print_cameras(model);
+    print_materials(model);
+    print_objects(model);
+    info_surroundings_print(model);
+    print_lights(model);
+    print_animations(model);
+    print_extensions(model);
     if (bvh_node_count(scene->bvh))
         print_tree(scene->bvh);
     else if (has_many_triangles(model))
-        printf("BVH for ray tracing: not built, because this large model is not ray traced by "
+        printf("\nBVH for ray tracing: not built, because this large model is not ray traced by "
                "default; "
                "firn profile --refraction trace builds it\n");
-    print_cameras(model);
-    print_extensions(model);
-    print_lights(model);
-    print_animations(model);
-    print_objects(model);
-    if (model->material_count)
-        printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
-               "dispersion", "roughness", "attenuation, or surface");
-    for (uint32_t i = 0; i < model->material_count; i++)
-        print_material(&model->materials[i]);
 }
 
 /* ---- JSON ---- */
@@ -374,12 +387,13 @@ static json_t *surface_of(const struct material *m)
     const char *mode = m->flags & MATERIAL_IS_CUTOUT    ? "mask"
                        : m->flags & MATERIAL_IS_BLENDED ? "blend"
                                                         : "opaque";
-    return json_pack("{s:f, s:o, s:f, s:o, s:s, s:f, s:f, s:b}", "metallic",
+    return json_pack("{s:f, s:o, s:f, s:o, s:f, s:f, s:s, s:f, s:f, s:b}", "metallic",
                      json_text_float(m->metallic), "emission", vector(m->emission), "specular",
                      json_text_float(m->specular), "specular_color", vector(m->specular_color),
-                     "alpha_mode", mode, "alpha", json_text_float(m->alpha), "alpha_cutoff",
-                     json_text_float(m->alpha_cutoff), "unlit",
-                     (int)(m->flags & MATERIAL_IS_UNLIT) > 0);
+                     "clearcoat", json_text_float(m->coat), "clearcoat_roughness",
+                     json_text_float(m->coat_roughness), "alpha_mode", mode, "alpha",
+                     json_text_float(m->alpha), "alpha_cutoff", json_text_float(m->alpha_cutoff),
+                     "unlit", (int)(m->flags & MATERIAL_IS_UNLIT) > 0);
 }
 
 static json_t *material_of(const struct material *m)
@@ -504,10 +518,10 @@ static enum status print_json(const char *name, const struct scene *scene,
         const char *key;
         json_t *(*make)(const struct model *model);
     } lists[] = {
-        { "objects", objects_of },       { "materials", materials_of },
-        { "cameras", cameras_of },       { "lights", lights_of },
-        { "animations", animations_of }, { "extensions", extensions_of },
-        { "not_drawn", undrawn_of },
+        { "objects", objects_of },       { "surroundings", info_surroundings_json },
+        { "materials", materials_of },   { "cameras", cameras_of },
+        { "lights", lights_of },         { "animations", animations_of },
+        { "extensions", extensions_of }, { "not_drawn", undrawn_of },
     };
 
     json_t *root =

@@ -36,7 +36,7 @@ static json_t *scenes(void)
                                               "triangles", (int)b->triangles));
     all = append_assets(all, ASSET_SCENE);
     return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
-                                           "model file: .gltf, .glb, .obj, .ply"));
+                                           "model file: .gltf, .glb, .obj, .ply, .stl"));
 }
 
 static json_t *environments(void)

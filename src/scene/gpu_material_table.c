@@ -56,6 +56,7 @@ static void write_row(vec4s *row, const struct material *m)
         glms_vec4(is_partial ? m->base_color : m->emission, m->alpha_cutoff);
     row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength, of_object,
                                           m->flags & MATERIAL_IS_WATER_LAYER ? 1.0f : 0.0f } };
+    row[MATERIAL_ROW_COAT] = (vec4s){ { m->coat, m->coat_roughness, 0.0f, 0.0f } };
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
         write_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
 }
@@ -78,6 +79,15 @@ bool material_table_has_holes(const struct model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
         if (kind_of(&model->materials[i]) != MATERIAL_KIND_OPAQUE)
+            return true;
+    }
+    return false;
+}
+
+bool material_table_has_coat(const struct model *model)
+{
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        if (model->materials[i].coat > 0.0f)
             return true;
     }
     return false;
@@ -139,8 +149,9 @@ bool material_table_needs_full_shading(const struct model *model)
 static bool is_reflective(const struct material *m)
 {
     const bool is_even = m->textures[MATERIAL_METALLIC_ROUGHNESS].layer == 0;
-    return !is_diffuse(m) && (m->specular > 0.0f || m->metallic > 0.0f) &&
-           (!is_even || m->roughness < MATERIAL_ROUGH);
+    const bool is_coated = m->coat > 0.0f && m->coat_roughness < MATERIAL_ROUGH;
+    return is_coated || (!is_diffuse(m) && (m->specular > 0.0f || m->metallic > 0.0f) &&
+                         (!is_even || m->roughness < MATERIAL_ROUGH));
 }
 
 bool material_table_has_reflective(const struct model *model)

@@ -17,6 +17,9 @@ uint32_t material_table_uses(const struct model *model);
 /* Returns true if any material is alpha-masked or blended. */
 bool material_table_has_holes(const struct model *model);
 
+/* Returns true if any opaque material has a clear coat. */
+bool material_table_has_coat(const struct model *model);
+
 /* Returns the GPU table of a mesh's vertex extras (shaders/mesh_layout.h). Each row has
  * MESH_EXTRA_WIDTH texels. If the mesh has no extras, or if out of memory, returns NULL. The caller
  * frees the table. */

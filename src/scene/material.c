@@ -58,6 +58,8 @@ static bool clamp_surface(struct material *m)
     has_changed |= clamp(&m->normal_scale, -radiance_max, radiance_max, 1.0f);
     has_changed |= clamp(&m->occlusion_strength, 0.0f, 1.0f, 1.0f);
     has_changed |= clamp(&m->specular, 0.0f, 1.0f, 1.0f);
+    has_changed |= clamp(&m->coat, 0.0f, 1.0f, 0.0f);
+    has_changed |= clamp(&m->coat_roughness, 0.0f, 1.0f, 0.0f);
     return has_changed;
 }
 

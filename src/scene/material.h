@@ -43,8 +43,8 @@ struct material_texture {
     vec3s u_row, v_row;      /* rows of the uv transform, multiplied by (u, v, 1) */
 };
 
-/* Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular
- * and _emissive_strength. If the surface is transmissive, the medium behind it transmits
+/* Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular,
+ * _clearcoat and _emissive_strength. If the surface is transmissive, the medium behind it transmits
  * attenuation_color ^ (length / attenuation_distance) per channel. */
 struct material {
     char name[MATERIAL_NAME_SIZE];
@@ -69,6 +69,8 @@ struct material {
     float occlusion_strength; /* 0 to 1 */
     float specular;           /* dielectric specular strength, 0 to 1 */
     vec3s specular_color;     /* colour of specular reflection at normal incidence, 0 to 65504 */
+    float coat;               /* strength of a clear coat over an opaque surface, 0 to 1 */
+    float coat_roughness;
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 

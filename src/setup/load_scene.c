@@ -8,6 +8,7 @@
 #include "src/scene/gpu_material_table.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
+#include "src/setup/offer_materials.h"
 #include "src/setup/setup.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/inclusions/air.h"
@@ -184,6 +185,14 @@ static void note_ice(const struct setup_scene *options, const struct scene *scen
                  options->name);
 }
 
+/* Logs a note that offers --material for blended surfaces with names such as "glass". */
+static void note_blended(const struct setup_scene *options, const struct scene *scene)
+{
+    if (!options->quiet && !options->material && options->material_override_count == 0 &&
+        !scene_is_known(options->name))
+        offer_materials(options->name, &scene->model);
+}
+
 struct settings_callback_data {
     struct setup_scene *options;
     struct bump_maps_params *maps;
@@ -194,6 +203,7 @@ static void finish_settings_callback(void *user, const struct scene *scene,
 {
     const struct settings_callback_data *settings_callback_data = user;
     note_ice(settings_callback_data->options, scene);
+    note_blended(settings_callback_data->options, scene);
     switch_off_ice_effects(settings_callback_data->options, scene);
     check_inclusions(settings_callback_data->options, scene, true);
     *params = setup_scene_params(settings_callback_data->options, settings_callback_data->maps);

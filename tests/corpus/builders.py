@@ -9,6 +9,8 @@ from typing import NamedTuple
 # What the program makes of a file; what is drawn is accepted, and has a picture worth looking at.
 DRAWN, ACCEPTED, REFUSED, EITHER = 'drawn', 'accepted', 'refused', 'either'
 
+WEBP = base64.b64decode(  # 1 x 1 texels
+    'UklGRiIAAABXRUJQVlA4IBYAAAAwAQCdASoBAAEADsD+JaQAA3AAAAAA')
 POINTS = ((0, 1, 0), (-1, -1, 1), (1, -1, 1), (0, -1, -1))
 CORNERS = (0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2)
 
@@ -153,6 +155,23 @@ def exr_head(window=(0, 0, 7, 3), display=None, channels='BGR', kind=2, compress
         attributes['tiles'] = 'tiledesc', struct.pack('<IIB', *tiles)
     return b''.join(attribute(name, *value) for name, value in attributes.items()
                     if name not in without) + more + b'\0'
+
+
+def stl(points=POINTS, corners=CORNERS, count=None, head=b'STL by firn', attribute=0):
+    """The tetrahedron as a binary file; `count` is that of the header."""
+    facets = [corners[i:i + 3] for i in range(0, len(corners), 3)]
+    body = b''.join(struct.pack('<12fH', 0, 0, 0, *(x for i in facet for x in points[i]), attribute)
+                    for facet in facets)
+    return head.ljust(80, b' ') + struct.pack('<I', len(facets) if count is None else count) + body
+
+
+def stl_text(points=POINTS, corners=CORNERS):
+    lines = ['solid tent']
+    for i in range(0, len(corners), 3):
+        lines += ['facet normal 0 0 0', ' outer loop']
+        lines += ['  vertex {} {} {}'.format(*points[corner]) for corner in corners[i:i + 3]]
+        lines += [' endloop', 'endfacet']
+    return '\n'.join([*lines, 'endsolid tent', '']).encode()
 
 
 def exr(chunk_size=None, offset=None, flags=0, size=(8, 4), value=0.5, texels=None, channels='BGR',

@@ -40,6 +40,7 @@ KINDS = {
     'GLB: chunks': models_more.chunks,
     'OBJ, MTL: lines': models_more.obj_lines,
     'PLY: headers': models_more.ply_headers,
+    'STL: facets, lines': models_more.stl_facets,
     'EXR: gigantic windows': pictures.windows,
     'EXR: parts, tiles, attributes': pictures.parts,
     'HDR: bad runs': pictures.runs,

@@ -5,8 +5,8 @@ import json
 import struct
 
 from builders import (
-    CORNERS, DRAWN, EITHER, POINTS, REFUSED, at, data_uri, exr, flipped, glb, glb_of, gltf, hdr,
-    hdr_line, nodes, obj, ply, png, tent, textured)
+    ACCEPTED, CORNERS, DRAWN, EITHER, POINTS, REFUSED, WEBP, at, data_uri, exr, flipped, glb,
+    glb_of, gltf, hdr, hdr_line, nodes, obj, ply, png, tent, textured)
 
 NAN, INFINITY = float('nan'), float('inf')
 
@@ -143,7 +143,7 @@ def uris():
                       ('file-short', 'file:secret.bin'), ('https', 'https://example.org/a.bin'),
                       ('device', '/dev/zero')):
         yield f'{name}.gltf', gltf(uri), REFUSED, secret
-        yield f'{name}-texture.gltf', gltf(data_uri, textured(uri)), REFUSED, secret
+        yield f'{name}-texture.gltf', gltf(data_uri, textured(uri)), ACCEPTED, secret
     yield 'own.gltf', gltf('own.gltf'), REFUSED
     yield 'folder.gltf', gltf('.'), REFUSED
     yield 'missing.gltf', gltf('no-such.bin'), REFUSED
@@ -219,11 +219,15 @@ def textures():
     good = png(4, 4)
     loop = b'GIF89a' + struct.pack('<HHBBB', 4, 4, 0, 0, 0) + b'\x21\xff\xff' * 100
     for name, content, wanted in (
-            ('good', good, DRAWN), ('empty', b'', REFUSED), ('cut', good[:40], REFUSED),
-            ('vast', png(60000, 60000, b'\0'), REFUSED), ('zero', png(0, 4, b''), REFUSED),
-            ('rows', png(4, 4, b'\0' * 8), REFUSED), ('filter', png(4, 4, b'\xff' * 52), REFUSED),
-            ('flipped', flipped(good, 3, 8), EITHER), ('gif', loop, REFUSED),
-            ('jpeg', b'\xff\xd8\xff\xc4' + b'\xff' * 300, REFUSED),
+            ('good', good, DRAWN), ('empty', b'', ACCEPTED), ('cut', good[:40], ACCEPTED),
+            ('vast', png(60000, 60000, b'\0'), ACCEPTED),
+            ('zero', png(0, 4, b''), ACCEPTED),
+            ('rows', png(4, 4, b'\0' * 8), ACCEPTED),
+            ('filter', png(4, 4, b'\xff' * 52), ACCEPTED),
+            ('flipped', flipped(good, 3, 8), EITHER), ('gif', loop, ACCEPTED),
+            ('jpeg', b'\xff\xd8\xff\xc4' + b'\xff' * 300, ACCEPTED),
+            ('webp', WEBP, DRAWN), ('webp-cut', WEBP[:-8], ACCEPTED),
+            ('webp-vast', WEBP[:26] + b'\xff' * 4 + WEBP[30:], ACCEPTED),
             ('tga', bytes([0, 0, 10]) + bytes(9) + b'\xff\xff\xff\xff\x20\0' + b'\xff', EITHER)):
         yield f'{name}.gltf', gltf(data_uri, textured(f'{name}.pic')), wanted, \
             ((f'{name}.pic', content),)

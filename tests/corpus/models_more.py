@@ -3,8 +3,8 @@ import json
 import struct
 
 from builders import (
-    ACCEPTED, CORNERS, DRAWN, EITHER, POINTS, REFUSED, at, data_uri, glb, gltf, obj, ply, png,
-    tent, textured)
+    ACCEPTED, CORNERS, DRAWN, EITHER, POINTS, REFUSED, at, data_uri, glb, gltf, obj, ply, png, stl,
+    stl_text, tent, textured)
 
 
 def several(*changes):
@@ -73,14 +73,14 @@ def references():
             wanted
     yield 'skin-none.glb', glb(at('nodes', 0, 'skin', 7)), EITHER
     for name, sampler, channel, wanted in (
-            ('sampler', 9, 0, EITHER), ('node', 0, 99, REFUSED), ('vector', 0, 0, EITHER)):
+            ('sampler', 9, 0, EITHER), ('node', 0, 99, ACCEPTED), ('vector', 0, 0, EITHER)):
         yield f'animation-{name}.glb', glb(put('animations', {
             'samplers': [{'input': 0, 'output': 0}],
             'channels': [{'sampler': sampler, 'target': {'node': channel, 'path': 'translation'}}],
         })), wanted
     yield 'animation-input.glb', glb(put('animations', {
         'samplers': [{'input': 99, 'output': 0}],
-        'channels': [{'sampler': 0, 'target': {'node': 0, 'path': 'weights'}}]})), REFUSED
+        'channels': [{'sampler': 0, 'target': {'node': 0, 'path': 'weights'}}]})), ACCEPTED
     yield 'camera.glb', glb(at('nodes', 0, 'camera', 5)), REFUSED
     for name, camera in (('type', {'type': 'perspective'}), ('flat', {
             'type': 'perspective', 'perspective': {**PERSPECTIVE, 'yfov': 0}}), ('wide', {
@@ -96,7 +96,7 @@ def references():
                          ('coordinates', at('materials', 0, 'pbrMetallicRoughness',
                                             'baseColorTexture', 'texCoord', 99))):
         yield f'{name}.gltf', gltf(data_uri, several(textured('a.png'), change)), \
-            EITHER if name == 'coordinates' else REFUSED, (('a.png', png(4, 4)),)
+            EITHER if name == 'coordinates' else ACCEPTED, (('a.png', png(4, 4)),)
     yield 'morph.glb', glb(at(*PRIMITIVE, 'targets', [{'POSITION': 99}])), REFUSED
     yield 'morph-weights.glb', glb(several(at(*PRIMITIVE, 'targets', [{'POSITION': 0}]),
                                            at('meshes', 0, 'weights', [1e30] * 99))), EITHER
@@ -219,6 +219,34 @@ def ply_headers():
                                    points + corners), EITHER
 
 
+def stl_facets():
+    nan = ((float('nan'), 0, 0), *POINTS[1:])
+    text = stl_text()
+    yield 'binary.stl', stl(), DRAWN
+    yield 'solid.stl', stl(head=b'solid of bytes'), DRAWN
+    yield 'colors.stl', stl(attribute=0x7fff), ACCEPTED
+    yield 'rest.stl', stl() + b'rest', ACCEPTED
+    yield 'cut.stl', stl()[:-7], REFUSED
+    yield 'header.stl', stl()[:83], REFUSED
+    yield 'count.stl', stl(count=5), REFUSED
+    yield 'count-vast.stl', stl(count=0xffffffff), REFUSED
+    yield 'none.stl', stl(corners=()), REFUSED
+    yield 'nan.stl', stl(nan), REFUSED
+    yield 'far.stl', stl(((1e30, 0, 0), *POINTS[1:])), REFUSED
+    yield 'one-point.stl', stl(POINTS[:1] * 4), ACCEPTED
+    yield 'text.stl', text, DRAWN
+    yield 'text-twice.stl', text * 2, ACCEPTED
+    yield 'text-upper.stl', text.upper().replace(b'\n', b'\r\n'), ACCEPTED
+    yield 'text-nan.stl', stl_text(nan), REFUSED
+    yield 'text-normal.stl', text.replace(b'normal 0 0 0', b'normal nan nan inf'), ACCEPTED
+    yield 'text-cut.stl', text[:-60], REFUSED
+    yield 'text-end.stl', text.replace(b'endsolid tent', b''), REFUSED
+    yield 'text-empty.stl', b'solid a\nendsolid a\n', REFUSED
+    yield 'text-corner.stl', text.replace(b' endloop', b'  vertex 0 0 0\n endloop', 1), REFUSED
+    yield 'text-word.stl', text.replace(b' outer loop', b' outer loop\n  point 1', 1), REFUSED
+    yield 'text-zeros.stl', text[:200] + bytes(400) + text[200:], REFUSED
+
+
 def colors():
     """What is accepted is drawn with numbers."""
     def factor(*values):
@@ -243,18 +271,20 @@ def other_formats():
     """The bytes of one format in a file of another's name."""
     mesh, text = ply(), obj()
     blend = b'BLENDER-v300REND' + bytes(100)
-    stl = b'solid of nothing' + bytes(64) + struct.pack('<I', 1) + bytes(50)
+    solid = b'solid of nothing' + bytes(64) + struct.pack('<I', 1) + bytes(50)
     triangle = b'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n' \
         b'endloop\nendfacet\n'
-    stl_text = b'solid a\n' + triangle + b'endsolid a\n'
+    lines = b'solid a\n' + triangle + b'endsolid a\n'
     collada = b'<?xml version="1.0"?><COLLADA version="1.4.1"></COLLADA>'
-    for name, content in (('blend', blend), ('stl', stl), ('stl-text', stl_text), ('obj', text),
+    for name, content in (('blend', blend), ('stl', solid), ('stl-text', lines), ('obj', text),
                           ('json', gltf(data_uri)), ('zip', b'PK\3\4' + bytes(60))):
         yield f'{name}.glb', content, REFUSED
-    for name, content in (('ply', mesh), ('stl-text', stl_text), ('collada', collada),
+    for name, content in (('ply', mesh), ('stl-text', lines), ('collada', collada),
                           ('blend', blend), ('glb', glb())):
         yield f'{name}.obj', content, REFUSED
-    for name, content in (('obj', text), ('stl', stl), ('blend', blend)):
+    for name, content in (('obj', text), ('stl', solid), ('blend', blend)):
         yield f'{name}.ply', content, REFUSED
     for name, content in (('glb', glb()), ('collada', collada), ('obj', text)):
         yield f'{name}.gltf', content, REFUSED
+    for name, content in (('blend', blend), ('ply', mesh), ('obj', text), ('glb', glb())):
+        yield f'{name}.stl', content, REFUSED

@@ -134,6 +134,11 @@ class Animation(Case):
                                               {'name': 'rise', 'seconds': 1.0}])
         text = self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout.decode()
         self.assertRegex(text, r'(?m)^  1 +rise +1$')
+        high = slide(boxes((glass(), [0, 0, 0], 1)), 0, 1, ([0, 7, 0], [0, 3, 0]))
+        (self.folder / 'high.gltf').write_text(high)
+        for name, low in (('slide', 6), ('none', -1)):
+            said = self.succeed('info', 'high.gltf', '--json', '--animation', name, env=NO_DRIVER)
+            self.assertAlmostEqual(json.loads(said.stdout)['min'][1], low, 3)
 
     def test_animations_that_are_not_there(self):
         (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')

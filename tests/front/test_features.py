@@ -337,6 +337,36 @@ class Surfaces(Cards):
                   self.card('matt normals', matt, normal=TILT))
         self.check_all()
 
+    def test_clear_coats(self):
+        """A coat reflects its share of the light, and the rest is that of the base."""
+        color, numbers = (0.5, 0.25, 1), self.scene.texture((128, 128, 0, 255))
+
+        def coated(strength, roughness=0, base=color, more=(), **textures):
+            return extended(pbr((*base, 1), **dict(more)), materials_specular={'specularFactor': 0},
+                            materials_clearcoat={'clearcoatFactor': strength,
+                                                 'clearcoatRoughnessFactor': roughness, **textures})
+        a, b = split(1, 1)
+        for name, strength, roughness, share in (('whole', 1, 0, 0.04), ('half', 0.5, 0, 0.02),
+                                                 ('rough', 1, 1, 0.04 * a + b)):
+            self.card(name, coated(strength, roughness),
+                      is_=[share + (1 - share) * c for c in color])
+        self.card('emission below', coated(1, base=(0, 0, 0), more={'emissiveFactor': color}),
+                  is_=[0.04 + 0.96 * c for c in color])
+        self.card('coat texture', coated(1, clearcoatTexture=numbers), 1)
+        blurred = self.card('half rough', coated(1, 0.5))
+        self.card('roughness texture', coated(1, 1, clearcoatRoughnessTexture=numbers), blurred)
+        slope = tuple(round(127.5 + 127.5 * x) for x in TILT) + (255,)
+        even = self.card('mirror', coated(1, base=(0, 0, 0)))
+        self.card('unbent coat', coated(1, base=(0, 0, 0), more={
+            'normalTexture': self.scene.texture(slope)}), even)
+        self.check_all()
+        traced = '--set', 'ground.light=traced', '--samples', 4
+        for words in [('-r', 'trace'), ('-r', 'trace', *traced)] + [
+                (*REFERENCE, *traced)] * HAS_REFERENCE:
+            found = self.draw({c: [1] * 512 for c in 'RGB'}, *words)
+            for place, wanted in self.known:
+                self.check(found[place], wanted, f'{words} {self.names[place]}', 0.02)
+
     @unsanitized
     def test_places_in_textures(self):
         red, green, blue, grey = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (99,) * 4

@@ -107,11 +107,16 @@ class Reader(Case):
         for name, text in (('a.glb', 'BLENDER-v279'), ('a.glb', '{"asset": {"version": "2.0"}}'),
                            ('a.gltf', 'glTF\2\0\0\0'), ('a.gltf', 'solid a\nendsolid a\n'),
                            ('a.obj', 'solid a\nendsolid a\n'), ('a.obj', 'ply\nformat ascii 1.0\n'),
-                           ('a.ply', TENT), ('a.ply', 'plywood\n'), ('a.stl', 'solid a\n'),
-                           ('a.blend', 'BLENDER-v279')):
+                           ('a.ply', TENT), ('a.ply', 'plywood\n'), ('a.stl', 'v 0 0 0\n')):
             (self.folder / name).write_text(text)
             with self.subTest(name):
                 self.refuse(DATA, 'graph', name, names=[name])
+
+    def test_formats_that_other_programs_convert(self):
+        for name in ('a.usdz', 'a.usda', 'a.fbx', 'a.blend', 'a.DAE', 'a.3ds', 'a.step'):
+            (self.folder / name).write_text('any content')
+            with self.subTest(name):
+                self.refuse(DATA, 'graph', name, names=[name, 'export the model as glTF'])
 
     def test_a_small_file_of_a_large_picture(self):
         """What it would need is known before it is unpacked."""

@@ -20,7 +20,7 @@ UNKNOWN = {
     'buffers': 'MPEG_buffer_circular',
     'materials': 'ADOBE_materials_clearcoat_specular ADOBE_materials_clearcoat_tint '
                  'ADOBE_materials_thin_transparency KHR_materials_anisotropy '
-                 'KHR_materials_clearcoat KHR_materials_diffuse_transmission '
+                 'KHR_materials_diffuse_transmission '
                  'KHR_materials_iridescence KHR_materials_pbrSpecularGlossiness '
                  'KHR_materials_sheen KHR_techniques_webgl MSFT_packing_normalRoughnessMetallic '
                  'MSFT_packing_occlusionRoughnessMetallic NV_materials_mdl',
@@ -30,7 +30,7 @@ UNKNOWN = {
                   'EXT_mesh_primitive_restart FB_geometry_metadata GRIFFEL_bim_data '
                   'KHR_gaussian_splatting KHR_materials_variants',
     'scenes': 'EXT_lights_image_based MPEG_scene_dynamic MPEG_viewport_recommended',
-    'textures': 'EXT_texture_astc EXT_texture_webp KHR_texture_basisu MPEG_texture_video '
+    'textures': 'EXT_texture_astc KHR_texture_basisu MPEG_texture_video '
                 'MSFT_texture_dds',
 }
 # What only ice has by default.
@@ -293,6 +293,10 @@ class Scenes(Case):
         (self.folder / 'wood.gltf').write_text(boxes((wood, [0, 0, 0], 1)))
         said = json.loads(self.succeed('info', 'wood.gltf', '--json', env=NO_DRIVER).stdout)
         self.assertEqual((said['objects'], said['surrounding_triangles']), ([], 12))
+        self.assertEqual(said['surroundings'], [{'name': 'box 0', 'triangles': 12,
+                                                 'materials': [0]}])
+        text = self.succeed('info', 'wood.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'(?s)\nmaterials:.*\n  box 0 +12  wood\n.*\nBVH for ray tracing')
         for words, is_ice in (((), False), (('--material', 'ice'), True)):
             done = self.succeed('render', 'wood.gltf', *words, '--plain', '-r', 'reference',
                                 '--size', '9x9', '--background', '1,1,1', '-o', 'a.exr',
@@ -301,6 +305,30 @@ class Scenes(Case):
             planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGB')
             middle = [planes[name][40] for name in 'RGB']
             self.assertEqual(middle[0] > 1.5 * middle[2], not is_ice, middle)
+
+    def test_clear_things_that_are_blended(self):
+        """A note has the option that draws them as such."""
+        def said(name, node='thing', mode='BLEND', *words):
+            material = {'name': name, 'alphaMode': mode,
+                        'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, 0.3]}}
+            scene = json.loads(boxes((material, [0, 0, 0], 1)))
+            scene['nodes'][0]['name'] = node
+            (self.folder / 'pane.gltf').write_text(json.dumps(scene))
+            return self.succeed('graph', 'pane.gltf', *words, env=NO_DRIVER).stderr.decode()
+        for name, node, option in (
+                ('glass', 'thing', 'glass=glass'), ('a_GLASS.001', 'x', 'a_GLASS.001=glass'),
+                ('Big Diamond', 'x', "'Big Diamond=diamond'"),
+                ('WineGlass', 'x', 'WineGlass=glass'),
+                ('crystal2', 'x', 'crystal2=glass'), ('blue', 'Water', 'Water=water'),
+                ('Ice', 'Water', 'Ice=ice')):
+            self.assertEqual(said(name, node), (
+                'firn: note: pane.gltf: alpha-blended surfaces do not refract; to draw them as '
+                f'clear objects, use --material {option}\n'))
+        for words in (('eyeglasses', 'dice'), ('price', 'underwater'), ('paint', 'wall'),
+                      ('glass', 'x', 'OPAQUE'), ('glass', 'x', 'BLEND', '-q'),
+                      ('glass', 'x', 'BLEND', '--material', 'glass=glass')):
+            self.assertEqual(said(*words), '', words)
+        self.assertIn('refract_bounce', str(self.passes('pane.gltf', '-m', 'glass=glass')))
 
     def test_files_of_other_formats(self):
         """What they lack, and what is not read, is said."""
@@ -514,6 +542,9 @@ class Scenes(Case):
         check(scene)
         for name in names[::6]:
             (self.folder / 'a.gltf').write_text(json.dumps({**used, 'extensionsRequired': [name]}))
+            if re.search('_(texture|image|animation|materials)_', name):
+                self.succeed('info', 'a.gltf', env=NO_DRIVER)
+                continue
             self.refuse(DATA, 'info', 'a.gltf', env=NO_DRIVER,
                         names=[f'requires the extension {name}, which is not supported'])
 
@@ -536,6 +567,8 @@ class Scenes(Case):
         material.update(emissiveFactor=[1, 0, 0], occlusionTexture={'index': 0})
         material['extensions']['KHR_materials_specular']['specularFactor'] = 0.5
         material['extensions']['KHR_materials_volume']['thicknessFactor'] = 1
+        material['extensions']['KHR_materials_clearcoat'] = {'clearcoatFactor': 1,
+                                                             'clearcoatNormalTexture': {'index': 0}}
         scene['samplers'] = [{'magFilter': 9728}]
         scene['textures'][0]['sampler'] = 0
         scene['scenes'].append({})
@@ -544,8 +577,9 @@ class Scenes(Case):
         attributes['targets'] = [{'COLOR_0': 0}]
         self.assertEqual(said(), 'firn: warning: a.gltf: not drawn: ' + ', '.join(
             [f'{name} of transmissive materials'
-             for name in ('alpha', 'emission', 'occlusion', 'specular')] +
-            ['thickness textures', 'nearest filtering (magFilter NEAREST)',
+             for name in ('alpha', 'emission', 'occlusion', 'clear coat', 'specular')] +
+            ['thickness textures', 'normal textures of clear coats',
+             'nearest filtering (magFilter NEAREST)',
              'vertex colours beyond COLOR_0', 'colours and texture coordinates of morph targets',
              'scenes other than the one shown']) + '\n')
 

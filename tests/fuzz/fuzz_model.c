@@ -3,7 +3,7 @@
  * name. As in the program, a child reads it and sends the meshes through a pipe, and the parent
  * accepts them or reports why there are none.
  *
- * Draco and stb are large and not instrumented; some broken files make them crash, or work
+ * Draco, stb and libwebp are large and not instrumented; some broken files make them crash, or work
  * for hours. That is why a child reads: there, and nowhere else, it is allowed. So their functions
  * are wrapped (the linker's --wrap), and say in shared memory that one of them runs. A crash at any
  * other time is a fault, and so is an end without a status of the reader, meshes that the parent
@@ -23,6 +23,7 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <webp/decode.h>
 #include "src/scene/import/gltf/gltf_draco.h"
 #include "src/scene/import/model_pipe.h"
 #include "tests/fuzz/fuzz.h"
@@ -30,7 +31,7 @@
 #include "tests/fuzz/fuzz_scene.h"
 
 enum {
-    THEIR_MS = 250, /* CPU time of one call of Draco or stb */
+    THEIR_MS = 250, /* CPU time of one call of Draco, stb or libwebp */
     OUR_MS = 20000,
     COUNTERS_SIZE = 1 << 20,
     SIZE_MAX_OF_ALL = 1 << 30,
@@ -41,7 +42,7 @@ enum {
 extern uint8_t counters_begin[], counters_end[];
 
 struct shared {
-    int their_calls; /* a function of Draco or stb runs */
+    int their_calls; /* a function of Draco, stb or libwebp runs */
     uint8_t counters[COUNTERS_SIZE];
 };
 
@@ -95,6 +96,12 @@ WRAP(stbi_uc *, stbi_load_from_memory,
      (bytes, size, x, y, channels, wanted))
 WRAP(int, stbi_info_from_memory, (const stbi_uc *bytes, int size, int *x, int *y, int *channels),
      (bytes, size, x, y, channels))
+
+WRAP(int, WebPGetInfo, (const uint8_t *bytes, size_t size, int *width, int *height),
+     (bytes, size, width, height))
+WRAP(uint8_t *, WebPDecodeRGBAInto,
+     (const uint8_t *bytes, size_t size, uint8_t *texels, size_t texels_size, int stride),
+     (bytes, size, texels, texels_size, stride))
 
 /* NOLINTEND(readability-identifier-naming) */
 
@@ -214,6 +221,8 @@ static const char *find_name(const uint8_t *data, size_t size)
         return "a.glb";
     if (size >= 3 && !memcmp(data, "ply", 3))
         return "a.ply";
+    if (size >= 5 && (!memcmp(data, "solid", 5) || !memcmp(data, "STL b", 5)))
+        return "a.stl";
     return size >= 1 && data[0] == '{' ? "a.gltf" : "a.obj";
 }
 

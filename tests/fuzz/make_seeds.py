@@ -9,14 +9,15 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
-from builders import glb, gltf, hdr, hdr_line, obj, ply, png, tent, textured  # noqa: E402
+from builders import (  # noqa: E402
+    WEBP, glb, gltf, hdr, hdr_line, obj, ply, png, stl, stl_text, tent, textured)
 from make_corpus import corpus  # noqa: E402
 from pictures import profile, tile  # noqa: E402
 
 SIZE_MAX = 4096  # bytes
 SLOW = 'nodes: 100 000 deep, in circles', 'huge counts'
 READERS = {'exr': 'exr', 'hdr': 'hdr', 'png': 'png', 'json': 'profile_json', 'txt': 'preset',
-           'glb': 'model', 'gltf': 'model', 'obj': 'model', 'ply': 'model'}
+           'glb': 'model', 'gltf': 'model', 'obj': 'model', 'ply': 'model', 'stl': 'model'}
 TEXTS = {
     'camera': ('eye 1,2,3\ntarget 0,0,0\nfov 45\nsize 64x48', 'orbit 10,-20,5e3\ntarget 1,1,1'),
     'frame_range': ('1-9x2,-4--2,20',),
@@ -70,10 +71,11 @@ def seeds():
     yield 'exr', tile(b'1 of 1x1 interleaved')
     yield 'hdr', hdr(hdr_line(16, b'\x90\x80') * 8)
     yield 'png', png(4, 4)
-    yield from (('model', content) for content in (glb(), ply(), obj()))
+    yield from (('model', content) for content in (glb(), ply(), obj(), stl(), stl_text()))
     yield 'model', beside(gltf('beside'), tent()[0])
     yield 'model', beside(obj('mtllib beside\nusemtl a\n'), b'newmtl a\nKd 1 0.5 0\n')
     yield 'model', beside(gltf('beside', textured('beside')), png(4, 4))
+    yield 'model', beside(gltf('beside', textured('beside')), WEBP)
 
 
 def main():

@@ -311,6 +311,7 @@ static void materials(void **state)
         "'extensions':{"
         "'KHR_materials_emissive_strength':{'emissiveStrength':8},"
         "'KHR_materials_specular':{'specularFactor':0.5,'specularColorFactor':[1,2,3]},"
+        "'KHR_materials_clearcoat':{'clearcoatFactor':0.75,'clearcoatRoughnessFactor':0.25},"
         "'KHR_materials_ior':{'ior':1.25},'KHR_materials_dispersion':{'dispersion':0.5},"
         "'KHR_materials_volume':{'thicknessFactor':2,'attenuationDistance':4,"
         "'attenuationColor':[0.5,0.25,0.125]}}";
@@ -341,6 +342,8 @@ static void materials(void **state)
         { m->attenuation_color.z, 0.125F },
         { m->normal_scale, 1 },
         { m->occlusion_strength, 1 },
+        { m->coat, 0.75F },
+        { m->coat_roughness, 0.25F },
     };
     for (size_t i = 0; i < sizeof(numbers) / sizeof(numbers[0]); i++)
         CHECK_NEAR((double)numbers[i][0], (double)numbers[i][1], 0);
@@ -424,6 +427,46 @@ static void textures_of_materials(void **state)
     model_finish(&model);
     assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures with a third texture "
                               "coordinate set\n");
+}
+
+/* A texture without `source`; the image has a red and a half transparent blue texel. */
+static void webp_textures(void **state)
+{
+    (void)state;
+    static const uint8_t texels[2][4] = { { 255, 0, 0, 255 }, { 0, 0, 255, 128 } };
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    assert_int_equal(
+        gltf_file_material(
+            &model, "'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}",
+            ",'extensionsRequired':['EXT_texture_webp','KHR_texture_basisu'],'textures':[{"
+            "'extensions':{'EXT_texture_webp':{'source':0}}}],'images':[{'uri':'data:image/webp;"
+            "base64,UklGRiAAAABXRUJQVlA4TBMAAAAvAQAAEA8Q+z//D/yPChWI6H8AAA=='}]",
+            said),
+        STATUS_OK);
+    assert_int_equal(model.textures.size, 2);
+    assert_memory_equal(model.textures.texels, texels[0], 4);
+    assert_memory_equal(&model.textures.texels[4], texels[1], 4);
+    model_finish(&model);
+    assert_string_equal(said, "firn: warning: m.gltf: the extension KHR_texture_basisu is not "
+                              "supported and is ignored\n");
+}
+
+static void attenuation_without_distance(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    assert_int_equal(gltf_file_material(&model,
+                                        "'extensions':{'KHR_materials_transmission':{"
+                                        "'transmissionFactor':1},'KHR_materials_volume':{"
+                                        "'attenuationDistance':0,'attenuationColor':[0,0,0]}}",
+                                        "", said),
+                     STATUS_OK);
+    CHECK_NEAR(material_absorption(&model.materials[0]).x, 0, 0);
+    model_finish(&model);
+    assert_string_equal(said,
+                        "firn: warning: m.gltf: not drawn: attenuation with a distance of 0\n");
 }
 
 static void unread_pictures(void **state)
@@ -526,6 +569,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(material_defaults, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(textures_of_materials, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(webp_textures, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(attenuation_without_distance, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(unread_pictures, temporary_folder_enter,
                                         temporary_folder_leave),

@@ -99,11 +99,49 @@ static void animations_are_checked(void **state)
         const struct model_pose pose = { .animation = names[i] };
         assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &pose), STATUS_DATA);
     }
-    const struct model_pose pose = { .animation = "slide" };
-    write_moving("LINEAR", ends, 1); /* one value of two */
-    assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &pose), STATUS_DATA);
+    write_moving("LINEAR", ends, 1); /* one value of two: the channel is left out */
+    check_corner("slide", 2, 0, 0, 0, 7);
     write_moving("ROUND", ends, 2);
-    assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &pose), STATUS_DATA);
+    check_corner("slide", 2, 0, 0, 0, 7);
+}
+
+/* Writes a node that moves along X, and has the keyframes (time, x). */
+static void write_keys(const char *interpolation, const float (*keys)[2], uint32_t count)
+{
+    float times[4], xs[36] = { 0 };
+    const bool is_cubic = strcmp(interpolation, "CUBICSPLINE") == 0;
+    for (uint32_t i = 0; i < count; i++) {
+        times[i] = keys[i][0];
+        xs[is_cubic ? 9 * i + 3 : 3 * i] = keys[i][1];
+    }
+    gltf_file_begin();
+    gltf_file_floats(positions, 3, "VEC3");
+    gltf_file_floats(times, count, "SCALAR");
+    gltf_file_floats(xs, is_cubic ? 3 * count : count, "VEC3");
+    gltf_file_write("'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]"
+                    "}],'animations':[{'samplers':[{'input':1,'output':2,'interpolation':'%s'}],"
+                    "'channels':[{'sampler':0,'target':{'node':0,'path':'translation'}}]}]",
+                    interpolation);
+}
+
+/* A repeated time is a step; a decreasing one replaces the keyframes at later times. */
+static void later_keys_count(void **state)
+{
+    (void)state;
+    static const float repeated[4][2] = { { 0, 0 }, { 1, 10 }, { 1, 20 }, { 2, 30 } };
+    static const float decreasing[4][2] = { { 0, 0 }, { 1.5F, 10 }, { 1, 20 }, { 2, 30 } };
+    write_keys("LINEAR", repeated, 4);
+    check_corner("0", 0.5F, 0, 5, 0, 0);
+    check_corner("0", 1, 0, 20, 0, 0);
+    check_corner("0", 1.5F, 0, 25, 0, 0);
+    write_keys("CUBICSPLINE", repeated, 4);
+    check_corner("0", 0.5F, 0, 5, 0, 0);
+    check_corner("0", 1, 0, 20, 0, 0);
+    write_keys("LINEAR", decreasing, 4);
+    check_corner("0", 0.5F, 0, 10, 0, 0);
+    check_corner("0", 1.5F, 0, 25, 0, 0);
+    write_keys("STEP", repeated, 1);
+    check_corner("0", 0.5F, 0, 0, 0, 0);
 }
 
 static void morph_targets(void **state)
@@ -131,7 +169,7 @@ static void morph_targets(void **state)
 static void write_skin(const char *matrices, uint8_t joint)
 {
     const uint8_t joints[12] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, joint, 0, 0 };
-    const float weights[12] = { 1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0 };
+    const float weights[12] = { 1, 0, 0, 0, 1, 0, 0, 0, 3, 3, 0, 0 }; /* to be normalised */
     float inverse[32] = { 0 };
     for (int i = 0; i < 32; i += i % 16 == 15 ? 1 : 5)
         inverse[i] = 1;
@@ -156,6 +194,9 @@ static void skins(void **state)
     write_skin("", 1);
     check_corner(NULL, 0, 1, 11, 0, 5);
     check_corner(NULL, 0, 2, 5, 1, 5);
+    assert_int_equal(gltf_file_load(&model, said), STATUS_OK);
+    assert_non_null(strstr(said, "skin weights whose sum is not 1"));
+    model_finish(&model);
     write_skin(",'inverseBindMatrices':3", 1);
     check_corner(NULL, 0, 1, 1, 0, 5);
     check_corner(NULL, 0, 2, 0, 1, 5);
@@ -171,6 +212,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(channels_without_nodes_are_skipped, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(animations_are_checked, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(later_keys_count, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(morph_targets, temporary_folder_enter,
                                         temporary_folder_leave),

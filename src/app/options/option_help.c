@@ -73,7 +73,8 @@ void option_help(enum app_command command, const struct option *options, size_t 
     const char *group = "";
     printf("%s\n\nExamples:\n%s", usages[command], examples[command]);
     if (strstr(usages[command], "SCENE"))
-        printf("\nSCENE is a name (firn list scenes) or a model file (.gltf .glb .obj .ply).\n");
+        printf("\nSCENE is a name (firn list scenes) or a model file "
+               "(.gltf .glb .obj .ply .stl).\n");
     if (command == APP_FARM)
         printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
                "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "

@@ -205,7 +205,7 @@ static const struct option options[] = {
       "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (default: 1)" },
     { "Scene", "rotate", 0, "X,Y,Z", IMAGES, SCENE(option_rotate),
       "rotation of the model about X, Y, Z, degrees; does not affect --surroundings" },
-    { "Scene", "animation", 0, "NAME|N", IMAGES, TEXT(image.scene.animation),
+    { "Scene", "animation", 0, "NAME|N", IMAGES | APP_INFO, TEXT(image.scene.animation),
       "animation of the model file: name, number from 0, or none (default: the first)" },
     { "Scene", "env", 'e', "FILE", IMAGES, INPUT(image.scene.environment),
       "environment: name, .exr, .hdr or cube faces (default: sky; studio for models)" },

@@ -292,16 +292,16 @@ static struct lit_surface surface_of(const struct radiance *radiance, const stru
     return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y, f0, specular);
 }
 
-/* Shading normals of the specular top layer and of the diffuse base layer. */
+/* Shading normals of the specular top layer, of the diffuse base layer and of the clear coat. */
 struct normals {
-    vec3s top, base;
+    vec3s top, base, coat;
 };
 
 static struct normals normals_of(const struct radiance *radiance, const struct material *m,
                                  const struct radiance_point *point, vec3s n)
 {
     const vec3s base = normal_mapped(radiance, m, point, n);
-    return (struct normals){ m->flags & MATERIAL_IS_WATER_LAYER ? n : base, base };
+    return (struct normals){ m->flags & MATERIAL_IS_WATER_LAYER ? n : base, base, n };
 }
 
 /* Returns the radiance reflected from the model file's punctual lights, ignoring shadows. */
@@ -365,7 +365,7 @@ static vec3s shade_diffuse(const struct radiance *radiance, const struct radianc
 {
     const struct lit_surface surface = lit_surface_of(albedo, 0.0f, 1.0f, glms_vec3_zero(), 0.0f);
     const vec3s lights = shade_lights(radiance, &surface, point->vertex->position,
-                                      (struct normals){ n, n }, glms_vec3_negate(point->dir));
+                                      (struct normals){ n, n, n }, glms_vec3_negate(point->dir));
     return glms_vec3_muladd(albedo, shade_white_diffuse(radiance, point, n), lights);
 }
 
@@ -376,6 +376,46 @@ static float occlusion_of(const struct radiance *radiance, const struct material
     if (radiance->is_traced)
         return 1.0f;
     return 1.0f + m->occlusion_strength * (texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x - 1.0f);
+}
+
+/* Clear coat of a surface, multiplied by its textures. */
+struct coat {
+    struct lit_surface surface;
+    float factor;      /* 0 if there is none */
+    float reflectance; /* fraction of light that the base does not receive */
+};
+
+static struct coat coat_of(const struct radiance *radiance, const struct material *m,
+                           const struct radiance_point *point, vec3s n)
+{
+    const struct coordinates uv = coordinates_of(point);
+    const float roughness =
+        m->coat_roughness * texel_of(radiance, m, MATERIAL_COAT_ROUGHNESS, uv).y;
+    const float factor = m->coat * texel_of(radiance, m, MATERIAL_COAT, uv).x;
+    const float n_dot_v = glm_clamp(-glms_vec3_dot(n, point->dir), 0.0f, 1.0f);
+    return (struct coat){
+        .surface = lit_coat_surface(roughness),
+        .factor = factor,
+        .reflectance = lit_coat_reflectance(factor, split_of(radiance, roughness, n_dot_v)),
+    };
+}
+
+/* Returns the radiance of a surface with its clear coat; `base` is the radiance without it. */
+static vec3s shade_coat(const struct radiance *radiance, const struct material *m,
+                        const struct radiance_point *point, vec3s n, vec3s base)
+{
+    const struct coat coat = coat_of(radiance, m, point, n);
+    const struct normals normals = { n, n, n };
+    const vec3s reflected_dir =
+        glms_vec3_muladds(n, -2.0f * glms_vec3_dot(n, point->dir), point->dir);
+    const vec3s environment = prefiltered_radiance(radiance, reflected_dir, coat.surface.roughness);
+    const vec3s sun = shade_sun(radiance, &coat.surface, point, normals);
+    const vec3s lights = shade_lights(radiance, &coat.surface, point->vertex->position, normals,
+                                      glms_vec3_negate(point->dir));
+    const float occlusion = occlusion_of(radiance, m, coordinates_of(point));
+    const vec3s reflected = glms_vec3_muladds(environment, coat.reflectance * occlusion,
+                                              glms_vec3_scale(base, 1.0f - coat.reflectance));
+    return glms_vec3_muladds(glms_vec3_add(sun, lights), coat.factor, reflected);
 }
 
 /* Shades a glTF material lit by environment, sun and punctual lights. Adds its emission. */
@@ -396,8 +436,9 @@ static vec3s shade_material(const struct radiance *radiance, const struct materi
     const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
     const vec3s shaded = glms_vec3_scale(environment, occlusion_of(radiance, m, uv));
     const vec3s lights = shade_lights(radiance, &surface, point->vertex->position, n, to_camera);
-    return glms_vec3_muladd(m->emission, glms_vec3(glow),
-                            glms_vec3_add(shaded, glms_vec3_add(sun, lights)));
+    const vec3s base = glms_vec3_muladd(m->emission, glms_vec3(glow),
+                                        glms_vec3_add(shaded, glms_vec3_add(sun, lights)));
+    return m->coat > 0.0f ? shade_coat(radiance, m, point, n.coat, base) : base;
 }
 
 vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex)
@@ -427,6 +468,23 @@ vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir)
     return prefiltered_radiance(radiance, dir, 0.0f);
 }
 
+/* Adds a clear coat to the reflectance of a surface. Only the stronger specular lobe counts. */
+static void add_coat(const struct radiance *radiance, const struct material *m,
+                     const struct radiance_point *point, float occlusion,
+                     struct radiance_reflectance *reflectance)
+{
+    const bool is_back = glms_vec3_dot(point->vertex->normal, point->dir) > 0.0f;
+    const vec3s n = is_back ? glms_vec3_negate(point->vertex->normal) : point->vertex->normal;
+    const struct coat coat = coat_of(radiance, m, point, n);
+    reflectance->diffuse = glms_vec3_scale(reflectance->diffuse, 1.0f - coat.reflectance);
+    reflectance->glossy = glms_vec3_scale(reflectance->glossy, 1.0f - coat.reflectance);
+    if (!lit_coat_is_stronger(coat.reflectance, reflectance->glossy))
+        return;
+    reflectance->glossy = glms_vec3_fill(coat.reflectance * occlusion);
+    reflectance->top = n;
+    reflectance->roughness = coat.surface.roughness;
+}
+
 bool radiance_reflectance_at(const struct radiance *radiance, const struct radiance_point *point,
                              struct radiance_reflectance *reflectance)
 {
@@ -453,5 +511,7 @@ bool radiance_reflectance_at(const struct radiance *radiance, const struct radia
     const vec3s all = glms_vec3_fill(occlusion_of(radiance, m, uv));
     reflectance->diffuse = lit_by_environment(surface, split, glms_vec3_zero(), all);
     reflectance->glossy = lit_by_environment(surface, split, all, glms_vec3_zero());
+    if (m->coat > 0.0f)
+        add_coat(radiance, m, point, all.x, reflectance);
     return true;
 }

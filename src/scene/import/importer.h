@@ -1,4 +1,4 @@
-/* importer.h: declares the internal interface of the model importers (glTF, OBJ, PLY): import
+/* importer.h: declares the internal interface of the model importers (glTF, OBJ, PLY, STL): import
  * state, formats, textures, mesh building. If a function returns a status other than STATUS_OK, it
  * has logged one line. */
 #ifndef FIRN_SCENE_IMPORT_IMPORTER_H
@@ -26,8 +26,15 @@ enum {
     MODEL_ROLE_COUNT = 2,                /* MODEL_OBJECT and MODEL_SURROUNDINGS */
 };
 
+/* Parts of a file that cannot be read and that the model is drawn without. */
+struct model_loss {
+    char first[256]; /* location and reason of the first one */
+    uint32_t count;
+};
+
 struct model_import {
     const char *path;
+    struct model_loss textures, channels; /* channels of animations */
     const double *origin;       /* model_pose.origin; may be NULL */
     char refused_file[256];     /* first file outside folder, else "" */
     uint32_t clamped_materials; /* number of materials with clamped colours */
@@ -51,7 +58,7 @@ MUST_USE enum status model_format_find(const char *path, const struct model_form
 /* Loads a glTF file, posed by `pose`. */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
                                      enum model_role default_role, const struct model_pose *pose);
-/* Loads an OBJ or PLY file; `suffix` is "obj" or "ply". */
+/* Loads an OBJ, PLY or STL file; `suffix` is "obj", "ply" or "stl". */
 MUST_USE enum status model_load_obj_ply(struct model_import *import, const char *suffix,
                                         struct model *model, enum model_role default_role);
 
@@ -84,13 +91,23 @@ struct model_texture {
     size_t size;
     char *file;
     enum model_texture_conversion change;
+    bool is_normal_map;
     char *alpha; /* file of a second image whose alpha or grey replaces alpha, or NULL */
 };
 
-/* Decodes images as sRGB colours or linear numbers. Resamples all to layers of one size. */
-MUST_USE enum status model_texture_load(const char *path, const struct model_texture *textures,
-                                        uint32_t count, bool are_numbers,
-                                        struct texture_layers *layers);
+/* Decodes images as sRGB colours or linear numbers. Resamples all to layers of one size. An image
+ * that cannot be decoded becomes a neutral layer and is recorded in import->textures. */
+MUST_USE enum status model_texture_load(struct model_import *import,
+                                        const struct model_texture *textures, uint32_t count,
+                                        bool are_numbers, struct texture_layers *layers);
+
+/* Records a part of the file that the model is drawn without. */
+void model_loss_add(struct model_loss *loss, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Logs a warning for each kind of lost parts and lists it in model->undrawn_text. Call it only for
+ * accepted files. */
+void model_loss_warn(const struct model_import *import, struct model *model);
 
 /* Returns the name of an image's unsupported format, such as "KTX2"; NULL if it is supported. */
 const char *model_texture_unsupported_format(const struct model_texture *texture);

@@ -59,6 +59,8 @@ enum status model_load_posed(struct model *model, const char *path, enum model_r
         status = model_load_obj_ply(&import, format->suffix, model, default_role);
     if (status == STATUS_OK)
         model_build_warn(&import);
+    if (status == STATUS_OK)
+        model_loss_warn(&import, model);
     else
         model_finish(model);
     return status;

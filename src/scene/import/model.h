@@ -1,9 +1,9 @@
 /*
  * model.h: model file loader and the imported model: meshes, objects, materials, cameras, lights.
  *
- * Reads .gltf and .glb (gltf.h), and .obj and .ply (obj_ply.h). All meshes are transformed and
- * merged into two: the refractive objects and the surroundings. If any mesh of a glTF file has a
- * material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
+ * Reads .gltf and .glb (gltf.h), and .obj, .ply and .stl (obj_ply.h). All meshes are transformed
+ * and merged into two: the refractive objects and the surroundings. If any mesh of a glTF file
+ * has a material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
  * transmissive material (docs/models.md), meshes with such a material are the objects and all
  * others the surroundings; in any other file `default_role` decides. Coordinates are those of the
  * file, minus model.origin. Primitives of one instance of a mesh and one medium whose shells close
@@ -28,7 +28,8 @@
  * STATUS_NO_INPUT: missing or unreadable. STATUS_TRY_AGAIN: out of memory. STATUS_DATA: unknown
  * format, unsupported required extension, syntax error, empty file, no triangles, non-finite
  * number, coordinate beyond 1e6 from model.origin, index out of range, index of refraction outside
- * 1 to 4, damaged or missing texture, invalid box.
+ * 1 to 4, invalid box. Textures and animation channels that cannot be read are left out, with a
+ * warning.
  */
 #ifndef FIRN_SCENE_IMPORT_MODEL_H
 #define FIRN_SCENE_IMPORT_MODEL_H

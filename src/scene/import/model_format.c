@@ -35,6 +35,12 @@ static bool is_ply(const char *head, size_t size)
     return strncmp(head, "ply", 3) == 0 && (head[3] == '\n' || head[3] == '\r');
 }
 
+/* Binary STL has no mark: the reader compares the facet count with the file's size. */
+static bool is_stl(const char *head, size_t size)
+{
+    return size >= 84 || strncasecmp(skip_blanks(head), "solid", 5) == 0;
+}
+
 /* Returns true for any text, because OBJ has no signature. */
 static bool is_obj(const char *head, size_t size)
 {
@@ -49,6 +55,18 @@ static const struct format {
     { { "glb", "binary glTF", .is_gltf = true }, is_glb },
     { { "obj", "OBJ" }, is_obj },
     { { "ply", "PLY" }, is_ply },
+    { { "stl", "STL" }, is_stl },
+};
+
+/* Formats that other programs can convert to glTF. */
+static const struct {
+    const char *suffix, *name;
+} unread[] = {
+    { ".usd", "USD" },     { ".usda", "USD" },      { ".usdc", "USD" },    { ".usdz", "USD" },
+    { ".fbx", "FBX" },     { ".blend", "Blender" }, { ".dae", "Collada" }, { ".3ds", "3DS" },
+    { ".step", "STEP" },   { ".stp", "STEP" },      { ".iges", "IGES" },   { ".igs", "IGES" },
+    { ".3mf", "3MF" },     { ".abc", "Alembic" },   { ".x3d", "X3D" },     { ".wrl", "VRML" },
+    { ".max", "3ds Max" }, { ".ma", "Maya" },       { ".mb", "Maya" },     { ".c4d", "Cinema 4D" },
 };
 
 static enum status check_head(const char *path, const struct format *format)
@@ -81,6 +99,13 @@ enum status model_format_find(const char *path, const struct model_format **form
         *format = &formats[i].format;
         return check_head(path, &formats[i]);
     }
-    log_error("%s: unknown model format; expected .gltf, .glb, .obj or .ply", path);
+    for (size_t i = 0; i < sizeof(unread) / sizeof(unread[0]); i++) {
+        if (!path_ends_in(path, unread[i].suffix))
+            continue;
+        log_error("%s: %s files cannot be read: export the model as glTF (.glb)", path,
+                  unread[i].name);
+        return STATUS_DATA;
+    }
+    log_error("%s: unknown model format; expected .gltf, .glb, .obj, .ply or .stl", path);
     return STATUS_DATA;
 }

@@ -96,7 +96,8 @@ static bool is_surface(const struct material *m)
            is_in_range(m->alpha_cutoff, 0, 1) && is_color(m->emission, true) &&
            is_in_range(m->normal_scale, -MODEL_RADIANCE_MAX, MODEL_RADIANCE_MAX) &&
            is_in_range(m->occlusion_strength, 0, 1) && is_in_range(m->specular, 0, 1) &&
-           is_color(m->specular_color, true);
+           is_color(m->specular_color, true) && is_in_range(m->coat, 0, 1) &&
+           is_in_range(m->coat_roughness, 0, 1);
 }
 
 static bool is_material(const struct material *m)

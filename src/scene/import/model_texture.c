@@ -4,11 +4,12 @@
 #include <math.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
+#include <webp/decode.h>
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 
@@ -20,22 +21,75 @@ enum {
     BLUE_OF_NORMALS = 16, /* mean |blue-red| of a normal map */
 };
 
-static enum status fault(const char *path, const struct model_texture *texture, const char *what)
+/* An encoded image file in memory, and its dimensions. */
+struct encoded {
+    const uint8_t *bytes;
+    uint8_t *owned; /* `bytes` if owned, else NULL */
+    int size;       /* bytes */
+    int width, height;
+};
+
+void model_loss_add(struct model_loss *loss, const char *format, ...)
 {
-    log_error("%s: texture %s: %s", path, texture->name, what);
+    char text[sizeof(loss->first)];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    if (loss->count == 0)
+        memcpy(loss->first, text, sizeof(text));
+    loss->count += loss->count == 0 || strcmp(loss->first, text) != 0;
+}
+
+static void warn_of_loss(const char *path, const struct model_loss *loss, const char *name,
+                         struct model *model)
+{
+    char more[32] = "";
+    const size_t length = strlen(model->undrawn_text);
+    if (loss->count == 0)
+        return;
+    if (loss->count > 1)
+        (void)snprintf(more, sizeof(more), " (and %u more)", loss->count - 1);
+    log_warning("%s: drawn without %s: %s%s", path, name, loss->first, more);
+    (void)snprintf(&model->undrawn_text[length], sizeof(model->undrawn_text) - length, "%s: %s%s\n",
+                   name, loss->first, more);
+}
+
+void model_loss_warn(const struct model_import *import, struct model *model)
+{
+    warn_of_loss(import->path, &import->textures, "a texture", model);
+    warn_of_loss(import->path, &import->channels, "an animation channel", model);
+}
+
+static enum status refuse(const char **fault, const char *what)
+{
+    *fault = what;
     return STATUS_DATA;
 }
 
-/* Checks that a file can be read: only regular files, because opening a named pipe would block. */
-static enum status check_file(const char *path, const struct model_texture *texture)
+static enum status read_file(const struct model_texture *texture, struct encoded *encoded,
+                             const char **fault)
 {
     struct stat info;
+    /* Opens only regular files, because opening a named pipe would block. */
     if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
-        return fault(path, texture, "file not found");
+        return refuse(fault, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
-        return fault(path, texture, "expected a file of 1 byte to 256 MiB");
-    return access(texture->file, R_OK) == 0 ? STATUS_OK
-                                            : fault(path, texture, "the file cannot be opened");
+        return refuse(fault, "expected a file of 1 byte to 256 MiB");
+    size_t size = (size_t)info.st_size;
+    FILE *file = fopen(texture->file, "rb");
+    if (!file)
+        return refuse(fault, "the file cannot be opened");
+    encoded->owned = malloc(size);
+    bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
+    fclose(file);
+    if (!encoded->owned)
+        return STATUS_TRY_AGAIN;
+    if (!is_read)
+        return refuse(fault, "the file cannot be read");
+    encoded->bytes = encoded->owned;
+    encoded->size = (int)size;
+    return STATUS_OK;
 }
 
 const char *model_texture_unsupported_format(const struct model_texture *texture)
@@ -45,9 +99,8 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
         uint32_t at, size;
         const char *magic;
     } formats[] = {
-        { "KTX2", 0, 7, "\xabKTX 20" }, { "WebP", 8, 4, "WEBP" },       { "DDS", 0, 4, "DDS " },
-        { "AVIF", 4, 8, "ftypavif" },   { "OpenEXR", 0, 4, "v/1\x01" }, { "TIFF", 0, 4, "II*\0" },
-        { "TIFF", 0, 4, "MM\0*" },
+        { "KTX2", 0, 7, "\xabKTX 20" }, { "DDS", 0, 4, "DDS " },   { "AVIF", 4, 8, "ftypavif" },
+        { "OpenEXR", 0, 4, "v/1\x01" }, { "TIFF", 0, 4, "II*\0" }, { "TIFF", 0, 4, "MM\0*" },
     };
 
     uint8_t head[12] = { 0 };
@@ -68,21 +121,42 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
     return NULL;
 }
 
-/* Checks an image and reads its size. */
-static enum status read_size(const char *path, const struct model_texture *texture, int *width,
-                             int *height)
+static bool is_webp(const struct encoded *encoded)
+{
+    return encoded->size >= 12 && !memcmp(encoded->bytes, "RIFF", 4) &&
+           !memcmp(&encoded->bytes[8], "WEBP", 4);
+}
+
+/* Reads the size of an image from its header. Returns false if the format is not supported. */
+static bool read_size(struct encoded *encoded)
 {
     int channels;
-    const enum status status = texture->bytes ? STATUS_OK : check_file(path, texture);
-    if (status != STATUS_OK)
-        return status;
-    if (!(texture->bytes ? texture->size <= FILE_SIZE_MAX &&
-                               stbi_info_from_memory(texture->bytes, (int)texture->size, width,
-                                                     height, &channels)
-                         : stbi_info(texture->file, width, height, &channels)))
-        return fault(path, texture, "not a supported image format");
-    if (*width < 1 || *width > IMAGE_SIDE_MAX || *height < 1 || *height > IMAGE_SIDE_MAX)
-        return fault(path, texture, "expected 1 to 16384 texels per side");
+    if (is_webp(encoded))
+        return WebPGetInfo(encoded->bytes, (size_t)encoded->size, &encoded->width,
+                           &encoded->height) != 0;
+    return stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
+                                 &channels) != 0;
+}
+
+/* Loads an encoded image and reads its size. The caller frees encoded->owned, even on failure. With
+ * STATUS_DATA, *fault is the reason. Logs nothing. */
+static enum status open_image(const struct model_texture *texture, struct encoded *encoded,
+                              const char **fault)
+{
+    *encoded = (struct encoded){ 0 };
+    if (!texture->bytes) {
+        enum status status = read_file(texture, encoded, fault);
+        if (status != STATUS_OK)
+            return status;
+    } else if (texture->size <= FILE_SIZE_MAX) {
+        encoded->bytes = texture->bytes;
+        encoded->size = (int)texture->size;
+    }
+    if (!read_size(encoded))
+        return refuse(fault, "not a supported image format");
+    if (encoded->width < 1 || encoded->width > IMAGE_SIDE_MAX || encoded->height < 1 ||
+        encoded->height > IMAGE_SIDE_MAX)
+        return refuse(fault, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
 
@@ -181,24 +255,63 @@ static bool convert(uint8_t *texels, int width, int height, const struct model_t
 
 /* ---- decoding ---- */
 
-static enum status decode(const char *path, const struct model_texture *texture, bool are_numbers,
-                          uint8_t *layer, uint32_t side)
+/* Decodes an image to RGBA texels, which the caller frees. */
+static enum status decode_texels(const struct encoded *encoded, uint8_t **texels,
+                                 const char **fault)
 {
     int width, height, channels;
-    enum status status = read_size(path, texture, &width, &height);
-    if (status != STATUS_OK)
-        return status;
-    uint8_t *texels = texture->bytes
-                          ? stbi_load_from_memory(texture->bytes, (int)texture->size, &width,
-                                                  &height, &channels, CHANNELS)
-                          : stbi_load(texture->file, &width, &height, &channels, CHANNELS);
-    if (!texels)
-        status = fault(path, texture, stbi_failure_reason());
-    else if (!convert(texels, width, height, texture) ||
-             !resample(layer, side, texels, width, height, are_numbers))
-        status = log_out_of_memory(path);
+    if (!is_webp(encoded)) {
+        *texels = stbi_load_from_memory(encoded->bytes, encoded->size, &width, &height, &channels,
+                                        CHANNELS);
+        if (*texels)
+            return STATUS_OK;
+        if (strcmp(stbi_failure_reason(), "outofmem") == 0)
+            return STATUS_TRY_AGAIN;
+        return refuse(fault, "the image is damaged");
+    }
+    const size_t size = (size_t)encoded->width * (size_t)encoded->height * CHANNELS;
+    *texels = malloc(size);
+    if (!*texels)
+        return STATUS_TRY_AGAIN;
+    if (WebPDecodeRGBAInto(encoded->bytes, (size_t)encoded->size, *texels, size,
+                           encoded->width * CHANNELS))
+        return STATUS_OK;
+    return refuse(fault, "the image is damaged or an animation");
+}
+
+/* Fills a layer with the texel that has no effect: white, or the unperturbed normal. */
+static void fill_neutral(uint8_t *layer, uint32_t side, bool is_normal_map)
+{
+    static const uint8_t normal[CHANNELS] = { 128, 128, 255, 255 };
+    const size_t size = (size_t)side * side * CHANNELS;
+    memset(layer, 255, size);
+    for (size_t i = 0; is_normal_map && i < size; i += CHANNELS)
+        memcpy(&layer[i], normal, CHANNELS);
+}
+
+static enum status decode(struct model_import *import, const struct model_texture *texture,
+                          bool are_numbers, uint8_t *layer, uint32_t side)
+{
+    uint8_t *texels = NULL;
+    const char *fault = NULL;
+    struct encoded encoded;
+    enum status status = open_image(texture, &encoded, &fault);
+    if (status == STATUS_OK)
+        status = decode_texels(&encoded, &texels, &fault);
+    if (status == STATUS_OK &&
+        (!convert(texels, encoded.width, encoded.height, texture) ||
+         !resample(layer, side, texels, encoded.width, encoded.height, are_numbers)))
+        status = STATUS_TRY_AGAIN;
     free(texels);
-    return status;
+    free(encoded.owned);
+    if (status == STATUS_TRY_AGAIN)
+        return log_out_of_memory(import->path);
+    if (status == STATUS_DATA) {
+        model_loss_add(&import->textures, "%s: %s", texture->name, fault);
+        fill_neutral(layer, side,
+                     texture->is_normal_map || texture->change == MODEL_TEXTURE_TO_NORMALS);
+    }
+    return STATUS_OK;
 }
 
 static uint32_t layer_side(uint32_t side_max, uint32_t count)
@@ -227,11 +340,11 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
 }
 
 /* Decodes a layer. If texture->alpha is set, alpha is taken from that image. */
-static enum status decode_both(const char *path, const struct model_texture *texture,
+static enum status decode_both(struct model_import *import, const struct model_texture *texture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
     const size_t count = (size_t)side * side;
-    enum status status = decode(path, texture, are_numbers, layer, side);
+    enum status status = decode(import, texture, are_numbers, layer, side);
     if (status != STATUS_OK || !texture->alpha)
         return status;
     const struct model_texture alpha = {
@@ -242,27 +355,32 @@ static enum status decode_both(const char *path, const struct model_texture *tex
     assert(count > 0);
     uint8_t *texels = malloc(count * CHANNELS);
     if (!texels)
-        return log_out_of_memory(path);
-    status = decode(path, &alpha, true, texels, side);
+        return log_out_of_memory(import->path);
+    status = decode(import, &alpha, true, texels, side);
     for (size_t i = CHANNELS - 1; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
         layer[i] = texels[i];
     free(texels);
     return status;
 }
 
-enum status model_texture_load(const char *path, const struct model_texture *textures,
+enum status model_texture_load(struct model_import *import, const struct model_texture *textures,
                                uint32_t count, bool are_numbers, struct texture_layers *layers)
 {
+    const char *path = import->path;
+    const char *fault;
     int side_max = 1;
     if (count == 0)
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
-        int width, height;
-        enum status status = read_size(path, &textures[i], &width, &height);
+        struct encoded encoded;
+        enum status status = open_image(&textures[i], &encoded, &fault);
+        free(encoded.owned);
+        if (status == STATUS_TRY_AGAIN)
+            return log_out_of_memory(path);
         if (status != STATUS_OK)
-            return status;
-        side_max = width > side_max ? width : side_max;
-        side_max = height > side_max ? height : side_max;
+            continue; /* becomes a neutral layer */
+        side_max = encoded.width > side_max ? encoded.width : side_max;
+        side_max = encoded.height > side_max ? encoded.height : side_max;
     }
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);
@@ -271,7 +389,7 @@ enum status model_texture_load(const char *path, const struct model_texture *tex
                     path, count, side_max, layers->size);
     for (uint32_t i = 0; i < count; i++) {
         enum status status =
-            decode_both(path, &textures[i], are_numbers, layer_at(layers, i), layers->size);
+            decode_both(import, &textures[i], are_numbers, layer_at(layers, i), layers->size);
         if (status != STATUS_OK)
             return status;
     }

@@ -143,7 +143,7 @@ static enum status load_kind(struct obj_ply *obj_ply, bool are_numbers,
         }
     }
     if (status == STATUS_OK)
-        status = model_texture_load(obj_ply->import->path, image_list.images, image_list.count,
+        status = model_texture_load(obj_ply->import, image_list.images, image_list.count,
                                     are_numbers, layers);
     for (uint32_t i = 0; i < image_list.count; i++) {
         free(image_list.images[i].file);

@@ -1,5 +1,5 @@
-/* obj_ply.h: contents of an OBJ, MTL or PLY file before conversion to a model, and functions that
- * the readers share. If a function returns a status other than STATUS_OK, it logs one line. */
+/* obj_ply.h: contents of an OBJ, MTL, PLY or STL file before conversion to a model, and functions
+ * that the readers share. If a function returns a status other than STATUS_OK, it logs one line. */
 #ifndef FIRN_SCENE_IMPORT_OBJ_PLY_H
 #define FIRN_SCENE_IMPORT_OBJ_PLY_H
 
@@ -65,6 +65,7 @@ struct obj_ply {
  * failure. */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
+MUST_USE enum status stl_read(struct obj_ply *obj_ply);
 
 /* Appends the materials of the MTL file `name` in the model's folder. */
 MUST_USE enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name);

@@ -219,7 +219,9 @@ enum status model_load_obj_ply(struct model_import *import, const char *suffix, 
                                enum model_role default_role)
 {
     struct obj_ply obj_ply = { .import = import };
-    enum status status = strcmp(suffix, "ply") == 0 ? ply_read(&obj_ply) : obj_read(&obj_ply);
+    enum status status = strcmp(suffix, "ply") == 0   ? ply_read(&obj_ply)
+                         : strcmp(suffix, "stl") == 0 ? stl_read(&obj_ply)
+                                                      : obj_read(&obj_ply);
     if (status == STATUS_OK && import->refused_file[0])
         status = refuse_outside(import);
     if (status == STATUS_OK)

@@ -16,7 +16,7 @@ enum {
     NUMBER_MAX = 9999,
 };
 
-static const char *const models[] = { ".obj", ".ply", ".gltf", ".glb", NULL };
+static const char *const models[] = { ".obj", ".ply", ".stl", ".gltf", ".glb", NULL };
 
 __attribute__((format(printf, 1, 2))) static char *print(const char *format, ...)
 {

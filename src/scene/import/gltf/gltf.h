@@ -4,7 +4,9 @@
  * jansson parses the JSON. Values are accessed through struct gltf_object, which holds its location
  * in the file, and through functions that check type and range. The first fault is logged as "FILE:
  * materials[3]: expected ..." and kept in gltf.status. After a fault, functions return their
- * fallback values, so callers only need to check the status before they rely on a value.
+ * fallback values, so callers only need to check the status before they rely on a value. Faults of
+ * textures and animations reject no file: between gltf_attempt_begin() and gltf_attempt_end(),
+ * faults are recorded instead of logged.
  */
 #ifndef FIRN_SCENE_IMPORT_GLTF_GLTF_H
 #define FIRN_SCENE_IMPORT_GLTF_GLTF_H
@@ -95,8 +97,11 @@ enum gltf_undrawn {
     GLTF_TRANSMISSIVE_EMISSION,
     GLTF_TRANSMISSIVE_METALLIC,
     GLTF_TRANSMISSIVE_OCCLUSION,
+    GLTF_TRANSMISSIVE_COAT,
     GLTF_TRANSMISSIVE_SPECULAR,
     GLTF_TRANSMISSIVE_THICKNESS,
+    GLTF_COAT_NORMAL,
+    GLTF_ATTENUATION_DISTANCE,
     GLTF_THIRD_UV_SET,
     GLTF_NO_IMAGE,
     GLTF_NEAREST_FILTER,
@@ -130,9 +135,13 @@ struct gltf {
     uint32_t mesh_count;
     struct gltf_material *materials; /* file's materials, then the default */
     uint32_t material_count;
-    double origin[3];       /* model.origin, known after the first pass of gltf_build() */
-    uint32_t undrawn;       /* bits 1 << enum gltf_undrawn */
-    uint32_t clamped_count; /* materials with factors out of range */
+    double origin[3];        /* model.origin, known after the first pass of gltf_build() */
+    uint32_t undrawn;        /* bits 1 << enum gltf_undrawn */
+    uint32_t clamped_count;  /* materials with factors out of range */
+    bool has_unordered_keys; /* keyframes with repeated or decreasing times */
+    bool has_weight_sums;    /* skin weights whose sum is not 1 */
+    struct model_loss
+        *attempt; /* records faults between gltf_attempt_begin() and _end(); or NULL */
 };
 
 /* ---- JSON ---- */
@@ -147,6 +156,13 @@ struct gltf_object {
 /* Logs "FILE: LOCATION: ..." unless a fault was logged earlier, and returns STATUS_DATA. */
 enum status gltf_fault(const struct gltf_object *object, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* Begins an attempt to read what the model can be drawn without. Faults are recorded in *loss.
+ * After an earlier fault of the file, it does nothing. */
+void gltf_attempt_begin(struct gltf *gltf, struct model_loss *loss);
+/* Ends an attempt, and clears the status if only the attempt had a fault. Returns true if there was
+ * no fault. */
+bool gltf_attempt_end(struct gltf *gltf);
 
 /* Logs that memory ran out, unless a fault was logged earlier, and returns gltf->status. */
 enum status gltf_out_of_memory(struct gltf *gltf);

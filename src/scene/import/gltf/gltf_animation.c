@@ -93,6 +93,26 @@ static void read_interpolation(const struct gltf_object *sampler, struct keys *k
         (void)gltf_fault(sampler, "interpolation: expected LINEAR, STEP or CUBICSPLINE");
 }
 
+/* Removes the keyframes that a later one with an earlier time replaces, so that times ascend.
+ * Keyframes of equal times stay: they are a step. Returns true if any time is repeated or
+ * decreases. `width` is the count of a keyframe's numbers. */
+static bool order_keys(struct gltf_array *times, float *values, size_t width)
+{
+    bool is_unordered = false;
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < times->count; i++) {
+        const float time = times->values[i];
+        is_unordered |= kept > 0 && time <= times->values[kept - 1];
+        while (kept > 0 && time < times->values[kept - 1])
+            kept--;
+        times->values[kept] = time;
+        memmove(&values[kept * width], &values[i * width], width * sizeof(*values));
+        kept++;
+    }
+    times->count = kept;
+    return is_unordered;
+}
+
 /* Reads a sampler's keyframes, which must have `width` components unless `width` is 0. */
 static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct keys *keys)
 {
@@ -106,14 +126,21 @@ static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct 
     const uint64_t key_count = (uint64_t)keys->times.count * thirds;
     keys->width = (uint32_t)(numbers / key_count);
     for (uint32_t i = 0; i < keys->times.count; i++) {
-        if (keys->times.width != 1 || !isfinite(keys->times.values[i]) ||
-            (i > 0 && !(keys->times.values[i] > keys->times.values[i - 1])))
-            (void)gltf_fault(sampler, "input: expected increasing times");
+        if (keys->times.width != 1 || !isfinite(keys->times.values[i]))
+            (void)gltf_fault(sampler, "input: expected finite times");
+    }
+    for (size_t i = 0; i < numbers; i++) {
+        if (!isfinite(keys->values.values[i]))
+            (void)gltf_fault(sampler, "output: expected finite numbers");
     }
     if (keys->width == 0 || keys->width > WEIGHTS_MAX || numbers != keys->width * key_count ||
         (width > 0 && keys->width != width))
         (void)gltf_fault(sampler, "output: expected %u numbers per keyframe", width);
-    return gltf->status == STATUS_OK;
+    if (gltf->status != STATUS_OK)
+        return false;
+    gltf->has_unordered_keys |=
+        order_keys(&keys->times, keys->values.values, (size_t)keys->width * thirds);
+    return true;
 }
 
 static void apply_keys(const struct gltf_object *channel, const struct keys *keys, const char *path,
@@ -217,9 +244,11 @@ enum status gltf_animations_read(struct gltf *gltf, struct model *model)
     for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
         const struct gltf_object object = gltf_element(gltf, "animations", i);
         struct model_animation *animation = &model->animations[i];
+        gltf_attempt_begin(gltf, &gltf->import->channels);
         (void)snprintf(animation->name, sizeof(animation->name), "%s",
                        gltf_string(&object, "name", ""));
         animation->seconds = seconds_of(&object);
+        (void)gltf_attempt_end(gltf);
     }
     return gltf->status;
 }
@@ -228,6 +257,9 @@ void gltf_animate(struct gltf *gltf, uint32_t index, float time)
 {
     const struct gltf_object animation = gltf_element(gltf, "animations", index);
     const uint32_t count = gltf_length(&animation, "channels");
-    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++)
+    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
+        gltf_attempt_begin(gltf, &gltf->import->channels);
         apply_channel(&animation, i, time);
+        (void)gltf_attempt_end(gltf);
+    }
 }

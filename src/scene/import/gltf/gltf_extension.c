@@ -8,9 +8,12 @@
 static const struct model_extension supported[] = {
     { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
     { "EXT_meshopt_compression", MODEL_DRAWN },
+    { "EXT_texture_webp", MODEL_DRAWN },
     { "KHR_draco_mesh_compression", MODEL_DRAWN },
     /* without shadows; lights opaque surfaces only */
     { "KHR_lights_punctual", MODEL_APPROXIMATED },
+    /* on opaque materials only, without clearcoatNormalTexture */
+    { "KHR_materials_clearcoat", MODEL_APPROXIMATED },
     { "KHR_materials_dispersion", MODEL_DRAWN },
     { "KHR_materials_emissive_strength", MODEL_DRAWN },
     { "KHR_materials_ior", MODEL_DRAWN },
@@ -28,8 +31,11 @@ static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_TRANSMISSIVE_EMISSION] = "emission of transmissive materials",
     [GLTF_TRANSMISSIVE_METALLIC] = "metallic factor of transmissive materials",
     [GLTF_TRANSMISSIVE_OCCLUSION] = "occlusion of transmissive materials",
+    [GLTF_TRANSMISSIVE_COAT] = "clear coat of transmissive materials",
     [GLTF_TRANSMISSIVE_SPECULAR] = "specular of transmissive materials",
     [GLTF_TRANSMISSIVE_THICKNESS] = "thickness textures",
+    [GLTF_COAT_NORMAL] = "normal textures of clear coats",
+    [GLTF_ATTENUATION_DISTANCE] = "attenuation with a distance of 0",
     [GLTF_THIRD_UV_SET] = "textures with a third texture coordinate set",
     [GLTF_NO_IMAGE] = "textures without an image in a supported format",
     [GLTF_NEAREST_FILTER] = "nearest filtering (magFilter NEAREST)",
@@ -57,6 +63,19 @@ static const struct model_extension *find_extension(const char *name)
     return NULL;
 }
 
+/* Returns true if a file can be drawn without an extension, because it concerns only textures,
+ * animations or materials. Prefixes of vendors are ignored. */
+static bool is_optional(const char *name)
+{
+    static const char *const subjects[] = { "_texture_", "_image_", "_animation_", "_materials_" };
+    const char *subject = strchr(name, '_');
+    for (size_t i = 0; subject && i < sizeof(subjects) / sizeof(subjects[0]); i++) {
+        if (strncmp(subject, subjects[i], strlen(subjects[i])) == 0)
+            return true;
+    }
+    return false;
+}
+
 /* Returns a name from a list such as "extensionsUsed"; NULL after a fault. */
 static const char *name_at(const struct gltf_object *top, const char *list, uint32_t index)
 {
@@ -73,7 +92,7 @@ enum status gltf_extensions_check(struct gltf *gltf)
     const uint32_t used_count = gltf_length(&top, "extensionsUsed");
     for (uint32_t i = 0; i < required_count && gltf->status == STATUS_OK; i++) {
         const char *name = name_at(&top, "extensionsRequired", i);
-        if (name && !find_extension(name))
+        if (name && !find_extension(name) && !is_optional(name))
             (void)gltf_fault(&top,
                              "requires the extension %.64s, which is not supported; export "
                              "the file without it",
@@ -125,15 +144,18 @@ static void add_extensions_within(struct gltf *gltf, struct model *model, json_t
 enum status gltf_extensions_read(struct gltf *gltf, struct model *model)
 {
     const struct gltf_object top = gltf_top(gltf);
-    const uint32_t count = gltf_length(&top, "extensionsUsed");
+    static const char *const lists[] = { "extensionsUsed", "extensionsRequired" };
     model->undrawn = gltf->undrawn;
     model->extensions = calloc(MODEL_EXTENSION_MAX, sizeof(*model->extensions));
     if (!model->extensions)
         return gltf_out_of_memory(gltf);
-    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
-        const char *name = name_at(&top, "extensionsUsed", i);
-        if (name)
-            add_extension(gltf, model, name);
+    for (size_t k = 0; k < sizeof(lists) / sizeof(lists[0]); k++) {
+        const uint32_t count = gltf_length(&top, lists[k]);
+        for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
+            const char *name = name_at(&top, lists[k], i);
+            if (name)
+                add_extension(gltf, model, name);
+        }
     }
     add_extensions_within(gltf, model, gltf->root);
     return gltf->status;
@@ -149,7 +171,12 @@ void gltf_warn(const struct gltf *gltf, const struct model *model)
     if (gltf->clamped_count > 0)
         log_warning("%s: factors outside their ranges were clamped in %u materials", gltf->path,
                     gltf->clamped_count);
-    char names[640] = "";
+    if (gltf->has_unordered_keys)
+        log_warning("%s: keyframes have repeated or decreasing times; the later keyframe counts",
+                    gltf->path);
+    if (gltf->has_weight_sums && !(gltf->undrawn & 1u << GLTF_MORE_JOINTS))
+        log_warning("%s: skin weights whose sum is not 1 were normalised", gltf->path);
+    char names[1024] = "";
     size_t length = 0;
     for (uint32_t i = 0; i < GLTF_UNDRAWN_COUNT; i++) {
         if (!(gltf->undrawn & 1u << i) || length >= sizeof(names))

@@ -64,20 +64,31 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     return gltf->status;
 }
 
-/* Removes the last image if its format is not supported. Returns true if it was removed. */
-static bool drop_unsupported(struct gltf *gltf, struct sources *sources)
+/* Removes the images from `count` on. */
+static void drop(struct sources *sources, uint32_t count)
 {
-    const uint32_t last = sources->count - 1;
-    if (!model_texture_unsupported_format(&sources->images[last]))
-        return false;
-    gltf->undrawn |= 1u << GLTF_NO_IMAGE;
-    free(sources->list[last].owned);
-    free(sources->images[last].file);
-    sources->count = last;
-    return true;
+    for (; sources->count > count; sources->count--) {
+        free(sources->list[sources->count - 1].owned);
+        free(sources->images[sources->count - 1].file);
+        sources->images[sources->count - 1] = (struct model_texture){ 0 };
+    }
 }
 
-/* Returns 1 + the layer of an image; 0 after a fault or if its format is not supported. */
+/* Adds an image unless it cannot be found or its format is not supported. */
+static void try_add(struct gltf *gltf, struct sources *sources, uint32_t image)
+{
+    const uint32_t count = sources->count;
+    gltf_attempt_begin(gltf, &gltf->import->textures);
+    (void)add(gltf, sources, image);
+    if (!gltf_attempt_end(gltf)) {
+        drop(sources, count);
+    } else if (model_texture_unsupported_format(&sources->images[count])) {
+        gltf->undrawn |= 1u << GLTF_NO_IMAGE;
+        drop(sources, count);
+    }
+}
+
+/* Returns 1 + the layer of an image; 0 if the material is drawn without it. */
 static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image)
 {
     uint32_t layer = 0;
@@ -88,10 +99,9 @@ static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t 
         (void)gltf_fault(&top, "expected at most %d textures", MODEL_TEXTURE_MAX);
         return 0;
     }
-    if (layer == sources->count &&
-        (add(gltf, sources, image) != STATUS_OK || drop_unsupported(gltf, sources)))
-        return 0;
-    return layer + 1;
+    if (layer == sources->count)
+        try_add(gltf, sources, image);
+    return layer < sources->count ? layer + 1 : 0;
 }
 
 /* Sets the layers of a material's linear textures if `are_numbers`, else of its sRGB textures. */
@@ -106,6 +116,8 @@ static void assign_layers(struct gltf *gltf, struct sources *sources, bool are_n
         texture->layer = find_layer(gltf, sources, image);
         if (texture->layer == 0)
             material->textures[i].image = gltf_none;
+        else
+            sources->images[texture->layer - 1].is_normal_map |= i == MATERIAL_NORMAL;
     }
 }
 
@@ -131,11 +143,8 @@ static enum status read_images(struct gltf *gltf, bool are_numbers, struct textu
     }
     if (gltf->status == STATUS_OK)
         gltf->status =
-            model_texture_load(gltf->path, sources.images, sources.count, are_numbers, layers);
-    for (uint32_t i = 0; i < sources.count; i++) {
-        free(sources.list[i].owned);
-        free(sources.images[i].file);
-    }
+            model_texture_load(gltf->import, sources.images, sources.count, are_numbers, layers);
+    drop(&sources, 0);
     free(sources.list);
     free(sources.images);
     return gltf->status;

@@ -14,12 +14,27 @@ enum status gltf_fault(const struct gltf_object *object, const char *format, ...
     va_start(arguments, format);
     (void)vsnprintf(text, sizeof(text), format, arguments);
     va_end(arguments);
-    if (object->location[0])
-        log_error("%s: %s: %s", object->gltf->path, object->location, text);
+    const char *separator = object->location[0] ? ": " : "";
+    if (object->gltf->attempt)
+        model_loss_add(object->gltf->attempt, "%s%s%s", object->location, separator, text);
     else
-        log_error("%s: %s", object->gltf->path, text);
+        log_error("%s: %s%s%s", object->gltf->path, object->location, separator, text);
     object->gltf->status = STATUS_DATA;
     return STATUS_DATA;
+}
+
+void gltf_attempt_begin(struct gltf *gltf, struct model_loss *loss)
+{
+    gltf->attempt = gltf->status == STATUS_OK ? loss : NULL;
+}
+
+bool gltf_attempt_end(struct gltf *gltf)
+{
+    const bool has_succeeded = gltf->status == STATUS_OK;
+    if (gltf->attempt && gltf->status == STATUS_DATA)
+        gltf->status = STATUS_OK;
+    gltf->attempt = NULL;
+    return has_succeeded;
 }
 
 enum status gltf_out_of_memory(struct gltf *gltf)

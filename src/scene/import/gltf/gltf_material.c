@@ -53,6 +53,16 @@ static void read_surface(const struct gltf_object *object, struct gltf_material 
     (void)gltf_floats(&specular, "specularColorFactor", m->specular_color.raw, 3);
 }
 
+/* Reads KHR_materials_clearcoat. */
+static void read_coat(const struct gltf_object *object, struct material *m)
+{
+    const struct gltf_object coat = gltf_extension(object, "KHR_materials_clearcoat");
+    m->coat = gltf_number(&coat, "clearcoatFactor", 0);
+    m->coat_roughness = gltf_number(&coat, "clearcoatRoughnessFactor", 0);
+    if (m->coat > 0 && json_object_get(coat.json, "clearcoatNormalTexture"))
+        object->gltf->undrawn |= 1u << GLTF_COAT_NORMAL;
+}
+
 /* Reads KHR_materials_transmission, _volume, _ior and _dispersion. */
 static void read_medium(const struct gltf_object *object, struct gltf_material *material)
 {
@@ -66,8 +76,11 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     m->attenuation_distance = gltf_number(&volume, "attenuationDistance", 0);
     (void)gltf_floats(&volume, "attenuationColor", m->attenuation_color.raw, 3);
     m->dispersion = gltf_number(&dispersion_ext, "dispersion", 0);
-    if (json_object_get(volume.json, "attenuationDistance") && !(m->attenuation_distance > 0))
-        (void)gltf_fault(&volume, "attenuationDistance: expected a length above 0");
+    if (json_object_get(volume.json, "attenuationDistance") && !(m->attenuation_distance > 0)) {
+        m->attenuation_distance = 0; /* a clear medium */
+        if (m->transmission > 0)
+            object->gltf->undrawn |= 1u << GLTF_ATTENUATION_DISTANCE;
+    }
     material->ior = gltf_number(&index, "ior", 0);
     if (m->transmission > 0 && material->ior != 0 && !(material->ior >= 1 && material->ior <= 4))
         (void)gltf_fault(&index, "expected an index of refraction from 1 to 4, got %g",
@@ -145,6 +158,8 @@ static void record_undrawn(const struct gltf_object *object, const struct gltf_m
         bits |= 1u << GLTF_TRANSMISSIVE_METALLIC;
     if (has_image(&textures[MATERIAL_OCCLUSION]))
         bits |= 1u << GLTF_TRANSMISSIVE_OCCLUSION;
+    if (m->coat > 0)
+        bits |= 1u << GLTF_TRANSMISSIVE_COAT;
     if (m->specular < 1 || !is_white || has_image(&textures[MATERIAL_SPECULAR]) ||
         has_image(&textures[MATERIAL_SPECULAR_COLOR]))
         bits |= 1u << GLTF_TRANSMISSIVE_SPECULAR;
@@ -162,9 +177,12 @@ static void read_material(struct gltf *gltf, uint32_t index)
     read_base(&object, &material->material);
     read_alpha(&object, material);
     read_surface(&object, material);
+    read_coat(&object, &material->material);
     read_medium(&object, material);
     gltf_texture_info_read(&object, material);
     record_undrawn(&object, material);
+    if (material->material.transmission > 0 || material->mesh_flags & MESH_UNLIT)
+        material->material.coat = 0;
     read_priority(&object, &material->material);
     read_scattering(&object, &material->material);
     read_water_layer(&object, &material->material);

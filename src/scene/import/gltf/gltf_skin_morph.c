@@ -1,6 +1,7 @@
 /* gltf_skin_morph.c: deforms glTF meshes by morph targets and linear blend skinning, on the CPU
  * (glTF 2.0, 3.7.2.2 and 3.7.3). */
 #include <cglm/struct.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf/gltf.h"
@@ -53,6 +54,16 @@ static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
     return joints;
 }
 
+/* Scales the weights of a vertex so that their sum is 1. If that is impossible, only the first
+ * joint counts. Returns true if the sum was within 0.001 of 1. */
+static bool normalize_weights(const float *weights, float *normalized)
+{
+    const float sum = weights[0] + weights[1] + weights[2] + weights[3];
+    for (int k = 0; k < 4; k++)
+        normalized[k] = sum > 0 && isfinite(sum) ? weights[k] / sum : (float)(k == 0);
+    return fabsf(sum - 1) <= 1e-3F;
+}
+
 /* Returns the skinning matrix of a vertex: the weighted sum of its joints' matrices. */
 static mat4s blend(const mat4s *joints, const float *indices, const float *weights)
 {
@@ -75,7 +86,9 @@ static void apply_skin(struct gltf *gltf, const struct gltf_object *mesh_object,
             (void)gltf_fault(mesh_object, "JOINTS_0: the skin has only %u joints", joint_count);
     }
     for (size_t i = 0; i < primitive->vertex_count && gltf->status == STATUS_OK; i++) {
-        const mat4s m = blend(joints, &primitive->joints[4 * i], &primitive->weights[4 * i]);
+        float weights[4];
+        gltf->has_weight_sums |= !normalize_weights(&primitive->weights[4 * i], weights);
+        const mat4s m = blend(joints, &primitive->joints[4 * i], weights);
         vec3s v;
         memcpy(&v, &posed->positions[3 * i], sizeof(v));
         v = glms_mat4_mulv3(m, v, 1);

@@ -18,6 +18,8 @@ static const struct slot slots[MATERIAL_TEXTURE_COUNT] = {
     [MATERIAL_THICKNESS] = { "KHR_materials_volume", "thicknessTexture" },
     [MATERIAL_SPECULAR] = { "KHR_materials_specular", "specularTexture" },
     [MATERIAL_SPECULAR_COLOR] = { "KHR_materials_specular", "specularColorTexture" },
+    [MATERIAL_COAT] = { "KHR_materials_clearcoat", "clearcoatTexture" },
+    [MATERIAL_COAT_ROUGHNESS] = { "KHR_materials_clearcoat", "clearcoatRoughnessTexture" },
 };
 
 /* Reads KHR_texture_transform as an affine transform: scale, then rotate, then translate. */
@@ -74,13 +76,16 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
         return;
     }
     const struct gltf_object object = gltf_element(gltf, "textures", index);
+    const struct gltf_object webp = gltf_extension(&object, "EXT_texture_webp");
     const uint32_t sampler = gltf_index(&object, "sampler", "samplers");
-    texture->image = gltf_index(&object, "source", "images");
+    texture->image = gltf_index(&webp, "source", "images");
+    if (texture->image == gltf_none)
+        texture->image = gltf_index(&object, "source", "images");
     if (sampler != gltf_none) {
         const struct gltf_object sampler_object = gltf_element(gltf, "samplers", sampler);
         read_sampler(&sampler_object, texture);
     }
-    if (texture->image == gltf_none)
+    if (texture->image == gltf_none && gltf->status == STATUS_OK)
         gltf->undrawn |= 1u << GLTF_NO_IMAGE;
     read_transform(info, texture);
 }
@@ -131,7 +136,10 @@ void gltf_texture_info_read(const struct gltf_object *object, struct gltf_materi
         const struct gltf_object info = gltf_member(&group, slot->key);
         struct gltf_texture *texture = &material->textures[i];
         struct material_texture *out = &material->material.textures[i];
+        gltf_attempt_begin(gltf, &gltf->import->textures);
         read_texture(&info, texture);
+        if (!gltf_attempt_end(gltf))
+            texture->image = gltf_none;
         if (texture->image == gltf_none)
             continue;
         if (material->uv_set == gltf_none) {

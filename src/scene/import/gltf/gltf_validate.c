@@ -38,9 +38,11 @@ static void check_skin(const struct gltf_object *skin)
     (void)gltf_index(skin, "skeleton", "nodes");
 }
 
+/* Records faults of an animation, which do not reject the file. */
 static void check_animation(const struct gltf_object *animation)
 {
     struct gltf *gltf = animation->gltf;
+    gltf_attempt_begin(gltf, &gltf->import->channels);
     const uint32_t sampler_count = gltf_length(animation, "samplers");
     const uint32_t channel_count = gltf_length(animation, "channels");
     for (uint32_t i = 0; i < sampler_count && gltf->status == STATUS_OK; i++) {
@@ -56,6 +58,7 @@ static void check_animation(const struct gltf_object *animation)
         if (gltf_count(&channel, "sampler", sampler_count) >= sampler_count)
             (void)gltf_fault(&channel, "sampler: expected an index below %u", sampler_count);
     }
+    (void)gltf_attempt_end(gltf);
 }
 
 static void check_camera(const struct gltf_object *camera)
