@@ -1,4 +1,5 @@
-/* hdr.c: reads Radiance .hdr files: RGBE and XYZE, flat and run-length encoded, all orientations. */
+/* hdr.c: reads Radiance .hdr files: RGBE and XYZE, flat and run-length encoded, of any orientation.
+ */
 #include "src/file/hdr.h"
 #include <errno.h>
 #include <math.h>

@@ -109,8 +109,8 @@ def attribute(name, kind, value):
 
 
 def write_exr(size, planes, more=b'', at=(0, 0), display=None):
-    """A file of {name: values, row by row}, as floats, not compressed; `more`: attributes; `at`: top
-    left of the data window; `display`: left, top, right, bottom, all of them inside."""
+    """A file of {name: values, row by row}, as floats, not compressed; `more`: attributes; `at`:
+    left, top of the data window; `display`: left, top, right, bottom, all of them inside."""
     width, height = size
     names = sorted(planes)
     channels = b''.join(name.encode() + b'\0' + struct.pack('<4i', 2, 0, 1, 1) for name in names)

@@ -4,10 +4,42 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/base/log.h"
 #include "src/file/half_float.h"
 #include "src/scene/environment/cube_to_equirect.h"
 #include "src/scene/environment/environment_image.h"
+
+/* Parses exactly `count` numbers. Returns false if there are more, fewer, or other text. */
+static bool parse_numbers(const char *text, float *numbers, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char *end;
+        numbers[i] = strtof(text, &end);
+        if (end == text || !isfinite(numbers[i]))
+            return false;
+        text = end;
+    }
+    return text[strspn(text, " ")] == '\0';
+}
+
+static struct environment_sun parse_sun(const char *text, const char *path)
+{
+    float n[5];
+    if (!text)
+        return (struct environment_sun){ 0 };
+    if (!parse_numbers(text, n, 5) || fabsf(n[0]) > 360 || fabsf(n[1]) > 90 || n[2] < 0 ||
+        n[3] < 0 || n[4] < 0 || fmaxf(n[2], fmaxf(n[3], n[4])) > ENVIRONMENT_SUN_MAX) {
+        log_warning("%s: %s: expected 'AZIMUTH ELEVATION RED GREEN BLUE', got '%.80s': no sun is "
+                    "used",
+                    path, ENVIRONMENT_SUN_TEXT, text);
+        return (struct environment_sun){ 0 };
+    }
+    return (struct environment_sun){
+        .dir = environment_direction(n[0], n[1]),
+        .light = { { n[2], n[3], n[4] } },
+    };
+}
 
 vec3s environment_direction(float azimuth_deg, float elevation_deg)
 {
@@ -31,7 +63,8 @@ static bool is_same_box(const struct image_box *a, const struct image_box *b)
 static enum status check_aspect(const struct environment_image *read, const char *path)
 {
     const struct image *image = &read->image;
-    const struct image_box *data = &read->data_window, *display = &read->display_window;
+    const struct image_box *data = &read->head.data_window;
+    const struct image_box *display = &read->head.display_window;
     char windows[96] = "";
     if (environment_image_is_equirect(image->width, image->height) ||
         image->height == 6 * (uint64_t)image->width)
@@ -50,7 +83,7 @@ static enum status convert_cube(struct environment_image *read, const char *path
 {
     struct image *image = &read->image;
     const enum panorama kind = panorama_detect_cube(image);
-    if (read->is_cube_map && image->height == 6 * (uint64_t)image->width)
+    if (read->head.is_cube_map && image->height == 6 * (uint64_t)image->width)
         return panorama_from_cube(image, PANORAMA_OPENEXR, path);
     return kind == PANORAMA_NONE ? STATUS_OK : panorama_from_cube(image, kind, path);
 }
@@ -97,8 +130,8 @@ enum status environment_load(struct environment *environment, const char *path)
     if (status == STATUS_OK)
         status = convert(environment, &read.image, path);
     if (status == STATUS_OK && !environment->is_cube)
-        environment->sun = read.sun;
-    image_finish(&read.image);
+        environment->sun = parse_sun(image_header_text(&read.head, ENVIRONMENT_SUN_TEXT), path);
+    environment_image_finish(&read);
     return status;
 }
 

@@ -1,8 +1,6 @@
-/* environment_image.c: reads the image file of an environment: colour channels, windows, sun. */
+/* environment_image.c: reads the image file of an environment: colour channels and windows. */
 #include "src/scene/environment/environment_image.h"
-#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
@@ -214,8 +212,6 @@ static void replace_invalid(const struct image *image, const char *path)
                  count > 1 ? "s that are" : " that is");
 }
 
-/* ---- metadata ---- */
-
 /* Converts colours to Rec.709. Greyscale images need no conversion. */
 static void convert_colors(const struct image *image, const struct primaries *primaries,
                            const char *path)
@@ -229,62 +225,25 @@ static void convert_colors(const struct image *image, const struct primaries *pr
         primaries_convert(m, r, g, b, (size_t)image->width * image->height);
 }
 
-/* Parses exactly `count` numbers. Returns false if there are more, fewer, or other text. */
-static bool parse_numbers(const char *text, float *numbers, int count)
-{
-    for (int i = 0; i < count; i++) {
-        char *end;
-        numbers[i] = strtof(text, &end);
-        if (end == text || !isfinite(numbers[i]))
-            return false;
-        text = end;
-    }
-    return text[strspn(text, " ")] == '\0';
-}
-
-static struct environment_sun parse_sun(const char *text, const char *path)
-{
-    float n[5];
-    if (!text)
-        return (struct environment_sun){ 0 };
-    if (!parse_numbers(text, n, 5) || fabsf(n[0]) > 360 || fabsf(n[1]) > 90 || n[2] < 0 ||
-        n[3] < 0 || n[4] < 0 || fmaxf(n[2], fmaxf(n[3], n[4])) > ENVIRONMENT_SUN_MAX) {
-        log_warning("%s: %s: expected 'AZIMUTH ELEVATION RED GREEN BLUE', got '%.80s': no sun is "
-                    "used",
-                    path, ENVIRONMENT_SUN_TEXT, text);
-        return (struct environment_sun){ 0 };
-    }
-    return (struct environment_sun){
-        .dir = environment_direction(n[0], n[1]),
-        .light = { { n[2], n[3], n[4] } },
-    };
-}
-
 static enum status read_exr(struct environment_image *read, const char *path)
 {
     struct exr_file *file;
-    struct image_header head;
-    enum status status = exr_open(&file, path, &head);
+    enum status status = exr_open(&file, path, &read->head);
     if (status == STATUS_OK)
-        status = read_placed(file, &head, path, &read->image);
+        status = read_placed(file, &read->head, path, &read->image);
     exr_close(file);
-    if (status == STATUS_OK) {
-        replace_invalid(&read->image, path);
-        if (head.has_primaries)
-            convert_colors(&read->image, &head.primaries, path);
-        read->data_window = head.data_window;
-        read->display_window = head.display_window;
-        read->is_cube_map = head.is_cube_map;
-        read->sun = parse_sun(image_header_text(&head, ENVIRONMENT_SUN_TEXT), path);
-    }
-    image_header_finish(&head);
-    return status;
+    if (status != STATUS_OK)
+        return status;
+    replace_invalid(&read->image, path);
+    if (read->head.has_primaries)
+        convert_colors(&read->image, &read->head.primaries, path);
+    return STATUS_OK;
 }
 
 enum status environment_image_read(struct environment_image *read, const char *path)
 {
     enum status status = STATUS_DATA;
-    *read = (struct environment_image){ .is_cube_map = false };
+    *read = (struct environment_image){ .image = { 0 } };
     if (path_ends_in(path, ".exr")) {
         status = read_exr(read, path);
     } else if (path_ends_in(path, ".hdr")) {
@@ -294,9 +253,13 @@ enum status environment_image_read(struct environment_image *read, const char *p
     } else {
         log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     }
-    if (status != STATUS_OK) {
-        image_finish(&read->image);
-        *read = (struct environment_image){ .is_cube_map = false };
-    }
+    if (status != STATUS_OK)
+        environment_image_finish(read);
     return status;
+}
+
+void environment_image_finish(struct environment_image *read)
+{
+    image_finish(&read->image);
+    image_header_finish(&read->head);
 }

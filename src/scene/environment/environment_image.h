@@ -1,4 +1,4 @@
-/* environment_image.h: reads the image file of an environment: colour channels, windows, sun. */
+/* environment_image.h: reads the image file of an environment: colour channels and windows. */
 #ifndef FIRN_SCENE_ENVIRONMENT_ENVIRONMENT_IMAGE_H
 #define FIRN_SCENE_ENVIRONMENT_ENVIRONMENT_IMAGE_H
 
@@ -6,20 +6,19 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/file/image.h"
-#include "src/scene/environment/environment.h"
 
 struct environment_image {
     /* Planes R, G and B in linear Rec.709, or Y; and A of a strip of cube faces. Not negative and
      * finite, except for colours with other primaries, which may become negative. */
     struct image image;
-    struct image_box data_window, display_window; /* of an EXR file */
-    bool is_cube_map;                             /* EXR's `envmap` is `cube` */
-    struct environment_sun sun;
+    struct image_header head; /* of an EXR file, else {0} */
 };
 
 /* Reads an .exr or .hdr file. Logs and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN;
- * *read is then zeroed. The caller finishes read->image. */
+ * *read is then zeroed. */
 MUST_USE enum status environment_image_read(struct environment_image *read, const char *path);
+
+void environment_image_finish(struct environment_image *read);
 
 /* Returns the window of an EXR file that all directions are mapped to: the display window or, if
  * `envmap` is set and the data window has the shape that it names, the data window. Other files
