@@ -310,27 +310,29 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs the child's stderr as this process's messages, up to the first error. Returns true if there
- * was one. */
+/* Logs the child's stderr as this process's messages, up to the first error. Leaves out warnings and
+ * notes with `no_warnings`. Returns true if there was an error. */
 static bool repeat_log(const struct reader *reader)
 {
     static const char prefix[] = "firn: ", warning[] = "warning: ", note[] = "note: ";
     const size_t prefix_size = sizeof(prefix) - 1, warning_size = sizeof(warning) - 1;
     const size_t note_size = sizeof(note) - 1;
+    const bool is_quiet = reader->params.no_warnings;
     bool is_error = false;
     for (const char *line = reader->log_text; *line && !is_error;) {
         const size_t length = strcspn(line, "\n");
         if (strncmp(line, prefix, prefix_size) == 0) {
             const char *text = line + prefix_size;
             const int size = (int)(length - prefix_size);
-            if (strncmp(text, warning, warning_size) == 0)
-                log_warning("%.*s", size - (int)warning_size, text + warning_size);
-            else if (strncmp(text, note, note_size) == 0)
-                log_note("%.*s", size - (int)note_size, text + note_size);
-            else
-                is_error = true;
+            const bool is_warning = strncmp(text, warning, warning_size) == 0;
+            const bool is_note = strncmp(text, note, note_size) == 0;
+            is_error = !is_warning && !is_note;
             if (is_error)
                 log_error("%.*s", size, text);
+            else if (is_warning && !is_quiet)
+                log_warning("%.*s", size - (int)warning_size, text + warning_size);
+            else if (is_note && !is_quiet)
+                log_note("%.*s", size - (int)note_size, text + note_size);
         }
         line += length + (line[length] == '\n');
     }
@@ -402,8 +404,7 @@ static enum status report_result(const struct reader *reader, enum pipe_fault fa
                   pipe_fault_text(fault));
         return STATUS_DATA;
     }
-    if (!reader->params.no_warnings)
-        repeat_log(reader);
+    repeat_log(reader);
     return STATUS_OK;
 }
 

@@ -1,5 +1,6 @@
 /* environment_image.c: reads the image file of an environment: colour channels and windows. */
 #include "src/scene/environment/environment_image.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -200,7 +201,7 @@ static void replace_invalid(const struct image *image, const char *path)
         bool is_valid = true;
         for (uint32_t p = 0; p < image->plane_count; p++) {
             float *value = &image->planes[p].texels[i];
-            if (*value >= 0.0f && *value <= 3.402823466e38f)
+            if (*value >= 0.0f && !isinf(*value))
                 continue;
             *value = 0.0f;
             is_valid = false;
