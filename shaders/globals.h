@@ -10,9 +10,9 @@
 #define GLOBALS_COLOR       1 /* one colour everywhere */
 #define GLOBALS_ENVIRONMENT 2 /* equirectangular environment map */
 
-#define GLOBALS_BACKDROP_ENVIRONMENT 0 /* CONSTANT_BACKDROP: behind all surfaces is what lights */
+#define GLOBALS_BACKDROP_ENVIRONMENT 0 /* CONSTANT_BACKDROP: primary misses return its radiance */
 #define GLOBALS_BACKDROP_NONE        1 /* alpha 0 */
-#define GLOBALS_BACKDROP_PLATE       2 /* background_color, which lights nothing */
+#define GLOBALS_BACKDROP_COLOR       2 /* background_color, which lights nothing */
 
 #define GLOBALS_LIGHT_COUNT 4
 

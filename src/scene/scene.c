@@ -246,8 +246,8 @@ static enum status load_background(struct scene *scene, const struct scene_param
 {
     scene->background.is_hidden = params->is_hidden;
     if (params->background) {
-        scene->background.kind = params->is_plate ? SCENE_SKY : SCENE_COLOR;
-        scene->background.is_plate = params->is_plate;
+        scene->background.kind = params->is_backdrop ? SCENE_SKY : SCENE_COLOR;
+        scene->background.is_backdrop = params->is_backdrop;
         scene->background.color = *params->background;
     }
     if (!params->environment)
@@ -268,7 +268,7 @@ static enum status load_background(struct scene *scene, const struct scene_param
         environment_apply_exposure(&environment, params->environment_exposure);
     if (environment.is_cube) {
         scene->background.cube = environment;
-        if (params->is_plate) /* a cube does not light surfaces: the colour does */
+        if (params->is_backdrop) /* a cube does not light surfaces: the colour does */
             scene->background.kind = SCENE_COLOR;
     } else {
         environment.turn = params->environment_turn;

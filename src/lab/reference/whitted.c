@@ -298,7 +298,7 @@ struct reference_ray_values whitted_trace(const struct tracer *tracing,
         primary_hit_layers_fill(&primary, ray, forward, hit, &values);
     }
     const struct scene_background *background = &tracing->radiance->scene->background;
-    if (!is_hit && (background->is_hidden || (background->is_plate && !is_in_medium))) {
+    if (!is_hit && (background->is_hidden || (background->is_backdrop && !is_in_medium))) {
         values.alpha = background->is_hidden ? 0.0f : 1.0f;
         if (!background->is_hidden)
             values.color = background->color;
