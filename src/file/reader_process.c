@@ -310,8 +310,8 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs the child's stderr as this process's messages, up to the first error. Leaves out warnings and
- * notes with `no_warnings`. Returns true if there was an error. */
+/* Logs the child's stderr as this process's messages, up to the first error. `no_warnings` leaves
+ * out warnings and notes. Returns true if there was an error. */
 static bool repeat_log(const struct reader *reader)
 {
     static const char prefix[] = "firn: ", warning[] = "warning: ", note[] = "note: ";

@@ -30,8 +30,8 @@ struct environment {
  * `envmap` declares a cube map; such maps, and the other cube layouts of cube_to_equirect.h, are
  * converted to equirectangular images. All others must have aspect 2:1 within a texel. Colours with
  * other chromaticities are converted to Rec.709, and white stays white. Negative and non-finite
- * values become 0, which a note counts, and values beyond half's range its maximum. Logs and returns STATUS_NO_INPUT,
- * STATUS_DATA or STATUS_TRY_AGAIN; *environment is then zeroed. */
+ * values become 0, which a note counts, and values beyond half's range its maximum. Logs and
+ * returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *environment is then zeroed. */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 
 #define ENVIRONMENT_SUN_MAX 1e6f /* limit of environment_sun.light in files */
