@@ -10,6 +10,10 @@
 #define GLOBALS_COLOR       1 /* one colour everywhere */
 #define GLOBALS_ENVIRONMENT 2 /* equirectangular environment map */
 
+#define GLOBALS_BACKDROP_ENVIRONMENT 0 /* CONSTANT_BACKDROP: primary misses return its radiance */
+#define GLOBALS_BACKDROP_NONE        1 /* alpha 0 */
+#define GLOBALS_BACKDROP_COLOR       2 /* background_color, which lights nothing */
+
 #define GLOBALS_LIGHT_COUNT 4
 
 struct globals {

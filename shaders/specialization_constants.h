@@ -28,7 +28,7 @@
 #define CONSTANT_COMPOSITE       12 /* compositing features: COMPOSITE_HAS_AIR ... */
 #define CONSTANT_OBJECTS         13 /* 1: earlier passes may draw objects */
 #define CONSTANT_ENVIRONMENT     14 /* environment.turn, a float */
-#define CONSTANT_HIDDEN          15 /* 1: the image omits the environment */
+#define CONSTANT_BACKDROP        15 /* background of primary rays: GLOBALS_BACKDROP_... */
 #define CONSTANT_SCENE_LIGHTS    16 /* number of punctual lights */
 #define CONSTANT_REFRACT_EXITS   17 /* maximum number of exits: refract_bounce.exits */
 #define CONSTANT_ORTHOGRAPHIC    18 /* 1 if the projection is orthographic */

@@ -19,7 +19,7 @@ layout(constant_id = CONSTANT_ICE_SHADOW) const uint constant_ice_shadow = 1u;
 layout(constant_id = CONSTANT_OBJECTS) const uint constant_objects = 0u;
 layout(constant_id = CONSTANT_COMPOSITE) const uint constant_composite = 0u;
 layout(constant_id = CONSTANT_ENVIRONMENT) const float constant_environment_turn = 0.0;
-layout(constant_id = CONSTANT_HIDDEN) const uint constant_hidden = 0u;
+layout(constant_id = CONSTANT_BACKDROP) const uint constant_backdrop = 0u;
 layout(constant_id = CONSTANT_SCENE_LIGHTS) const uint constant_scene_lights = 0u;
 layout(constant_id = CONSTANT_ORTHOGRAPHIC) const uint constant_orthographic = 0u;
 layout(constant_id = CONSTANT_AO) const uint constant_ao = 0u;

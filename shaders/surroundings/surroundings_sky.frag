@@ -15,8 +15,9 @@ layout(location = 0) out vec4 color;
 
 void main()
 {
-    if (constant_hidden != 0u && push.inverse == 0u) {
-        color = vec4(0.0);
+    if (constant_backdrop != GLOBALS_BACKDROP_ENVIRONMENT && push.inverse == 0u) {
+        bool is_backdrop = constant_backdrop == GLOBALS_BACKDROP_COLOR;
+        color = is_backdrop ? vec4(frame.background_color, 1.0) : vec4(0.0);
         return;
     }
     vec3 radiance = environment_radiance(environment, normalize(dir), push.environment_lod);

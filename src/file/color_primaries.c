@@ -85,3 +85,24 @@ enum primaries_kind primaries_to_rec709(const struct primaries *from, float matr
     }
     return PRIMARIES_OTHER;
 }
+
+void primaries_rec709_from_xyz(float matrix[static 9])
+{
+    mat3s xyz_from_rec709;
+    if (!xyz_from_rgb(&rec709, &xyz_from_rec709))
+        return; /* cannot happen: the primaries are constant */
+    const mat3s inverse = glms_mat3_inv(xyz_from_rec709);
+    for (int i = 0; i < 9; i++)
+        matrix[i] = inverse.col[i % 3].raw[i / 3];
+}
+
+void primaries_convert(const float matrix[static 9], float *r, float *g, float *b, size_t count)
+{
+    const float *m = matrix;
+    for (size_t i = 0; i < count; i++) {
+        const float c[3] = { r[i], g[i], b[i] };
+        r[i] = m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
+        g[i] = m[3] * c[0] + m[4] * c[1] + m[5] * c[2];
+        b[i] = m[6] * c[0] + m[7] * c[1] + m[8] * c[2];
+    }
+}

@@ -44,10 +44,11 @@ struct exr_file;
 
 /*
  * Opens a file. *head receives the data window and channels of one part, and the caller finishes
- * it. The part is the first with channels R, G and B or, if there is none, the first non-deep part.
- * Several parts cause a warning. The limits of image.h are checked before any allocation. Deep
- * data, subsampled channels, DWAA and DWAB are rejected with STATUS_DATA. Logs and returns
- * STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *opened is then NULL and *head {0}.
+ * it. The part is the first with channels R, G and B or, if there is none, the first with a layer
+ * that has these ("name.R") or, if there is none, the first non-deep part. Several parts cause a
+ * warning. The limits of image.h are checked before any allocation. Deep data, subsampled channels,
+ * DWAA and DWAB are rejected with STATUS_DATA. Logs and returns STATUS_NO_INPUT, STATUS_DATA or
+ * STATUS_TRY_AGAIN; *opened is then NULL and *head {0}.
  */
 MUST_USE enum status exr_open(struct exr_file **opened, const char *path,
                               struct image_header *head);

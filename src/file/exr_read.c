@@ -80,16 +80,38 @@ static bool has_channel(const exr_attr_chlist_t *channels, const char *name)
     return false;
 }
 
+/* Returns true if a layer "name.R", "name.G", "name.B" is complete. */
+static bool has_layer(const exr_attr_chlist_t *channels)
+{
+    char name[IMAGE_NAME_SIZE];
+    for (int c = 0; c < channels->num_channels && channels->num_channels <= IMAGE_MAX_PLANES; c++) {
+        const size_t length = strlen(channels->entries[c].name.str);
+        if (length < 2 || length >= sizeof(name))
+            continue;
+        memcpy(name, channels->entries[c].name.str, length + 1);
+        if (strcmp(name + length - 2, ".R") != 0)
+            continue;
+        name[length - 1] = 'G';
+        const bool has_green = has_channel(channels, name);
+        name[length - 1] = 'B';
+        if (has_green && has_channel(channels, name))
+            return true;
+    }
+    return false;
+}
+
 static bool is_flat(const struct exr_file *file, int part, exr_storage_t *storage)
 {
     return exr_get_storage(file->context, part, storage) == EXR_ERR_SUCCESS &&
            (*storage == EXR_STORAGE_SCANLINE || *storage == EXR_STORAGE_TILED);
 }
 
-/* Selects the first part with channels R, G and B or, if there is none, the first non-deep part. */
+/* Selects the first part with channels R, G and B or, if there is none, the first with a layer that
+ * has these or, if there is none, the first non-deep part. */
 static exr_result_t choose_part(struct exr_file *file)
 {
     int count = 0, chosen = -1;
+    bool is_layered = false;
     exr_storage_t storage;
     exr_result_t result = exr_get_count(file->context, &count);
     for (int part = 0; part < count && result == EXR_ERR_SUCCESS; part++) {
@@ -103,6 +125,10 @@ static exr_result_t choose_part(struct exr_file *file)
             has_channel(channels, "B")) {
             chosen = part;
             break;
+        }
+        if (result == EXR_ERR_SUCCESS && !is_layered && has_layer(channels)) {
+            chosen = part;
+            is_layered = true;
         }
     }
     if (result != EXR_ERR_SUCCESS)
@@ -163,7 +189,8 @@ static exr_result_t add_planes(struct exr_file *file, const exr_attr_chlist_t *c
     for (int c = 0; c < channels->num_channels; c++) {
         const exr_attr_chlist_entry_t *channel = &channels->entries[c];
         if (channel->x_sampling != 1 || channel->y_sampling != 1)
-            return fault(file, "subsampled channels are not supported");
+            return fault(file, "subsampled channels (luminance and chroma: Y, RY, BY) are not "
+                               "supported: export R, G and B");
         if (strlen(channel->name.str) >= IMAGE_NAME_SIZE)
             return fault(file, "a channel's name is too long");
         if (image_find(&file->rows, channel->name.str))
@@ -192,6 +219,28 @@ static bool find_window(const struct exr_file *file, struct image_window *window
         .height = (uint32_t)display.max.y - (uint32_t)display.min.y + 1,
     };
     return true;
+}
+
+static struct image_box box_of(const exr_attr_box2i_t *window)
+{
+    const int64_t width = (int64_t)window->max.x - window->min.x + 1;
+    const int64_t height = (int64_t)window->max.y - window->min.y + 1;
+    if (width < 1 || height < 1)
+        return (struct image_box){ 0 };
+    return (struct image_box){
+        .x = window->min.x,
+        .y = window->min.y,
+        .width = width < UINT32_MAX ? (uint32_t)width : UINT32_MAX,
+        .height = height < UINT32_MAX ? (uint32_t)height : UINT32_MAX,
+    };
+}
+
+static void find_boxes(const struct exr_file *file, struct image_header *head)
+{
+    exr_attr_box2i_t display;
+    head->data_window = box_of(&file->window);
+    if (exr_get_display_window(file->context, file->part, &display) == EXR_ERR_SUCCESS)
+        head->display_window = box_of(&display);
 }
 
 static bool find_matrix(const struct exr_file *file, const char *name, float matrix[static 16])
@@ -243,13 +292,15 @@ static bool fill_head(const struct exr_file *file, struct image_header *head)
         done = image_header_add_plane(head, plane->name, plane->half);
     }
     head->has_window = find_window(file, &head->window);
+    find_boxes(file, head);
     head->has_world_to_camera = find_matrix(file, "worldToCamera", head->world_to_camera);
     head->has_world_to_ndc = find_matrix(file, "worldToNDC", head->world_to_ndc);
     head->has_primaries = find_primaries(file, &head->primaries);
     exr_envmap_t envmap;
-    head->is_cube_map =
-        exr_attr_get_envmap(file->context, file->part, "envmap", &envmap) == EXR_ERR_SUCCESS &&
-        envmap == EXR_ENVMAP_CUBE;
+    if (exr_attr_get_envmap(file->context, file->part, "envmap", &envmap) == EXR_ERR_SUCCESS) {
+        head->is_cube_map = envmap == EXR_ENVMAP_CUBE;
+        head->is_latlong = envmap == EXR_ENVMAP_LATLONG;
+    }
     return done && add_texts(file, head);
 }
 

@@ -80,6 +80,12 @@ struct image_window {
     uint32_t width, height; /* larger image, pixels; 0 if none */
 };
 
+/* EXR's data window or display window in the coordinates of the file, pixels. */
+struct image_box {
+    int32_t x, y;           /* top left pixel */
+    uint32_t width, height; /* 0 if the file has no windows */
+};
+
 struct image_header {
     struct image image; /* size and planes without texels */
     uint32_t text_count;
@@ -90,9 +96,10 @@ struct image_header {
 
     bool has_window; /* data window within the display window */
     struct image_window window;
+    struct image_box data_window, display_window;
     bool has_world_to_camera, has_world_to_ndc;
-    bool is_cube_map;   /* EXR's `envmap`; not sent to parent */
-    bool has_primaries; /* EXR's `chromaticities`; not sent to parent */
+    bool is_cube_map, is_latlong; /* EXR's `envmap` */
+    bool has_primaries;           /* EXR's `chromaticities`; not sent to parent */
     struct primaries primaries;
     float world_to_camera[16], world_to_ndc[16]; /* EXR's row-vector order */
 };

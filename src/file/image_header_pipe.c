@@ -87,7 +87,8 @@ static enum pipe_fault check_head(const struct image_header *head)
     const struct image *image = &head->image;
     const struct image_window *window = &head->window;
     if (!pipe_is_bool(&head->has_window) || !pipe_is_bool(&head->has_world_to_camera) ||
-        !pipe_is_bool(&head->has_world_to_ndc))
+        !pipe_is_bool(&head->has_world_to_ndc) || !pipe_is_bool(&head->is_cube_map) ||
+        !pipe_is_bool(&head->is_latlong))
         return PIPE_HEAD;
     if (image->width < 1 || image->width > IMAGE_MAX_SIDE || image->height < 1 ||
         image->height > IMAGE_MAX_SIDE || image->width > IMAGE_MAX_TEXELS / image->height ||
@@ -126,6 +127,10 @@ enum pipe_fault image_pipe_read_header(const struct pipe_source *source, struct 
     head->has_world_to_camera = sent.has_world_to_camera;
     head->has_world_to_ndc = sent.has_world_to_ndc;
     head->window = sent.window;
+    head->data_window = sent.data_window;
+    head->display_window = sent.display_window;
+    head->is_cube_map = sent.is_cube_map;
+    head->is_latlong = sent.is_latlong;
     memcpy(head->world_to_camera, sent.world_to_camera, sizeof(sent.world_to_camera));
     memcpy(head->world_to_ndc, sent.world_to_ndc, sizeof(sent.world_to_ndc));
     fault = read_planes(source, sent.image.plane_count, head);

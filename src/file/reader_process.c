@@ -310,26 +310,33 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* Logs the child's stderr as this process's messages, up to `max` lines. Returns the line count. */
-static int repeat_log(const struct reader *reader, int max)
+/* Logs the child's stderr as this process's messages, up to the first error. `no_warnings` leaves
+ * out warnings and notes. Returns true if there was an error. */
+static bool repeat_log(const struct reader *reader)
 {
-    static const char prefix[] = "firn: ", warning[] = "warning: ";
+    static const char prefix[] = "firn: ", warning[] = "warning: ", note[] = "note: ";
     const size_t prefix_size = sizeof(prefix) - 1, warning_size = sizeof(warning) - 1;
-    int count = 0;
-    for (const char *line = reader->log_text; *line && count < max;) {
+    const size_t note_size = sizeof(note) - 1;
+    const bool is_quiet = reader->params.no_warnings;
+    bool is_error = false;
+    for (const char *line = reader->log_text; *line && !is_error;) {
         const size_t length = strcspn(line, "\n");
         if (strncmp(line, prefix, prefix_size) == 0) {
             const char *text = line + prefix_size;
             const int size = (int)(length - prefix_size);
-            if (strncmp(text, warning, warning_size) == 0)
-                log_warning("%.*s", size - (int)warning_size, text + warning_size);
-            else
+            const bool is_warning = strncmp(text, warning, warning_size) == 0;
+            const bool is_note = strncmp(text, note, note_size) == 0;
+            is_error = !is_warning && !is_note;
+            if (is_error)
                 log_error("%.*s", size, text);
-            count++;
+            else if (is_warning && !is_quiet)
+                log_warning("%.*s", size - (int)warning_size, text + warning_size);
+            else if (is_note && !is_quiet)
+                log_note("%.*s", size - (int)note_size, text + note_size);
         }
         line += length + (line[length] == '\n');
     }
-    return count;
+    return is_error;
 }
 
 /* Logs that the child exceeded its limit of CPU time or memory, or that of the program itself. */
@@ -373,7 +380,7 @@ static enum status report_failure(const struct reader *reader)
     }
     if (code == STATUS_TRY_AGAIN || strstr(reader->log_text, "bad_alloc"))
         return report_limit(reader, false);
-    if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat_log(reader, 1) == 1)
+    if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat_log(reader))
         return (enum status)code;
     log_error("%s: the reader crashed (%s %d): the file is damaged or unsupported; export it again",
               reader->path, signal ? "signal" : "exit code", signal ? signal : code);
@@ -397,8 +404,7 @@ static enum status report_result(const struct reader *reader, enum pipe_fault fa
                   pipe_fault_text(fault));
         return STATUS_DATA;
     }
-    if (!reader->params.no_warnings)
-        repeat_log(reader, LOG_SIZE);
+    repeat_log(reader);
     return STATUS_OK;
 }
 

@@ -249,7 +249,8 @@ static enum status load_background(struct scene *scene, const struct scene_param
 {
     scene->background.is_hidden = params->is_hidden;
     if (params->background) {
-        scene->background.kind = SCENE_COLOR;
+        scene->background.kind = params->is_backdrop ? SCENE_SKY : SCENE_COLOR;
+        scene->background.is_backdrop = params->is_backdrop;
         scene->background.color = *params->background;
     }
     if (!params->environment)
@@ -270,6 +271,8 @@ static enum status load_background(struct scene *scene, const struct scene_param
         environment_apply_exposure(&environment, params->environment_exposure);
     if (environment.is_cube) {
         scene->background.cube = environment;
+        if (params->is_backdrop) /* a cube does not light surfaces: the colour does */
+            scene->background.kind = SCENE_COLOR;
     } else {
         environment.turn = params->environment_turn;
         scene->background.kind = SCENE_ENVIRONMENT;

@@ -23,8 +23,9 @@ enum scene_background_kind {
 
 struct scene_background {
     enum scene_background_kind kind;
-    bool is_hidden; /* true to write alpha 0 in the background; lighting is unaffected */
-    vec3s color;    /* linear radiance, for SCENE_COLOR */
+    bool is_hidden;   /* true to write alpha 0 in the background; lighting is unaffected */
+    bool is_backdrop; /* true if primary rays that hit nothing return `color` */
+    vec3s color;      /* linear radiance, for SCENE_COLOR or the backdrop */
     struct environment environment;
     struct environment cube; /* environment cube from a file; may be empty */
     uint16_t *prefiltered;   /* prefiltered `environment`; NULL if not needed */
@@ -112,6 +113,7 @@ struct scene_params {
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background;      /* background colour; NULL for the sky */
+    bool is_backdrop;             /* see scene_background.is_backdrop */
     bool is_hidden;               /* see scene_background.is_hidden */
     bool is_one_object;           /* true to treat an opaque model as one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */

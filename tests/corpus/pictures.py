@@ -56,6 +56,17 @@ def parts():
         yield f'no-{name}.exr', exr(without=(name,)), REFUSED
     yield 'no-displayWindow.exr', exr(without=('displayWindow',)), EITHER
     yield 'windows.exr', exr(display=(7, 3, 0, 0)), EITHER
+    for name, display in (('less', (0, 1, 3, 2)), ('more', (-4, -2, 11, 5)),
+                          ('apart', (100, 100, 107, 103))):
+        yield f'display-{name}.exr', exr(display=display), DRAWN
+    yield 'display-wide.exr', exr(display=(0, 0, 65535, 32767)), REFUSED
+    yield 'display-other.exr', exr(display=(0, 0, 8, 3)), REFUSED
+    yield 'envmap.exr', exr(display=(0, 0, 8, 3), more=attribute('envmap', 'envmap', b'\0')), DRAWN
+    layers = [f'{layer}.{c}' for layer in ('a', 'b.c', '', '.') for c in 'BGR']
+    yield 'layers.exr', exr(channels=layers), ACCEPTED
+    yield 'layer-parts.exr', exr_parts(('Z', lines), (layers[:3], lines)), ACCEPTED
+    yield 'layer-cut.exr', exr(channels=layers[1:3] + layers[3:5]), REFUSED
+    yield 'chroma.exr', exr(channels=('BY', 'RY', 'Y')), REFUSED
     yield 'twice.exr', exr(more=attribute('dataWindow', 'box2i', bytes(16))), EITHER
     yield 'name-long.exr', exr(more=attribute('n' * 250, 'int', bytes(4)), flags=0x400), EITHER
     yield 'attribute-large.exr', exr(more=attribute('a', 'string', b'x' * (1 << 20))), ACCEPTED
@@ -92,7 +103,8 @@ def runs():
     yield 'wide.hdr', hdr(good, width=65536, height=65536), REFUSED
     yield 'negative.hdr', hdr(good, width=-16, height=-2), REFUSED
     yield 'zero.hdr', hdr(good, width=0, height=0), REFUSED
-    yield 'form.hdr', hdr(good, form='32-bit_rle_xyze'), REFUSED
+    yield 'form.hdr', hdr(good, form='32-bit_rle_rgb'), REFUSED
+    yield 'xyz.hdr', hdr(good * 8, form='32-bit_rle_xyze'), DRAWN
     yield 'turned.hdr', hdr(good * 8, resolution='+X {1} -Y {0}'), REFUSED
     yield 'endless-header.hdr', b'#?RADIANCE\n' + b'A=1\n' * 10000, REFUSED
     yield 'no-line.hdr', b'#?RADIANCE\n' + b'x' * 100000, REFUSED
@@ -100,9 +112,19 @@ def runs():
     yield 'flat.hdr', hdr(b'\x80\x40\x20\x81' * 18, width=6, height=3), ACCEPTED
     yield 'flat-wide.hdr', hdr(b'\x80\x40\x20\x81' * 40000, width=40000, height=1), REFUSED
     yield 'old-runs.hdr', hdr(b'\x80\x40\x20\x81' + b'\1\1\1\x07' * 11, width=6, height=3), EITHER
+    texel = b'\x80\x40\x20\x81'
+    yield 'old-runs-good.hdr', hdr((texel + b'\1\1\1\x0f') * 8), ACCEPTED
+    yield 'old-runs-first.hdr', hdr(b'\1\1\1\x10' * 8), REFUSED
+    yield 'old-runs-shift.hdr', hdr((texel + b'\1\1\1\0' * 9 + b'\1\1\1\x0f') * 8), REFUSED
+    yield 'columns.hdr', hdr(hdr_line(8, b'\x88\x80') * 16, resolution='-X {1} +Y {0}'), DRAWN
+    yield 'axes.hdr', hdr(good * 8, resolution='-Y {} +Y {}'), REFUSED
     yield 'rows-mixed.hdr', hdr(good * 7 + b'\x80\x40\x20\x81' * 16), EITHER
     yield 'words.hdr', hdr(good * 8, resolution='-Y {}x +X {}'), EITHER
     yield 'exposure.hdr', hdr(good * 8).replace(b'FORMAT', b'EXPOSURE=1e39\nFORMAT'), EITHER
+    for name, line in (('exposure-0', 'EXPOSURE=0'), ('colors', 'COLORCORR=1e9 nan'),
+                       ('primaries', 'PRIMARIES=' + '0 ' * 8),
+                       ('primaries-other', 'PRIMARIES=.7 .3 .2 .8 .1 .1 .3 .3')):
+        yield f'{name}.hdr', hdr(good * 8).replace(b'FORMAT', line.encode() + b'\nFORMAT'), DRAWN
     yield 'returns.hdr', hdr(good * 8).replace(b'RADIANCE\n', b'RADIANCE\r\n'), EITHER
 
 

@@ -108,23 +108,25 @@ def attribute(name, kind, value):
     return name.encode() + b'\0' + kind.encode() + b'\0' + struct.pack('<i', len(value)) + value
 
 
-def write_exr(size, planes, more=b''):
-    """A file of {name: values, row by row}, as floats, not compressed; `more`: attributes."""
+def write_exr(size, planes, more=b'', at=(0, 0), display=None):
+    """A file of {name: values, row by row}, as floats, not compressed; `more`: attributes; `at`:
+    left, top of the data window; `display`: left, top, right, bottom, all of them inside."""
     width, height = size
     names = sorted(planes)
     channels = b''.join(name.encode() + b'\0' + struct.pack('<4i', 2, 0, 1, 1) for name in names)
-    window = struct.pack('<4i', 0, 0, width - 1, height - 1)
+    window = struct.pack('<4i', *at, at[0] + width - 1, at[1] + height - 1)
+    shown = struct.pack('<4i', *display) if display else window
     head = MAGIC + struct.pack('<i', 2) + b''.join((
         attribute('channels', 'chlist', channels + b'\0'),
         attribute('compression', 'compression', b'\0'),
-        attribute('dataWindow', 'box2i', window), attribute('displayWindow', 'box2i', window),
+        attribute('dataWindow', 'box2i', window), attribute('displayWindow', 'box2i', shown),
         attribute('lineOrder', 'lineOrder', b'\0'),
         attribute('pixelAspectRatio', 'float', struct.pack('<f', 1)),
         attribute('screenWindowCenter', 'v2f', struct.pack('<2f', 0, 0)),
         attribute('screenWindowWidth', 'float', struct.pack('<f', 1)))) + more + b'\0'
     line_size = 4 * width * len(names)
     table = [len(head) + 8 * height + y * (8 + line_size) for y in range(height)]
-    lines = (struct.pack('<2i', y, line_size) + b''.join(
+    lines = (struct.pack('<2i', at[1] + y, line_size) + b''.join(
         struct.pack(f'<{width}f', *planes[name][y * width:(y + 1) * width]) for name in names)
         for y in range(height))
     return head + struct.pack(f'<{height}Q', *table) + b''.join(lines)

@@ -38,17 +38,21 @@ def middles(count):
     return [(2 * i + 1) / count - 1 for i in range(count)]
 
 
-def sheet(rows, more=b''):
+def sheet(rows, more=b'', names='RGB', **windows):
     """An EXR of rows of pixels."""
     pixels = [pixel for row in rows for pixel in row]
-    return write_exr((len(rows[0]), len(rows)),
-                     {name: [p[i] for p in pixels] for i, name in enumerate('RGB')}, more)
+    return write_exr((len(rows[0]), len(rows)), {
+        name: [p[i % 3] for p in pixels] for i, name in enumerate(names)}, more, **windows)
+
+
+def latlong_rows(width=4 * SIDE, height=2 * SIDE):
+    return [[light(math.sin(a) * math.sin(b), math.cos(a), -math.sin(a) * math.cos(b))
+             for b in (math.pi * s for s in middles(width))]
+            for a in (math.pi / 2 * (t + 1) for t in middles(height))]
 
 
 def latlong():
-    return sheet([[light(math.sin(a) * math.sin(b), math.cos(a), -math.sin(a) * math.cos(b))
-                   for b in (math.pi * s for s in middles(4 * SIDE))]
-                  for a in (math.pi / 2 * (t + 1) for t in middles(2 * SIDE))])
+    return sheet(latlong_rows())
 
 
 def of_sides(table):
@@ -82,8 +86,9 @@ def vulkan():
 class Panorama(Case):
     def draw(self, data, *words):
         (self.folder / 'env.exr').write_bytes(data)
-        self.succeed('render', 'sphere', '--size', '32x24', *PLAIN, '-q', '-r', 'reference',
-                     '--env', 'env.exr', *words, '-o', 'a.exr', env=NO_DRIVER)
+        done = self.succeed('render', 'sphere', '--size', '32x24', *PLAIN, '-q', '-r', 'reference',
+                            '--env', 'env.exr', *words, '-o', 'a.exr', env=NO_DRIVER)
+        self.said = done.stderr.decode()
         return Exr((self.folder / 'a.exr').read_bytes()).read_planes(['R', 'G', 'B'])
 
     def test_cubes_are_panoramas(self):
@@ -99,6 +104,76 @@ class Panorama(Case):
             self.assertLess(worst, 0.01, name)
         turned = self.draw(data, '--env-rotate', '90')
         self.assertGreater(max(abs(a - b) for a, b in zip(truth['R'], turned['R'])), 0.1)
+
+    def test_the_display_window_is_the_panorama(self):
+        rows, black = latlong_rows(), (0, 0, 0)
+        width, height, even = 4 * SIDE, 2 * SIDE, [[(0.5, 0.5, 0.5)] * 5] * 3
+        whole = 0, 0, width - 1, height - 1
+        framed = [[black] * 3 + row + [black] * 9 for row in [rows[-1]] * 2 + rows + [rows[0]]]
+        half = sheet([[black] * width] * SIDE + rows[SIDE:])
+        said = attribute('envmap', 'envmap', b'\0')
+        for found, wanted in (
+                (sheet(framed, at=(-3, -2), display=whole), sheet(rows)),
+                (sheet(rows, at=(-70, 90)), sheet(rows)),
+                (sheet(rows[SIDE:], at=(0, SIDE), display=whole), half),
+                (sheet(rows[SIDE:], at=(5, 5), display=(5, 5 - SIDE, width + 4, SIDE + 4)), half),
+                (sheet(rows, said, display=(0, 0, 1919, 1079)), sheet(rows)),
+                (sheet(even, at=(200, 0), display=whole), sheet([[black] * width] * height))):
+            self.assertEqual(self.draw(found), self.draw(wanted))
+        (self.folder / 'env.exr').write_bytes(sheet(rows, at=(-1, 2), display=(1, 0, 300, 99)))
+        self.refuse(DATA, 'render', 'sphere', '--env', 'env.exr', '-o', 'a.exr', env=NO_DRIVER,
+                    names=('2:1', '300 x 100', 'display window', f'{width} x {height} at -2, 2'))
+
+    def test_layers(self):
+        rows = latlong_rows()
+        plain = self.draw(sheet(rows))
+        dark = [f'z.{c}' for c in 'RGB']
+        names = [f'View Layer.Combined.{c}' for c in 'RGB']
+        self.assertEqual(self.draw(sheet(rows, names=names)), plain)
+        self.assertEqual(self.said, '')
+        self.assertEqual(self.draw(sheet(rows, names=[*names, *dark, 'a.R', 'a.G'])), plain)
+        self.assertRegex(self.said, r"\Afirn: note: env.exr: .* 'View Layer.Combined' .* 'z'\n\Z")
+        self.assertEqual(self.draw(sheet(rows, names=['R', 'G', 'B', *dark])), plain)
+        self.assertEqual(self.said, '')
+        (self.folder / 'env.exr').write_bytes(sheet(rows, names=('RY', 'BY', 'Y')))
+        self.refuse(DATA, 'render', 'sphere', '--env', 'env.exr', '-o', 'a.exr', env=NO_DRIVER,
+                    names=('R, G and B, or Y', 'luminance and chroma'))
+
+    def test_sizes_that_miss_two_to_one_by_a_pixel(self):
+        truth = self.draw(latlong())
+        for width, height in ((127, 64), (128, 63), (129, 64)):
+            found = self.draw(sheet(latlong_rows(width, height)))
+            worst = max(abs(a - b) for c in 'RGB' for a, b in zip(truth[c], found[c]))
+            self.assertLess(worst, 0.005, (width, height))
+        for width, height in ((124, 64), (5, 3)):
+            (self.folder / 'env.exr').write_bytes(sheet(latlong_rows(width, height)))
+            self.refuse(DATA, 'render', 'sphere', '--env', 'env.exr', '-o', 'a.exr',
+                        names=('2:1', f'{width} x {height}'), env=NO_DRIVER)
+
+    def test_invalid_texels_are_counted(self):
+        rows, black = latlong_rows(), (0, 0, 0)
+        for i, value in enumerate((math.nan, math.inf, -math.inf, -1)):
+            rows[i][7] = (value, 0, value)
+        found = self.draw(sheet(rows))
+        self.assertRegex(self.said, r'\Afirn: note: env.exr: 4 texels .* taken as 0\n\Z')
+        for i in range(4):
+            rows[i][7] = black
+        self.assertEqual(found, self.draw(sheet(rows)))
+
+    @unsanitized
+    def test_a_background_beside_it_is_behind_all(self):
+        (self.folder / 'env.exr').write_bytes(latlong())
+        for rung in ('reference', 'trace', 'bounce'):
+            words = ('render', 'sphere', '--size', '32x24', *PLAIN, '-q', '-r', rung, '-o', 'a.exr')
+            planes = []
+            for more in (), ('--background', '.5,.25,2'), ('--background', 'none'):
+                self.succeed(*words, '--env', 'env.exr', *more)
+                planes.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGBA'))
+            lit, plate, hidden = planes
+            self.assertEqual(set(hidden['A']), {0, 1})
+            for name, value in zip('RGB', (0.5, 0.25, 2)):
+                self.assertEqual(plate[name], [b if a else value for a, b in
+                                               zip(hidden['A'], lit[name])], rung)
 
     def test_it_lights_partly_transmissive_objects(self):
         """What is white shows an even light everywhere."""
@@ -200,9 +275,14 @@ class Panorama(Case):
                                  rf'\Afirn: warning: even.exr: firn/sun: expected .*{text}.*\n\Z')
 
     def test_an_ordinary_picture_is_no_cross(self):
-        (self.folder / 'env.exr').write_bytes(sheet([[(0.1, 0.2, 0.3)] * 64] * 48))
-        self.refuse(DATA, 'render', 'sphere', '--env', 'env.exr', '-o', 'a.exr',
-                    names=('env.exr', '64 x 48', '2:1'), env=NO_DRIVER)
+        even = (0.1, 0.2, 0.3)
+        dotted = [[even if y // 16 == 1 or x // 16 == 1 else (0, 0, 0) for x in range(64)]
+                  for y in range(48)]
+        dotted[47][63] = even
+        for rows in [[even] * 64] * 48, dotted:
+            (self.folder / 'env.exr').write_bytes(sheet(rows))
+            self.refuse(DATA, 'render', 'sphere', '--env', 'env.exr', '-o', 'a.exr',
+                        names=('env.exr', '64 x 48', '2:1'), env=NO_DRIVER)
 
 
 if __name__ == '__main__':

@@ -16,16 +16,15 @@ enum {
     TEXELS_MAX = 1 << 18
 };
 
-/* Whether the header has a data window of more texels than are read here, but not more than the
- * reader accepts. Large pictures cost time and show nothing else. */
-static bool is_large(const uint8_t *data, size_t size)
+/* Whether the header has a window of more texels than are read here, but not more than the reader
+ * accepts. Large pictures cost time and show nothing else. `key` begins the window's attribute. */
+static bool is_large(const uint8_t *data, size_t size, const char *key, size_t key_size)
 {
-    static const char key[] = "dataWindow\0box2i\0\x10\0\0";
-    const uint8_t *found = memmem(data, size, key, sizeof(key));
+    const uint8_t *found = memmem(data, size, key, key_size);
     int32_t window[4];
-    if (!found || (size_t)(data + size - found) < sizeof(key) + sizeof(window))
+    if (!found || (size_t)(data + size - found) < key_size + sizeof(window))
         return false;
-    memcpy(window, found + sizeof(key), sizeof(window));
+    memcpy(window, found + key_size, sizeof(window));
     const int64_t width = (int64_t)window[2] - window[0] + 1;
     const int64_t height = (int64_t)window[3] - window[1] + 1;
     return width > 0 && width <= IMAGE_MAX_SIDE && height > 0 && height <= IMAGE_MAX_SIDE &&
@@ -88,10 +87,13 @@ static void send(const char *path, const struct image *whole)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
+    static const char data_window[] = "dataWindow\0box2i\0\x10\0\0";
+    static const char display_window[] = "displayWindow\0box2i\0\x10\0\0";
     char path[FUZZ_PATH_SIZE];
     struct image image = { 0 };
     struct image_header head;
-    if (is_large(data, size))
+    if (is_large(data, size, data_window, sizeof(data_window)) ||
+        is_large(data, size, display_window, sizeof(display_window)))
         return 0;
     fuzz_file_write(path, "a.exr", data, size);
     const enum status status = exr_read(path, &image, &head);

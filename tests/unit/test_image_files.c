@@ -1,5 +1,6 @@
 /* test_image_files.c: PNG out, Radiance HDR in. */
 #include <fcntl.h>
+#include <math.h>
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -255,8 +256,11 @@ static void test_hdr_headers(void **state)
         "P6 1 1 255\n...",
         "#?RADIANCE\n",
         "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n",
-        "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n....",
-        HDR_HEAD "+X 1 -Y 1\n....",
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgb\n\n-Y 1 +X 1\n....",
+        HDR_HEAD "+Y 1 -Y 1\n....",
+        HDR_HEAD "-Y 1 X 1\n....",
+        HDR_HEAD "-Y 1 +X 1 9\n....",
+        HDR_HEAD "-Y 1\n....",
         HDR_HEAD "-Y 0 +X 1\n....",
         HDR_HEAD "-Y -1 +X 1\n....",
         HDR_HEAD "-Y 65537 +X 1\n....",
@@ -271,6 +275,90 @@ static void test_hdr_headers(void **state)
         put_text(&hdr, headers[i]);
         check_refused(&hdr, hdr.size);
     }
+}
+
+/* Runs of the old encoding: 1, 1, 1, n repeats n times; after another run, 256 n times. */
+static void test_hdr_old_runs(void **state)
+{
+    static const unsigned char texels[] = { 128, 0, 0, 129, 1,   1, 1, 3,   1, 1, 1, 1,
+                                            0,   9, 0, 136, 128, 0, 0, 129, 1, 1, 1, 39 };
+    struct hdr hdr = { .size = 0 };
+    struct image image = { 0 };
+
+    (void)state;
+    put_text(&hdr, HDR_HEAD "-Y 1 +X 301\n");
+    put(&hdr, texels, sizeof(texels));
+    assert_int_equal(read_hdr(&hdr, hdr.size, &image), STATUS_OK);
+    for (size_t i = 0; i < 301; i++)
+        check_texel(&image, i, i != 260, i == 260 ? 9 : 0, 0);
+    image_finish(&image);
+    check_refused(&hdr, hdr.size - 1);
+    for (size_t i = 0; i < 2; i++) { /* a run beyond the line; another one */
+        hdr.size = 0;
+        put_text(&hdr, i ? HDR_HEAD "-Y 1 +X 300\n" : HDR_HEAD "-Y 1 +X 259\n");
+        put(&hdr, texels, sizeof(texels));
+        check_refused(&hdr, hdr.size);
+    }
+    hdr.size = 0;
+    put_text(&hdr, HDR_HEAD "-Y 1 +X 9\n"); /* nothing to repeat */
+    put(&hdr, (unsigned char[]){ 1, 1, 1, 9, 1, 1, 1, 9 }, 8);
+    check_refused(&hdr, hdr.size);
+}
+
+/* Texels of one column of values 1, 2, 4 and one of 8, 16, 32, in all orders. */
+static void test_hdr_orientations(void **state)
+{
+    static const struct {
+        const char *resolution;
+        unsigned char order[6]; /* of texels of the image, row by row */
+    } all[] = {
+        { "-Y 3 +X 2\n", { 0, 1, 2, 3, 4, 5 } }, { "-Y 3 -X 2\n", { 1, 0, 3, 2, 5, 4 } },
+        { "+Y 3 +X 2\n", { 4, 5, 2, 3, 0, 1 } }, { "+Y 3 -X 2\n", { 5, 4, 3, 2, 1, 0 } },
+        { "+X 2 -Y 3\n", { 0, 2, 4, 1, 3, 5 } }, { "+X 2 +Y 3\n", { 4, 2, 0, 5, 3, 1 } },
+        { "-X 2 -Y 3\n", { 1, 3, 5, 0, 2, 4 } }, { "-X 2 +Y 3\n", { 5, 3, 1, 4, 2, 0 } },
+    };
+
+    (void)state;
+    for (size_t k = 0; k < 8; k++) {
+        struct hdr hdr = { .size = 0 };
+        struct image image = { 0 };
+        put_text(&hdr, HDR_HEAD);
+        put_text(&hdr, all[k].resolution);
+        for (size_t i = 0; i < 6; i++)
+            put(&hdr, (unsigned char[]){ all[k].order[i] + 10, 0, 0, 136 }, 4);
+        assert_int_equal(read_hdr(&hdr, hdr.size, &image), STATUS_OK);
+        assert_int_equal(image.width, 2);
+        assert_int_equal(image.height, 3);
+        for (size_t i = 0; i < 6; i++)
+            check_texel(&image, i, (float)i + 10, 0, 0);
+        image_finish(&image);
+    }
+}
+
+/* One texel of value 2, 4, 8 under a header. */
+static void check_head(const char *head, float r, float g, float b)
+{
+    struct hdr hdr = { .size = 0 };
+    struct image image = { 0 };
+    put_text(&hdr, head);
+    put(&hdr, (unsigned char[]){ 32, 64, 128, 132 }, 4);
+    assert_int_equal(read_hdr(&hdr, hdr.size, &image), STATUS_OK);
+    assert_true(fabsf(image.planes[0].texels[0] - r) < 5e-3f);
+    assert_true(fabsf(image.planes[1].texels[0] - g) < 5e-3f);
+    assert_true(fabsf(image.planes[2].texels[0] - b) < 5e-3f);
+    image_finish(&image);
+}
+
+static void test_hdr_variables(void **state)
+{
+    (void)state;
+    check_head("#?RGBE\r\nFORMAT=32-bit_rle_rgbe \r\nPIXASPECT=2\r\n\r\n-Y 1 +X 1\r\n", 2, 4, 8);
+    check_head("#?RADIANCE\nEXPOSURE=2\nCOLORCORR= 1 2 .5\n\tEXPOSURE=9\nEXPOSURE= 2.0\n"
+               "COLORCORR=1 1 4\n\n-Y 1 +X 1\n",
+               0.5f, 0.5f, 1);
+    check_head("#?RADIANCE\nEXPOSURE=0\nEXPOSURE=nan\nCOLORCORR=1 2\n\n-Y 1 +X 1\n", 2, 4, 8);
+    check_head("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", -3.656f, 5.897f, 7.751f);
+    check_head("#?RADIANCE\nPRIMARIES=.15 .06 .64 .33 .3 .6 .3127 .329\n\n-Y 1 +X 1\n", 4, 8, 2);
 }
 
 static void test_hdr_no_input(void **state)
@@ -306,7 +394,8 @@ int main(void)
         TEST(test_png_round_trip), TEST(test_png_chunks),       TEST(test_png_sizes),
         TEST(test_hdr_flat),       TEST(test_hdr_runs),         TEST(test_hdr_wide_flat),
         TEST(test_hdr_cut_short),  TEST(test_hdr_endless_runs), TEST(test_hdr_headers),
-        TEST(test_hdr_no_input),   TEST(test_hdr_refuses_png),
+        TEST(test_hdr_no_input),   TEST(test_hdr_old_runs),     TEST(test_hdr_orientations),
+        TEST(test_hdr_variables),  TEST(test_hdr_refuses_png),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

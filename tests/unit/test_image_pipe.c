@@ -21,6 +21,9 @@ static struct image_header make_head(void)
     struct image_header head = {
         .has_window = true,
         .window = { 3, 4, 20, 10 },
+        .data_window = { -3, 4, 5, 6 },
+        .display_window = { -6, 0, 20, 10 },
+        .is_latlong = true,
         .has_world_to_ndc = true,
         .world_to_ndc = { 1, 2, 3 },
     };
@@ -58,7 +61,10 @@ static void heads_come_back(void **state)
     assert_int_equal(head.text_count, 1);
     assert_string_equal(image_header_text(&head, "firn/settings"), "a=1");
     assert_true(head.has_window && head.has_world_to_ndc && !head.has_world_to_camera);
+    assert_true(head.is_latlong && !head.is_cube_map);
     assert_memory_equal(&head.window, &wanted.window, sizeof(head.window));
+    assert_memory_equal(&head.data_window, &wanted.data_window, sizeof(head.data_window));
+    assert_memory_equal(&head.display_window, &wanted.display_window, sizeof(head.data_window));
     assert_memory_equal(head.world_to_ndc, wanted.world_to_ndc, sizeof(head.world_to_ndc));
     image_header_finish(&head);
     image_header_finish(&wanted);
@@ -96,6 +102,7 @@ static void lies_are_refused(void **state)
     memcpy(&bits, &nan, sizeof(bits));
     refuse(0, 1, PIPE_HEAD);
     refuse(4 + offsetof(struct image_header, has_window), 2, PIPE_HEAD);
+    refuse(4 + offsetof(struct image_header, is_latlong), 2, PIPE_HEAD);
     refuse(WIDTH_AT, 0, PIPE_SIZE);
     refuse(WIDTH_AT, IMAGE_MAX_SIDE + 1, PIPE_SIZE);
     refuse(WIDTH_AT, 18, PIPE_SIZE); /* more than its place has */

@@ -297,8 +297,11 @@ struct reference_ray_values whitted_trace(const struct tracer *tracing,
     if (is_hit && tracing->has_layers) {
         primary_hit_layers_fill(&primary, ray, forward, hit, &values);
     }
-    if (!is_hit && tracing->radiance->scene->background.is_hidden) {
-        values.alpha = 0.0f;
+    const struct scene_background *background = &tracing->radiance->scene->background;
+    if (!is_hit && (background->is_hidden || (background->is_backdrop && !is_in_medium))) {
+        values.alpha = background->is_hidden ? 0.0f : 1.0f;
+        if (!background->is_hidden)
+            values.color = background->color;
         return values;
     }
     if (is_in_medium) {

@@ -384,7 +384,9 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
         [CONSTANT_REFRACT_COLORS] = frame_media_disperse(scene, settings) ? 3 : 1,
-        [CONSTANT_HIDDEN] = scene->background.is_hidden,
+        [CONSTANT_BACKDROP] = scene->background.is_hidden     ? GLOBALS_BACKDROP_NONE
+                              : scene->background.is_backdrop ? GLOBALS_BACKDROP_COLOR
+                                                              : GLOBALS_BACKDROP_ENVIRONMENT,
         [CONSTANT_SCENE_LIGHTS] = scene->tables.punctual_lights ? scene->model.light_count : 0,
     } };
     memcpy(&constants.values[CONSTANT_ENVIRONMENT], &scene->background.environment.turn,

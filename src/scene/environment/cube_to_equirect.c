@@ -57,16 +57,27 @@ static const struct face cross[FACES] = {
 
 static const struct face back_below = { { .forward = Z(1), .right = X(1), .up = Y(-1) }, 1, 3 };
 
+/* Returns true if a square of an image is black in a plane. */
+static bool is_black(const struct image *image, uint32_t plane, size_t x, size_t y, uint32_t side)
+{
+    for (size_t row = y; row < y + side; row++) {
+        const float *texels = image->planes[plane].texels + row * image->width + x;
+        for (uint32_t i = 0; i < side; i++) {
+            if (texels[i] != 0)
+                return false;
+        }
+    }
+    return true;
+}
+
 /* Returns true if the image is black outside the faces of a cross layout. */
 static bool is_bare_cross(const struct image *image, uint32_t side, bool is_tall)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
-        if (!strcmp(image->planes[p].name, "A"))
-            continue;
         for (uint32_t i = 0; i < 12; i++) {
             const uint32_t column = i % (is_tall ? 3 : 4), row = i / (is_tall ? 3 : 4);
-            const size_t x = (size_t)column * side + side / 2, y = (size_t)row * side + side / 2;
-            if (column != 1 && row != 1 && image->planes[p].texels[y * image->width + x] != 0)
+            if (column != 1 && row != 1 &&
+                !is_black(image, p, (size_t)column * side, (size_t)row * side, side))
                 return false;
         }
     }

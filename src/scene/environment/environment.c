@@ -1,38 +1,14 @@
-/* environment.c: loads environment images (.exr, .hdr) as half floats. */
+/* environment.c: converts environment images to half floats. */
 #include "src/scene/environment/environment.h"
 #include <cglm/struct.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/base/path.h"
-#include "src/file/exr.h"
 #include "src/file/half_float.h"
-#include "src/file/hdr.h"
 #include "src/scene/environment/cube_to_equirect.h"
-
-/* Converts colours to Rec.709. Greyscale images need no conversion. */
-static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)
-{
-    float m[9];
-    float *r = image_find(image, "R"), *g = image_find(image, "G"), *b = image_find(image, "B");
-    const enum primaries_kind kind = primaries_to_rec709(primaries, m);
-    if (kind == PRIMARIES_INVALID)
-        log_warning("%s: invalid chromaticities: Rec.709 is assumed", path);
-    if (kind != PRIMARIES_OTHER || !r || !g || !b)
-        return;
-    for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
-        const float c[3] = { r[i], g[i], b[i] };
-        r[i] = m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
-        g[i] = m[3] * c[0] + m[4] * c[1] + m[5] * c[2];
-        b[i] = m[6] * c[0] + m[7] * c[1] + m[8] * c[2];
-    }
-}
-
-struct header_info {
-    bool is_cube_map;
-    struct environment_sun sun;
-};
+#include "src/scene/environment/environment_image.h"
 
 /* Parses exactly `count` numbers. Returns false if there are more, fewer, or other text. */
 static bool parse_numbers(const char *text, float *numbers, int count)
@@ -72,30 +48,6 @@ vec3s environment_direction(float azimuth_deg, float elevation_deg)
     return (vec3s){ { sinf(around) * cosf(up), sinf(up), cosf(around) * cosf(up) } };
 }
 
-static enum status read_exr(const char *path, struct image *image, struct header_info *header_info)
-{
-    struct image_header head;
-    const enum status status = exr_read(path, image, &head);
-    if (status == STATUS_OK && head.has_primaries)
-        convert_colors(image, &head.primaries, path);
-    header_info->is_cube_map = head.is_cube_map;
-    if (status == STATUS_OK)
-        header_info->sun = parse_sun(image_header_text(&head, ENVIRONMENT_SUN_TEXT), path);
-    image_header_finish(&head);
-    return status;
-}
-
-static enum status read_image(const char *path, struct image *image,
-                              struct header_info *header_info)
-{
-    if (path_ends_in(path, ".hdr"))
-        return hdr_read(path, image, NULL, NULL);
-    if (path_ends_in(path, ".exr"))
-        return read_exr(path, image, header_info);
-    log_error("%s: expected an environment file that ends in .exr or .hdr", path);
-    return STATUS_DATA;
-}
-
 static uint16_t to_half(float value)
 {
     if (!(value > 0.0f) || isinf(value)) /* also true for NaN */
@@ -103,21 +55,35 @@ static uint16_t to_half(float value)
     return half_from_float(value);
 }
 
-static enum status check_aspect(const struct image *image, const char *path)
+static bool is_same_box(const struct image_box *a, const struct image_box *b)
 {
-    if (image->width == 2 * (uint64_t)image->height || image->height == 6 * (uint64_t)image->width)
+    return a->x == b->x && a->y == b->y && a->width == b->width && a->height == b->height;
+}
+
+static enum status check_aspect(const struct environment_image *read, const char *path)
+{
+    const struct image *image = &read->image;
+    const struct image_box *data = &read->head.data_window;
+    const struct image_box *display = &read->head.display_window;
+    char windows[96] = "";
+    if (environment_image_is_equirect(image->width, image->height) ||
+        image->height == 6 * (uint64_t)image->width)
         return STATUS_OK;
+    if (!is_same_box(data, display))
+        snprintf(windows, sizeof(windows), " (the display window; data window: %u x %u at %d, %d)",
+                 data->width, data->height, data->x - display->x, data->y - display->y);
     log_error("%s: expected an equirectangular image (2:1) or six faces of a cube (1:6, 6:1, or a "
-              "cross on black), got %u x %u",
-              path, image->width, image->height);
+              "cross on black), got %u x %u%s",
+              path, image->width, image->height, windows);
     return STATUS_DATA;
 }
 
 /* Converts an image of a cube map at infinity to an equirectangular one. */
-static enum status convert_cube(struct image *image, bool is_cube_map, const char *path)
+static enum status convert_cube(struct environment_image *read, const char *path)
 {
+    struct image *image = &read->image;
     const enum panorama kind = panorama_detect_cube(image);
-    if (is_cube_map && image->height == 6 * (uint64_t)image->width)
+    if (read->head.is_cube_map && image->height == 6 * (uint64_t)image->width)
         return panorama_from_cube(image, PANORAMA_OPENEXR, path);
     return kind == PANORAMA_NONE ? STATUS_OK : panorama_from_cube(image, kind, path);
 }
@@ -133,13 +99,8 @@ static enum status convert(struct environment *environment, const struct image *
     };
     const float *alpha = image_find(image, "A");
     size_t count = (size_t)image->width * image->height;
-    for (size_t c = 0; c < 3; c++) {
+    for (size_t c = 0; c < 3; c++)
         planes[c] = planes[c] ? planes[c] : gray;
-        if (!planes[c]) {
-            log_error("%s: expected the channels R, G and B, or Y", path);
-            return STATUS_DATA;
-        }
-    }
     environment->texels = calloc(count, 4 * sizeof(uint16_t));
     if (!environment->texels)
         return log_out_of_memory(path);
@@ -159,19 +120,18 @@ static enum status convert(struct environment *environment, const struct image *
 
 enum status environment_load(struct environment *environment, const char *path)
 {
-    struct image image = { 0 };
+    struct environment_image read;
     *environment = (struct environment){ 0 };
-    struct header_info header_info = { 0 };
-    enum status status = read_image(path, &image, &header_info);
+    enum status status = environment_image_read(&read, path);
     if (status == STATUS_OK)
-        status = convert_cube(&image, header_info.is_cube_map, path);
+        status = convert_cube(&read, path);
     if (status == STATUS_OK)
-        status = check_aspect(&image, path);
+        status = check_aspect(&read, path);
     if (status == STATUS_OK)
-        status = convert(environment, &image, path);
+        status = convert(environment, &read.image, path);
     if (status == STATUS_OK && !environment->is_cube)
-        environment->sun = header_info.sun;
-    image_finish(&image);
+        environment->sun = parse_sun(image_header_text(&read.head, ENVIRONMENT_SUN_TEXT), path);
+    environment_image_finish(&read);
     return status;
 }
 

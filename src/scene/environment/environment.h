@@ -28,10 +28,10 @@ struct environment {
 /* Loads an .exr file (channels R, G, B or Y; a captured cube also needs A, without which everything
  * is at infinity) or a .hdr file. An image with aspect 1:6 is a captured cube, unless its attribute
  * `envmap` declares a cube map; such maps, and the other cube layouts of cube_to_equirect.h, are
- * converted to equirectangular images. All others must have aspect 2:1. Colours with other
- * chromaticities are converted to Rec.709, and white stays white. Negative and non-finite values
- * become 0, and values beyond half's range its maximum. Logs and returns STATUS_NO_INPUT,
- * STATUS_DATA or STATUS_TRY_AGAIN; *environment is then zeroed. */
+ * converted to equirectangular images. All others must have aspect 2:1 within a texel. Colours with
+ * other chromaticities are converted to Rec.709, and white stays white. Negative and non-finite
+ * values become 0, which a note counts, and values beyond half's range its maximum. Logs and
+ * returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *environment is then zeroed. */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 
 #define ENVIRONMENT_SUN_MAX 1e6f /* limit of environment_sun.light in files */

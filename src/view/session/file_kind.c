@@ -3,14 +3,17 @@
 #include <string.h>
 #include "src/base/path.h"
 #include "src/file/image_receive.h"
+#include "src/scene/environment/environment_image.h"
 #include "src/scene/scene.h"
 
-/* Returns true if the aspect ratio is 2:1 (panorama), 6:1 or 1:6 (strip of cube faces). */
-static bool has_panorama_shape(const struct image *image)
+/* Returns true if an environment of this file is a panorama or a strip of cube faces. */
+static bool has_panorama_shape(const struct image_header *head)
 {
-    const uint64_t width = image->width;
-    const uint64_t height = image->height;
-    return width == 2 * height || height == 6 * width || width == 6 * height;
+    const struct image_box frame = environment_image_frame(head);
+    const uint64_t width = frame.width;
+    const uint64_t height = frame.height;
+    return environment_image_is_equirect(width, height) || height == 6 * width ||
+           width == 6 * height;
 }
 
 /* Classifies a PNG file: a preset if it contains settings written by firn, otherwise an image. */
@@ -32,7 +35,7 @@ static enum status classify_image(const char *path, const struct reader_params *
     struct image_header head;
     const enum status status = image_reader_open(&image_reader, path, reader, &head);
     if (status == STATUS_OK)
-        *kind = has_panorama_shape(&head.image) ? FILE_KIND_ENVIRONMENT : FILE_KIND_IMAGE;
+        *kind = has_panorama_shape(&head) ? FILE_KIND_ENVIRONMENT : FILE_KIND_IMAGE;
     image_reader_close(image_reader);
     image_header_finish(&head);
     return status;
