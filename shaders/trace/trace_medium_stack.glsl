@@ -59,6 +59,28 @@ uvec4 trace_stack_remove(uvec4 medium_stack, uint rank)
     return medium_stack;
 }
 
+/* Adds all objects of `other` to a medium stack. */
+uvec4 trace_stack_union(uvec4 medium_stack, uvec4 other)
+{
+    if (!trace_has(TRACE_HAS_MANY_OBJECTS))
+        return medium_stack | other;
+    for (int i = 0; i < BVH_INTERIOR_LIST_MAX / 2; i++)
+        medium_stack =
+            trace_list_insert(trace_list_insert(medium_stack, other[i] & 0xffffu), other[i] >> 16);
+    return medium_stack;
+}
+
+/* Removes all objects of `other` from a medium stack. */
+uvec4 trace_stack_difference(uvec4 medium_stack, uvec4 other)
+{
+    if (!trace_has(TRACE_HAS_MANY_OBJECTS))
+        return medium_stack & ~other;
+    for (int i = 0; i < BVH_INTERIOR_LIST_MAX / 2; i++)
+        medium_stack =
+            trace_list_remove(trace_list_remove(medium_stack, other[i] & 0xffffu), other[i] >> 16);
+    return medium_stack;
+}
+
 bool trace_is_inside(uvec4 medium_stack)
 {
     return medium_stack.x != 0u;
@@ -90,6 +112,20 @@ vec4 trace_medium(uint rank, int texel)
     if (trace_has(TRACE_HAS_MANY_OBJECTS))
         medium = trace_corner(int(trace.media_at + rank)).x;
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
+}
+
+/* Returns true if two media have equal parameters. There is no interface between such media. */
+bool trace_is_same_medium(uint a, uint b)
+{
+    bool is_same = a == b;
+    int iterations =
+        !is_same && trace_medium(a, TRACE_IOR) == trace_medium(b, TRACE_IOR) ? int(trace.one) : 0;
+    while (iterations > 0) {
+        iterations -= int(trace.one);
+        is_same = trace_medium(a, TRACE_ABSORB) == trace_medium(b, TRACE_ABSORB) &&
+                  trace_medium(a, TRACE_TINT) == trace_medium(b, TRACE_TINT);
+    }
+    return is_same;
 }
 
 /* Returns the refractive index of a path's medium for green light, relative to the outside. */

@@ -5,6 +5,7 @@
 
 #include "src/scene/ao_occluders.h"
 #include "src/scene/bvh/bvh.h"
+#include "src/scene/coincident_shells.h"
 #include "src/scene/environment/environment.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/ice_bump_map.h"
@@ -55,7 +56,8 @@ struct scene_files {
 };
 
 struct scene {
-    struct model model; /* loaded model, with ranked objects (medium priorities) */
+    struct model model;                /* loaded model, with ranked objects (medium priorities) */
+    struct coincident_shells contacts; /* contacts between the objects' surfaces */
     struct scene_background background;
     struct scene_tables tables;
     struct scene_inclusions inclusions;
