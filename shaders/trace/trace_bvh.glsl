@@ -240,10 +240,13 @@ void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
             uvec4 child_0 = trace_node(BVH_NODE_WORDS * node);
             uvec4 child_1 = trace_node(BVH_NODE_WORDS * node + 1);
             float enter_0, enter_1;
-            bool hits_0 = trace_hits_box(slabs, child_0, hit.t, enter_0);
+            float reach = hit.t;
+            if (trace_has(TRACE_HAS_CONTACTS) && contact_search.first >= 0)
+                reach = contact_search.far; /* hits of equal distance are found despite rounding */
+            bool hits_0 = trace_hits_box(slabs, child_0, reach, enter_0);
             bool faces_0 = trace_cone_faces(slabs, child_0);
             hits_0 = hits_0 && faces_0;
-            bool hits_1 = trace_hits_box(slabs, child_1, hit.t, enter_1);
+            bool hits_1 = trace_hits_box(slabs, child_1, reach, enter_1);
             bool faces_1 = trace_cone_faces(slabs, child_1);
             hits_1 = hits_1 && faces_1;
             bool second = hits_1 && (!hits_0 || enter_1 < enter_0);

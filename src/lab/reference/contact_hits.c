@@ -43,17 +43,18 @@ static uint32_t find_all(const struct tracer *tracing, struct embree_scene_ray r
     const float cosine = fabsf((float)dielectric_split_dot(first->facet, ray.dir));
     const float reach = (tracing->radiance->scene->contacts.epsilon + ROUNDING * first->distance) /
                         fmaxf(cosine, COINCIDENT_COSINE_MIN);
-    struct embree_scene_search search = { first->triangle, 0.0f, EMBREE_SCENE_NO_ORIGIN };
+    struct embree_scene_search search = { .count = 0 };
     uint32_t count = 1;
     hits[0] = *first;
+    embree_scene_search_add(&search, first->triangle);
     ray.near = fmaxf(first->distance - reach, ray.near);
     ray.far = first->distance + reach;
     ray.search = &search;
     ray.inside = inside;
-    while (count < HITS_MAX && embree_scene_intersect(tracing->embree_scene, &ray, &hits[count]) &&
+    while (count < HITS_MAX && search.count < EMBREE_SCENE_FOUND_MAX &&
+           embree_scene_intersect(tracing->embree_scene, &ray, &hits[count]) &&
            hits[count].kind == EMBREE_SCENE_OBJECT) {
-        search.last = hits[count].distance;
-        search.last_triangle = hits[count].triangle;
+        embree_scene_search_add(&search, hits[count].triangle);
         count += embree_scene_is_at_contact(tracing->embree_scene, &hits[count]);
     }
     return count;

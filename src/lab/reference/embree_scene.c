@@ -74,12 +74,15 @@ static bool is_ignored(const struct embree_scene *embree_scene, const struct emb
            object_of(embree_scene, hit->primID) == ray->object;
 }
 
-static bool is_found(const struct embree_scene_search *search, uint32_t triangle, float distance)
+static bool is_found(const struct embree_scene_search *search, uint32_t triangle)
 {
-    const bool is_after = search->last_triangle == EMBREE_SCENE_NO_ORIGIN ||
-                          distance > search->last ||
-                          (distance >= search->last && triangle > search->last_triangle);
-    return triangle != search->first && is_after;
+    const uint32_t count =
+        search->count < EMBREE_SCENE_FOUND_MAX ? search->count : EMBREE_SCENE_FOUND_MAX;
+    for (uint32_t i = 0; i < count; i++) {
+        if (search->found[i] == triangle)
+            return true;
+    }
+    return false;
 }
 
 static void filter_object(const struct RTCFilterFunctionNArguments *args)
@@ -88,7 +91,7 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
     const struct embree_scene_ray *ray = ((const struct context *)(const void *)args->context)->ray;
     const struct RTCHit *hit = hit_of(args);
     const float distance = ((const struct RTCRay *)(const void *)args->ray)->tfar;
-    if ((ray->search && !is_found(ray->search, hit->primID, distance)) ||
+    if ((ray->search && is_found(ray->search, hit->primID)) ||
         is_ignored(embree_scene, ray, hit, distance))
         args->valid[0] = 0;
 }

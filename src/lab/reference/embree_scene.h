@@ -25,15 +25,15 @@ enum {
     EMBREE_SCENE_AIR,        /* sheets of trapped air */
     EMBREE_SCENE_MESH_COUNT, /* number of triangle meshes */
     EMBREE_SCENE_BUBBLES = EMBREE_SCENE_MESH_COUNT,
+    EMBREE_SCENE_FOUND_MAX = 16 /* see struct embree_scene_search */
 };
 
 #define EMBREE_SCENE_NO_ORIGIN UINT32_MAX /* the ray starts on no surface */
 
-/* Enumerates hits on objects by distance and triangle: only hits after the last one are found. */
+/* Enumerates hits on objects that are at about the same distance. */
 struct embree_scene_search {
-    uint32_t first;         /* triangle that is not found */
-    float last;             /* distance of the last hit */
-    uint32_t last_triangle; /* EMBREE_SCENE_NO_ORIGIN if there is none */
+    uint32_t found[EMBREE_SCENE_FOUND_MAX]; /* last triangles found, which are not found again */
+    uint32_t count;                         /* number of triangles found; may exceed the maximum */
 };
 
 struct embree_scene_ray {
@@ -84,6 +84,11 @@ struct embree_scene {
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);
 void embree_scene_finish(struct embree_scene *embree_scene);
+
+static inline void embree_scene_search_add(struct embree_scene_search *search, uint32_t triangle)
+{
+    search->found[search->count++ % EMBREE_SCENE_FOUND_MAX] = triangle;
+}
 
 /* Returns true if a hit is on a triangle at a contact (src/scene/coincident_shells.h). */
 bool embree_scene_is_at_contact(const struct embree_scene *embree_scene,

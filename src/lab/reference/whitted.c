@@ -243,7 +243,7 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
 {
     struct nested_media_set entered = { 0 };
     struct embree_scene_hit hit;
-    struct embree_scene_search search = { EMBREE_SCENE_NO_ORIGIN, 0.0f, EMBREE_SCENE_NO_ORIGIN };
+    struct embree_scene_search search = { .count = 0 };
     struct embree_scene_ray ray = { .origin = point,
                                     .dir = { { 0.36f, 0.8f, 0.48f } },
                                     .from = EMBREE_SCENE_NO_ORIGIN,
@@ -261,8 +261,7 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
             nested_media_set_update(&entered, hit.object, false);
         ray.near = hit.distance;
         if (hit.kind == EMBREE_SCENE_OBJECT) { /* another object may be hit at the same distance */
-            search.last = hit.distance;
-            search.last_triangle = hit.triangle;
+            embree_scene_search_add(&search, hit.triangle);
             ray.near = hit.distance * (1.0f - ROUNDING);
         }
     }
