@@ -6,7 +6,7 @@
 #include "src/scene/refractive_object.h"
 
 enum {
-    COINCIDENT_PAIRS_MAX = 16 /* maximum number of recorded pairs of objects */
+    COINCIDENT_PAIRS_MAX = 8 /* maximum number of recorded pairs of objects */
 };
 
 /* Minimum cosine of incidence in the conversion of distances from a surface to those along a ray. */

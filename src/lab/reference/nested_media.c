@@ -39,22 +39,12 @@ uint32_t nested_media_top(const struct nested_media *media, const struct nested_
     return top;
 }
 
-static bool have_equal_parameters(const struct frame_medium *a, const struct frame_medium *b)
-{
-    for (int c = 0; c < 3; c++) {
-        if (a->ior[c] != b->ior[c] || a->absorption.raw[c] != b->absorption.raw[c] ||
-            a->tint.raw[c] != b->tint.raw[c])
-            return false;
-    }
-    return a->roughness == b->roughness && a->opacity == b->opacity && a->is_thin == b->is_thin;
-}
-
 bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32_t b)
 {
     const bool are_air =
         (a == media->outside && b == media->bubble) || (a == media->bubble && b == media->outside);
     return a == b || (are_air && media->all[a].ior[0] == media->all[b].ior[0]) ||
-           (!are_air && have_equal_parameters(&media->all[a], &media->all[b]));
+           (!are_air && frame_media_are_equal(&media->all[a], &media->all[b]));
 }
 
 /* Returns the object's index in the set, or the set's size if it is not a member. */
