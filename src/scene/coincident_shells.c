@@ -40,6 +40,8 @@ struct node {
 /* Triangle of the objects' mesh. */
 struct face {
     vec3s corners[3];
+    vec3s normal; /* unit normal; not a number if the triangle has no area */
+    struct box box;
     uint32_t object;
 };
 
@@ -60,16 +62,10 @@ struct join {
 
 static void grow(struct box *box, struct box other)
 {
-    box->min = glms_vec3_minv(box->min, other.min);
-    box->max = glms_vec3_maxv(box->max, other.max);
-}
-
-static struct box face_box(const struct face *face)
-{
-    struct box box = { face->corners[0], face->corners[0] };
-    for (uint32_t k = 1; k < 3; k++)
-        grow(&box, (struct box){ face->corners[k], face->corners[k] });
-    return box;
+    for (int k = 0; k < 3; k++) {
+        box->min.raw[k] = glm_min(box->min.raw[k], other.min.raw[k]);
+        box->max.raw[k] = glm_max(box->max.raw[k], other.max.raw[k]);
+    }
 }
 
 static struct face face_at(const struct join *join, uint32_t triangle)
@@ -78,6 +74,12 @@ static struct face face_at(const struct join *join, uint32_t triangle)
     struct face face;
     for (uint32_t k = 0; k < 3; k++)
         face.corners[k] = join->mesh->vertices[corners[k]].position;
+    const vec3s n = glms_vec3_cross(glms_vec3_sub(face.corners[1], face.corners[0]),
+                                    glms_vec3_sub(face.corners[2], face.corners[0]));
+    face.normal = glms_vec3_scale(n, 1.0f / sqrtf(glms_vec3_dot(n, n)));
+    face.box = (struct box){ face.corners[0], face.corners[0] };
+    grow(&face.box, (struct box){ face.corners[1], face.corners[1] });
+    grow(&face.box, (struct box){ face.corners[2], face.corners[2] });
     return face;
 }
 
@@ -92,13 +94,21 @@ static bool are_apart(const struct box *a, const struct box *b, float reach)
 
 /* ---- tree ---- */
 
+/* Moves the lower MORTON_BITS bits of a number apart, to every third bit. */
+static uint32_t spread_bits(uint32_t x)
+{
+    x = (x | x << 16) & 0x30000ff;
+    x = (x | x << 8) & 0x300f00f;
+    x = (x | x << 4) & 0x30c30c3;
+    return (x | x << 2) & 0x9249249;
+}
+
 static uint32_t morton_code(vec3s at)
 {
     uint32_t code = 0;
-    for (uint32_t k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++) {
         const float cell = glm_clamp(at.raw[k], 0.0f, 1.0f) * (float)((1 << MORTON_BITS) - 1);
-        for (uint32_t bit = 0; bit < MORTON_BITS; bit++)
-            code |= ((uint32_t)cell >> bit & 1) << (3 * bit + k);
+        code |= spread_bits((uint32_t)cell) << k;
     }
     return code;
 }
@@ -106,6 +116,7 @@ static uint32_t morton_code(vec3s at)
 /* Sorts the triangles by their Morton codes. Returns false when out of memory. */
 static bool sort_triangles(struct join *join)
 {
+    const struct mesh *mesh = join->mesh;
     const uint32_t count = join->triangle_count;
     const struct box all = join->nodes[0].box;
     const vec3s size = glms_vec3_maxv(glms_vec3_sub(all.max, all.min), glms_vec3_fill(FLT_MIN));
@@ -113,9 +124,8 @@ static bool sort_triangles(struct join *join)
     uint32_t *other = malloc(((size_t)count + 1) * sizeof(*other));
     bool done = codes && other;
     for (uint32_t i = 0; done && i < count; i++) {
-        const struct face face = face_at(join, i);
-        const vec3s center = box_center(face_box(&face));
-        codes[i] = morton_code(glms_vec3_div(glms_vec3_sub(center, all.min), size));
+        const vec3s corner = mesh->vertices[mesh->indices[(size_t)i * 3]].position;
+        codes[i] = morton_code(glms_vec3_div(glms_vec3_sub(corner, all.min), size));
         join->order[i] = i;
     }
     for (uint32_t shift = 0; done && shift < 3 * MORTON_BITS; shift += RADIX_BITS) {
@@ -145,7 +155,7 @@ static struct node leaf_at(const struct join *join, uint32_t leaf)
             break;
         const struct face *face = &join->faces[at];
         node.object = k == 0 || node.object == face->object ? face->object : MIXED_OBJECTS;
-        grow(&node.box, face_box(face));
+        grow(&node.box, face->box);
     }
     return node;
 }
@@ -206,28 +216,24 @@ static float area_of(const struct plane_point *polygon, uint32_t count)
     return 0.5f * glms_vec3_norm(sum);
 }
 
-static vec3s normal_of(const struct face *face)
-{
-    return glms_vec3_normalize(glms_vec3_cross(glms_vec3_sub(face->corners[1], face->corners[0]),
-                                               glms_vec3_sub(face->corners[2], face->corners[0])));
-}
-
 /* Returns true if a triangle is farther than `epsilon` from the plane of another one. */
-static bool is_beside(const struct face *face, const struct face *other, vec3s n, float epsilon)
+static bool is_beside(const struct face *face, const struct face *other, float epsilon)
 {
     float low = FLT_MAX, high = -FLT_MAX;
     for (uint32_t k = 0; k < 3; k++) {
-        const float distance = glms_vec3_dot(n, glms_vec3_sub(other->corners[k], face->corners[0]));
-        low = fminf(low, distance);
-        high = fmaxf(high, distance);
+        const float distance =
+            glms_vec3_dot(face->normal, glms_vec3_sub(other->corners[k], face->corners[0]));
+        low = glm_min(low, distance);
+        high = glm_max(high, distance);
     }
     return !(low <= epsilon && high >= -epsilon);
 }
 
 /* Returns the part of triangle `b` in front of or behind triangle `a`, as a polygon. */
-static uint32_t overlap(const struct face *a, const struct face *b, vec3s n,
+static uint32_t overlap(const struct face *a, const struct face *b,
                         struct plane_point polygon[static POLYGON_MAX])
 {
+    const vec3s n = a->normal;
     uint32_t count = 3;
     for (uint32_t k = 0; k < 3; k++) {
         const vec3s at = b->corners[k];
@@ -268,31 +274,27 @@ static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
 {
     const struct face *a = &join->faces[at_a], *b = &join->faces[at_b];
     const float epsilon = pair_epsilon(join, a->object, b->object);
-    const struct box box_a = face_box(a), box_b = face_box(b);
-    if (are_apart(&box_a, &box_b, epsilon))
-        return;
-    const vec3s n = normal_of(a);
-    if (is_beside(a, b, n, epsilon))
-        return;
-    const float cosine = fabsf(glms_vec3_dot(n, normal_of(b)));
-    if (!(cosine > CONTACT_COSINE))
+    const float cosine = fabsf(glms_vec3_dot(a->normal, b->normal));
+    if (!(cosine > CONTACT_COSINE) || are_apart(&a->box, &b->box, epsilon) ||
+        is_beside(a, b, epsilon))
         return;
     struct plane_point polygon[POLYGON_MAX];
-    const uint32_t count = overlap(a, b, n, polygon);
+    const uint32_t count = overlap(a, b, polygon);
     float low = FLT_MAX, high = -FLT_MAX;
     for (uint32_t i = 0; i < count; i++) {
         low = fminf(low, polygon[i].distance);
         high = fmaxf(high, polygon[i].distance);
     }
-    if (!(area_of(polygon, count) > epsilon * box_diagonal(box_a)) || low > epsilon ||
+    if (!(area_of(polygon, count) > epsilon * box_diagonal(a->box)) || low > epsilon ||
         high < -epsilon)
         return;
     struct coincident_shells *shells = join->shells;
     mark(join, at_a);
     mark(join, at_b);
-    shells->epsilon = shells->epsilon > 0.0f ? fminf(shells->epsilon, epsilon) : epsilon;
-    if (cosine > PARALLEL_COSINE && low >= -epsilon && high <= epsilon)
+    if (cosine > PARALLEL_COSINE && low >= -epsilon && high <= epsilon) {
+        shells->epsilon = shells->epsilon > 0.0f ? fminf(shells->epsilon, epsilon) : epsilon;
         record_pair(shells, a->object, b->object);
+    }
 }
 
 /* ---- join ---- */
@@ -306,8 +308,7 @@ static uint32_t list_near(const struct join *join, uint32_t leaf, const struct b
         const uint32_t at = (leaf - join->leaf_count) * LEAF_TRIANGLES + i;
         if (at >= join->triangle_count)
             break;
-        const struct box own = face_box(&join->faces[at]);
-        if (!are_apart(&own, box, join->reach))
+        if (!are_apart(&join->faces[at].box, box, join->reach))
             near[count++] = at;
     }
     return count;
@@ -411,7 +412,7 @@ bool coincident_shells_find(struct coincident_shells *shells, const struct objec
     free(join.order);
     free(join.faces);
     free(join.nodes);
-    if (!done || !(shells->epsilon > 0.0f))
+    if (!done || shells->pair_count == 0)
         coincident_shells_finish(shells);
     return done;
 }

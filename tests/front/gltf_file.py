@@ -20,12 +20,14 @@ def glass(ior=1.5, roughness=0, thickness=1, color=(1, 1, 1), **more):
 
 
 def boxes(*parts):
-    """The text of a file with a box, from -1 to 1, for each (material, place, scale)."""
+    """The text of a file with a box, from -1 to 1, for each (material, place, scale); a scale is a
+    number or three."""
     data = struct.pack('<24f', *sum(CORNERS, ())) + struct.pack('<36H', *SIDES)
     uri = 'data:application/octet-stream;base64,' + base64.b64encode(data).decode()
     return json.dumps({
         'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': list(range(len(parts)))}],
-        'nodes': [{'mesh': i, 'name': f'box {i}', 'translation': place, 'scale': [scale] * 3}
+        'nodes': [{'mesh': i, 'name': f'box {i}', 'translation': place,
+                   'scale': scale if isinstance(scale, list) else [scale] * 3}
                   for i, (_, place, scale) in enumerate(parts)],
         'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'indices': 1, 'material': i}]}
                    for i in range(len(parts))],
