@@ -151,8 +151,8 @@ void trace_cross_contact(trace_path path, trace_contact contact, int channel,
 {
     c.is_contact = true;
     c.is_thin = false;
-    c.front_stack = contact_stack(path.medium_stack, contact, false);
-    c.behind_stack = contact_stack(path.medium_stack, contact, true);
+    c.front_stack = trace_stack_change(path.medium_stack, contact.entered, contact.left);
+    c.behind_stack = trace_stack_change(path.medium_stack, contact.left, contact.entered);
     uint before = trace_current_medium(c.front_stack);
     uint after = trace_current_medium(c.behind_stack);
     c.is_real = !trace_is_same_medium(before, after);
@@ -188,7 +188,9 @@ trace_crossing trace_crossing_at(trace_path path, trace_hit hit, trace_contact c
         uint below = trace_current_medium_without(path.medium_stack, c.rank);
         uint above = max(below, c.rank);
         c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
-        c.is_real = c.is_thin || !trace_is_same_medium(below, above);
+        c.is_real = c.is_thin || below != above;
+        if (trace_has(TRACE_HAS_CONTACTS) && c.is_real && !c.is_thin)
+            c.is_real = !trace_is_same_medium(below, above);
         float ior_below = trace_medium(below, TRACE_IOR)[channel];
         float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
         c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;

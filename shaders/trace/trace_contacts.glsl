@@ -35,10 +35,9 @@ void contact_add(trace_hit hit, vec3 dir, inout trace_contact contact, inout tra
     uint own = trace_corner(BVH_CORNER_WORDS * hit.triangle).w % BVH_OBJECT_NUMBER;
     if (bits == 0u || (bits & BVH_CONTACT_THIN) != 0u)
         return;
-    if (is_entering)
-        contact.entered = trace_stack_push(contact.entered, own);
-    else
-        contact.left = trace_stack_push(contact.left, own);
+    uvec4 changed = trace_stack_push(is_entering ? contact.entered : contact.left, own);
+    contact.entered = is_entering ? changed : contact.entered;
+    contact.left = is_entering ? contact.left : changed;
     bool is_crossed = trace_stack_has(contact.entered, own) && trace_stack_has(contact.left, own);
     if (is_crossed) {
         rank = rank == own ? 0u : rank;
@@ -48,47 +47,49 @@ void contact_add(trace_hit hit, vec3 dir, inout trace_contact contact, inout tra
     }
 }
 
+/* Restricts further queries to the surroundings of a path's closest hit, which is at a contact. */
+void contact_begin(trace_path path, trace_hit hit, inout trace_start start)
+{
+    vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
+    float towards = abs(dot(trace_posed(facet, hit.bvh), path.dir));
+    float reach = (trace.contact + contact_rounding * hit.t) / max(towards, contact_cosine_min);
+    float near = max(hit.t - reach, 0.0);
+    contact_search =
+        trace_contact_search(near, hit.t + reach, near, -1, hit.triangle, path.medium_stack);
+    start.bvhs = 1u << BVH_OBJECTS;
+}
+
 /* Finds the next hit of a path and, at a contact, all others within trace.contact. Returns the
  * decisive hit. */
 trace_hit contact_next_hit(trace_path path, bool is_active, out trace_contact contact)
 {
     trace_start start = trace_start_of(path);
-    contact = trace_contact(uvec4(0u), uvec4(0u));
-    contact_search.medium_stack = path.medium_stack;
-    trace_hit decisive = trace_nearest_hit(start, is_active);
-    trace_hit hit = decisive;
+    trace_hit decisive, hit;
     uint rank = 0u;
-    int left = trace_has(TRACE_HAS_CONTACTS) && contact_bits(hit) != 0u ? contact_hits_max : 0;
-    if (left > 0) {
-        vec3 facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
-        float towards = abs(dot(trace_posed(facet, hit.bvh), path.dir));
-        float reach = (trace.contact + contact_rounding * hit.t) / max(towards, contact_cosine_min);
-        start.bvhs = 1u << BVH_OBJECTS;
-        float near = max(hit.t - reach, 0.0);
-        contact_search =
-            trace_contact_search(near, hit.t + reach, near, -1, hit.triangle, path.medium_stack);
-    }
-    while (left > 0) {
-        contact_add(hit, path.dir, contact, decisive, rank);
-        hit = trace_nearest_hit(start, true);
-        contact_search.last = hit.t;
-        contact_search.last_triangle = hit.triangle;
-        left = hit.triangle >= 0 ? left - 1 : 0;
-    }
+    int count = 0;
+    bool goes_on = false;
+    contact = trace_contact(uvec4(0u), uvec4(0u));
     contact_search = trace_contact_search(0.0, 1e30, 0.0, -1, -1, path.medium_stack);
-    uvec4 entered = contact.entered;
-    contact.entered = trace_stack_difference(entered, contact.left);
-    contact.left = trace_stack_difference(contact.left, entered);
+    do {
+        hit = trace_nearest_hit(start, is_active);
+        if (count == 0)
+            decisive = hit;
+        if (trace_has(TRACE_HAS_CONTACTS)) {
+            goes_on = hit.triangle >= 0 && count < contact_hits_max &&
+                      (count > 0 || contact_bits(hit) != 0u);
+            if (goes_on)
+                contact_add(hit, path.dir, contact, decisive, rank);
+            if (goes_on && count == 0) {
+                contact_begin(path, hit, start);
+            } else {
+                contact_search.last = hit.t;
+                contact_search.last_triangle = hit.triangle;
+            }
+        }
+        count++;
+    } while (goes_on);
+    contact_search = trace_contact_search(0.0, 1e30, 0.0, -1, -1, path.medium_stack);
     return decisive;
-}
-
-/* Returns the medium stack behind a contact, or in front of it. */
-uvec4 contact_stack(uvec4 medium_stack, trace_contact contact, bool is_behind)
-{
-    return is_behind ? trace_stack_union(trace_stack_difference(medium_stack, contact.left),
-                                         contact.entered)
-                     : trace_stack_union(trace_stack_difference(medium_stack, contact.entered),
-                                         contact.left);
 }
 
 #endif

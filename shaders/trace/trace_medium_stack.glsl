@@ -59,26 +59,18 @@ uvec4 trace_stack_remove(uvec4 medium_stack, uint rank)
     return medium_stack;
 }
 
-/* Adds all objects of `other` to a medium stack. */
-uvec4 trace_stack_union(uvec4 medium_stack, uvec4 other)
+/* Removes objects from a medium stack, and adds others. Objects in both sets do not change. */
+uvec4 trace_stack_change(uvec4 medium_stack, uvec4 removed, uvec4 added)
 {
-    if (!trace_has(TRACE_HAS_MANY_OBJECTS))
-        return medium_stack | other;
-    for (int i = 0; i < BVH_INTERIOR_LIST_MAX / 2; i++)
-        medium_stack =
-            trace_list_insert(trace_list_insert(medium_stack, other[i] & 0xffffu), other[i] >> 16);
-    return medium_stack;
-}
-
-/* Removes all objects of `other` from a medium stack. */
-uvec4 trace_stack_difference(uvec4 medium_stack, uvec4 other)
-{
-    if (!trace_has(TRACE_HAS_MANY_OBJECTS))
-        return medium_stack & ~other;
-    for (int i = 0; i < BVH_INTERIOR_LIST_MAX / 2; i++)
-        medium_stack =
-            trace_list_remove(trace_list_remove(medium_stack, other[i] & 0xffffu), other[i] >> 16);
-    return medium_stack;
+    uvec4 changed = medium_stack & ~(removed & ~added) | added & ~removed;
+    int count = trace_has(TRACE_HAS_MANY_OBJECTS) ? BVH_INTERIOR_LIST_MAX : 0;
+    for (int i = 0; i < count; i++) {
+        uint old = removed[i / 2] >> 16 * (i % 2) & 0xffffu;
+        uint own = added[i / 2] >> 16 * (i % 2) & 0xffffu;
+        medium_stack = trace_list_remove(medium_stack, trace_stack_has(added, old) ? 0u : old);
+        medium_stack = trace_list_insert(medium_stack, trace_stack_has(removed, own) ? 0u : own);
+    }
+    return trace_has(TRACE_HAS_MANY_OBJECTS) ? medium_stack : changed;
 }
 
 bool trace_is_inside(uvec4 medium_stack)

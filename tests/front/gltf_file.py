@@ -43,6 +43,25 @@ def boxes(*parts):
         'buffers': [{'byteLength': len(data), 'uri': uri}]})
 
 
+def flat_boxes(*parts):
+    """A file of boxes() whose sides are flat: no corner is shared between sides."""
+    scene = json.loads(boxes(*parts))
+    corners = [CORNERS[i] for i in SIDES]
+    normals = [n for side in ((-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1), (0, 0, 1))
+               for n in [side] * 6]
+    data = struct.pack('<216f', *sum(corners + normals, ()))
+    vectors = {'componentType': 5126, 'count': 36, 'type': 'VEC3'}
+    scene['accessors'] = [{'bufferView': 0, 'min': [-1, -1, -1], 'max': [1, 1, 1], **vectors},
+                          {'bufferView': 1, **vectors}]
+    scene['bufferViews'] = [{'buffer': 0, 'byteOffset': at, 'byteLength': 432} for at in (0, 432)]
+    scene['buffers'] = [{'byteLength': 864, 'uri': 'data:application/octet-stream;base64,' +
+                         base64.b64encode(data).decode()}]
+    for mesh in scene['meshes']:
+        mesh['primitives'][0].update(attributes={'POSITION': 0, 'NORMAL': 1})
+        del mesh['primitives'][0]['indices']
+    return json.dumps(scene)
+
+
 def ball(radius, first, rows=32):
     """Places, normals and corners of a ball; the corners count from `first`. Below 0: a cavity."""
     side = math.copysign(1, radius)
