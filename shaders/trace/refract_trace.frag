@@ -159,6 +159,20 @@ void trace_cross_contact(trace_path path, trace_contact contact, int channel,
     c.eta = trace_medium(before, TRACE_IOR)[channel] / trace_medium(after, TRACE_IOR)[channel];
 }
 
+/* Computes how light is refracted at a single surface of an object. */
+void trace_cross_object(trace_path path, int channel, inout trace_crossing c)
+{
+    uint below = trace_current_medium_without(path.medium_stack, c.rank);
+    uint above = max(below, c.rank);
+    c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
+    c.is_real = c.is_thin || below != above;
+    if (trace_has(TRACE_HAS_CONTACTS) && c.is_real && !c.is_thin)
+        c.is_real = !trace_is_same_medium(below, above);
+    float ior_below = trace_medium(below, TRACE_IOR)[channel];
+    float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
+    c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;
+}
+
 trace_crossing trace_crossing_at(trace_path path, trace_hit hit, trace_contact contact, int channel)
 {
     trace_crossing c;
@@ -185,15 +199,7 @@ trace_crossing trace_crossing_at(trace_path path, trace_hit hit, trace_contact c
     if (trace_has(TRACE_HAS_CONTACTS) && contact_bits(hit) == BVH_CONTACT) {
         trace_cross_contact(path, contact, channel, c);
     } else if (trace_has(TRACE_HAS_MEDIA)) {
-        uint below = trace_current_medium_without(path.medium_stack, c.rank);
-        uint above = max(below, c.rank);
-        c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
-        c.is_real = c.is_thin || below != above;
-        if (trace_has(TRACE_HAS_CONTACTS) && c.is_real && !c.is_thin)
-            c.is_real = !trace_is_same_medium(below, above);
-        float ior_below = trace_medium(below, TRACE_IOR)[channel];
-        float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
-        c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;
+        trace_cross_object(path, channel, c);
     } else {
         c.eta = refract_frame.etas[channel];
         c.eta = c.is_entering ? c.eta : 1.0 / c.eta;

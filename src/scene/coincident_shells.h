@@ -9,7 +9,7 @@ enum {
     COINCIDENT_PAIRS_MAX = 8 /* maximum number of recorded pairs of objects */
 };
 
-/* Minimum cosine of incidence in the conversion of distances from a surface to those along a ray. */
+/* Minimum cosine of incidence when distances from a surface are converted to those along a ray. */
 #define COINCIDENT_COSINE_MIN 0.0625f
 
 /* Two objects that share faces; `first` is below `second`. */

@@ -8,8 +8,8 @@
  * Every number is a double, and no hit is moved along its ray: the triangle that light has just met
  * is left out instead. A ray counts how often it has entered each object: overlapping parts of one
  * object are one body. Of the objects that it is inside, that of the greatest priority is there.
- * Surfaces of several objects that coincide are one: all of them are crossed before the media on both
- * sides are compared, and the object of the greatest priority that begins or ends has the normal.
+ * Surfaces of several objects that coincide are one: all of them are crossed before the media on
+ * both sides are compared; the object of the greatest priority that begins or ends has the normal.
  * Where an interpolated normal would send light to the wrong side of its triangle, that of the
  * triangle is used.
  */

@@ -110,8 +110,8 @@ struct bvh_hit {
     bool is_back;      /* the back face was hit */
 };
 
-/* Finds a ray's nearest hit in a scene part, in the part's own space. Of equally distant hits, finds
- * the triangle of lowest index. Returns false for a miss. */
+/* Finds a ray's nearest hit in a scene part, in the part's own space. Of equally distant hits,
+ * finds the triangle of lowest index. Returns false for a miss. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 
