@@ -106,12 +106,15 @@ vec4 trace_medium(uint rank, int texel)
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
 }
 
-/* Returns true if two media have equal parameters. There is no interface between such media. */
+/* Returns true if there is no interface between two media, because they are the same medium or
+ * objects of equal parameters. */
 bool trace_is_same_medium(uint a, uint b)
 {
     bool is_same = a == b;
-    int iterations =
-        !is_same && trace_medium(a, TRACE_IOR) == trace_medium(b, TRACE_IOR) ? int(trace.one) : 0;
+    bool are_objects = !is_same && min(a, b) > 0u;
+    int iterations = are_objects && trace_medium(a, TRACE_IOR) == trace_medium(b, TRACE_IOR)
+                         ? int(trace.one)
+                         : 0;
     while (iterations > 0) {
         iterations -= int(trace.one);
         is_same = trace_medium(a, TRACE_ABSORB) == trace_medium(b, TRACE_ABSORB) &&

@@ -43,8 +43,9 @@ bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32
 {
     const bool are_air =
         (a == media->outside && b == media->bubble) || (a == media->bubble && b == media->outside);
+    const bool are_objects = a < media->outside && b < media->outside;
     return a == b || (are_air && media->all[a].ior[0] == media->all[b].ior[0]) ||
-           (!are_air && frame_media_are_equal(&media->all[a], &media->all[b]));
+           (are_objects && frame_media_are_equal(&media->all[a], &media->all[b]));
 }
 
 /* Returns the object's index in the set, or the set's size if it is not a member. */

@@ -37,8 +37,8 @@ void nested_media_finish(struct nested_media *media);
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 
-/* Returns true if the media `a` and `b` have equal parameters. There is no interface between such
- * media. Air in bubbles and air outside are equal if their refractive indices are. */
+/* Returns true if there is no interface between two media: if they are the same medium, objects of
+ * equal parameters, or both air of equal refractive index. */
 bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32_t b);
 
 /* Objects that a ray enters and leaves at one hit, which may be on several coincident surfaces. */

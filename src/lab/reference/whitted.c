@@ -259,7 +259,7 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
             nested_media_set_update(inside, hit.object, true);
         else if (is_medium)
             nested_media_set_update(&entered, hit.object, false);
-        ray.near = hit.distance;
+        ray.near = nextafterf(hit.distance, INFINITY);
         if (hit.kind == EMBREE_SCENE_OBJECT) { /* another object may be hit at the same distance */
             embree_scene_search_add(&search, hit.triangle);
             ray.near = hit.distance * (1.0f - ROUNDING);
