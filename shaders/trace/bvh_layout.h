@@ -18,9 +18,11 @@
  * DynRT). Three more words in the buffer of corners hold the corners' normals. Their fourth numbers
  * are: (1) the object's medium priority, or 0, plus BVH_OBJECT_NUMBER times its number in the layer
  * `object`; (2) the material as in mesh_layout.h; (3) the index of BVH_SURFACE_WORDS additional
- * words, or 0. These hold three vertex colours, the texture coordinates u and v of the corners, and
- * the number of the surroundings' object times 2, which is odd if BVH_EXTRA_WORDS more words
- * follow: three tangents with handedness, and the second set of texture coordinates.
+ * words, or 0, plus BVH_CONTACT if the triangle is at a contact (src/scene/coincident_shells.h),
+ * and BVH_CONTACT_THIN if its object is also a thin wall. These words hold three vertex colours,
+ * the texture coordinates u and v of the corners, and the number of the surroundings' object times
+ * 2, which is odd if BVH_EXTRA_WORDS more words follow: three tangents with handedness, and the
+ * second set of texture coordinates.
  *
  * Corners of a crack store the opening there (cracks.h) as a half float in the upper half of the
  * fourth number; the lower half is 0. A bubble is stored as a triangle whose rows are: centre and
@@ -38,6 +40,9 @@
 #define BVH_SURFACE_WORDS     4
 #define BVH_EXTRA_WORDS       5
 #define BVH_OBJECT_NUMBER     0x10000u
+#define BVH_CONTACT           0x80000000u
+#define BVH_CONTACT_THIN      0x40000000u
+#define BVH_CONTACT_MASK      0xc0000000u
 #define BVH_LEAF              0x80000000u
 #define BVH_NONE              0xffffffffu
 #define BVH_CHILD_MASK        0x87ffffffu

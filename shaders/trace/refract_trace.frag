@@ -136,16 +136,47 @@ struct trace_crossing {
     bool is_entering, is_thin, is_real;
     bool is_inclusion;
     float eta;
+    bool is_contact; /* with TRACE_HAS_CONTACTS: the medium stack becomes one of the next two */
+    uvec4 front_stack, behind_stack;
     bool is_bumpy;            /* `n` comes from a normal map */
     object_material material; /* textured surface parameters, with TRACE_HAS_TEXTURED_OBJECTS */
     vec3 d_origin, d_n;       /* ray differentials of the hit point and of `n` */
 };
 
 #include "trace/trace_candidate_bvhs.glsl"
+#include "trace/trace_contacts.glsl"
 #include "trace/trace_inclusions.glsl"
 #include "trace/trace_ray_differentials.glsl"
 
-trace_crossing trace_crossing_at(trace_path path, trace_hit hit, int channel)
+/* Computes the media on both sides of a contact, and how light is refracted there. */
+void trace_cross_contact(trace_path path, trace_contact contact, int channel,
+                         inout trace_crossing c)
+{
+    c.is_contact = true;
+    c.is_thin = false;
+    c.front_stack = trace_stack_change(path.medium_stack, contact.entered, contact.left);
+    c.behind_stack = trace_stack_change(path.medium_stack, contact.left, contact.entered);
+    uint before = trace_current_medium(c.front_stack);
+    uint after = trace_current_medium(c.behind_stack);
+    c.is_real = !trace_is_same_medium(before, after);
+    c.eta = trace_medium(before, TRACE_IOR)[channel] / trace_medium(after, TRACE_IOR)[channel];
+}
+
+/* Computes how light is refracted at a single surface of an object. */
+void trace_cross_object(trace_path path, int channel, inout trace_crossing c)
+{
+    uint below = trace_current_medium_without(path.medium_stack, c.rank);
+    uint above = max(below, c.rank);
+    c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
+    c.is_real = c.is_thin || below != above;
+    if (trace_has(TRACE_HAS_CONTACTS) && c.is_real && !c.is_thin)
+        c.is_real = !trace_is_same_medium(below, above);
+    float ior_below = trace_medium(below, TRACE_IOR)[channel];
+    float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
+    c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;
+}
+
+trace_crossing trace_crossing_at(trace_path path, trace_hit hit, trace_contact contact, int channel)
 {
     trace_crossing c;
     int triangle = max(hit.triangle, 0);
@@ -167,14 +198,11 @@ trace_crossing trace_crossing_at(trace_path path, trace_hit hit, int channel)
     c.is_thin = false;
     c.is_real = true;
     c.is_inclusion = false;
-    if (trace_has(TRACE_HAS_MEDIA)) {
-        uint below = trace_current_medium_without(path.medium_stack, c.rank);
-        uint above = max(below, c.rank);
-        c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
-        c.is_real = c.is_thin || below != above;
-        float ior_below = trace_medium(below, TRACE_IOR)[channel];
-        float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
-        c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;
+    c.is_contact = false;
+    if (trace_has(TRACE_HAS_CONTACTS) && contact_bits(hit) == BVH_CONTACT) {
+        trace_cross_contact(path, contact, channel, c);
+    } else if (trace_has(TRACE_HAS_MEDIA)) {
+        trace_cross_object(path, channel, c);
     } else {
         c.eta = refract_frame.etas[channel];
         c.eta = c.is_entering ? c.eta : 1.0 / c.eta;
@@ -221,7 +249,9 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
         next.side = trace_has(TRACE_HAS_CULLING) ? path.side : 0.0;
         next.is_in_bubble = !c.is_thin && is_inside;
     }
-    if (!c.is_thin && !c.is_inclusion)
+    if (trace_has(TRACE_HAS_CONTACTS) && c.is_contact)
+        next.medium_stack = is_through ? c.behind_stack : c.front_stack;
+    else if (!c.is_thin && !c.is_inclusion)
         next.medium_stack = is_inside ? trace_stack_push(path.medium_stack, c.rank)
                                       : trace_stack_remove(path.medium_stack, c.rank);
     next.seed = microfacet_hash(path.seed, is_through ? 1u : 0u);
@@ -585,8 +615,9 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     /* pixel groups without rasterised objects skip tracing */
     bool is_going = !is_rasterised || raster_crossing.is_hit;
     while (is_going) {
-        trace_hit hit = trace_nearest_hit(trace_start_of(path), !(is_first && is_rasterised));
-        trace_crossing c = trace_crossing_at(path, hit, channel);
+        trace_contact contact;
+        trace_hit hit = contact_next_hit(path, !(is_first && is_rasterised), contact);
+        trace_crossing c = trace_crossing_at(path, hit, contact, channel);
         if (is_rasterised && is_first) {
             hit = raster_hit;
             c.n = raster_crossing.n;

@@ -48,6 +48,7 @@
 #define TRACE_HAS_SCATTERING        65536 /* some ice scatters; requires TRACE_RAYS */
 #define TRACE_HAS_STORAGE_BUFFERS   131072 /* BVH in storage, not texel buffers */
 #define TRACE_HAS_RAY_DIFFERENTIALS 262144 /* requires TRACE_RAYS */
+#define TRACE_HAS_CONTACTS          524288 /* surfaces of objects coincide; with HAS_MEDIA */
 
 /* Vectors of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* rgb: refractive indices; a: roughness */
@@ -73,6 +74,7 @@ struct trace_frame {
     float crack_gap;       /* maximum crack gap width, micrometres */
     float branch;          /* minimum throughput to split a path */
     float epsilon;         /* rounding error of ray origins, metres */
+    float contact;         /* maximum distance of surfaces in contact, metres */
     uint32_t one; /* always 1; stops compilers from turning one-iteration loops into branches */
     uint32_t surroundings_are_apart; /* 1: surroundings are outside the objects' bounding box */
 };

@@ -83,7 +83,20 @@ struct trace_hit {
 };
 
 const float trace_edge = 1e-6;
+const float contact_cosine_min = 0.0625; /* minimum cosine of incidence in divisions */
+const float contact_rounding = 5e-7;     /* relative rounding error of distances */
 const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS;
+
+/* Restriction of the hits that a query may return, with TRACE_HAS_CONTACTS. */
+struct trace_contact_search {
+    float near, far;    /* range of distances */
+    float last;         /* distance of the last hit; hits must be beyond it, or at it and */
+    int last_triangle;  /* have a higher triangle index than this */
+    int first;          /* triangle that is not hit; below 0 if there is none */
+    uvec4 medium_stack; /* objects that contain the ray's origin */
+};
+
+trace_contact_search contact_search = trace_contact_search(0.0, 1e30, 0.0, -1, -1, uvec4(0u));
 
 /* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
@@ -116,7 +129,8 @@ bool trace_hits_box(trace_slabs slabs, uvec4 child, float far, out float enter)
     vec3 b = vec3(high) * slabs.inverse + slabs.minus_origin;
     ivec3 near_sides = min(floatBitsToInt(a), floatBitsToInt(b));
     ivec3 far_sides = max(floatBitsToInt(a), floatBitsToInt(b));
-    int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0));
+    int near = trace_has(TRACE_HAS_CONTACTS) ? floatBitsToInt(contact_search.near) : 0;
+    int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, near));
     int last = min(min(far_sides.x, far_sides.y), min(far_sides.z, floatBitsToInt(far)));
     enter = intBitsToFloat(first);
     return first <= last;
@@ -155,6 +169,34 @@ bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 la
     return at.x <= at.y && (i != ray.from || ray.is_in_bubble);
 }
 
+/* Returns true if a medium stack contains the object of priority `rank`. */
+bool trace_stack_has(uvec4 medium_stack, uint rank)
+{
+    if (!trace_has(TRACE_HAS_MANY_OBJECTS))
+        return rank != 0u && (medium_stack.x >> (rank - 1u) & 1u) != 0u;
+    uvec4 low = medium_stack & 0xffffu, high = medium_stack >> 16;
+    return any(equal(low, uvec4(rank))) || any(equal(high, uvec4(rank)));
+}
+
+/* Returns true if a triangle at a contact can be hit. Near the origin of a ray, faces are ignored
+ * that do not change the medium stack, because the path has crossed them at its last surface. Of
+ * other triangles, returns `is_hit`. */
+bool contact_is_hit(trace_ray ray, int i, float t, float towards, bool is_hit)
+{
+    float away = t * max(abs(towards), contact_cosine_min);
+    int iterations = ray.side != 0.0 && away < ray.reach ? int(trace.one) : 0;
+    while (iterations > 0) {
+        iterations -= int(trace.one);
+        uint bits = trace_corner(BVH_CORNER_WORDS * i + 2).w & BVH_CONTACT_MASK;
+        uint rank = trace_corner(BVH_CORNER_WORDS * i).w % BVH_OBJECT_NUMBER;
+        bool changes_stack = trace_stack_has(contact_search.medium_stack, rank) == towards > 0.0;
+        is_hit = bits == BVH_CONTACT ? changes_stack
+                 : bits == 0u        ? is_hit
+                                     : is_hit && away >= trace.epsilon;
+    }
+    return is_hit && i != ray.from;
+}
+
 void trace_hit_triangle(trace_ray ray, int i, int bvh, bool is_active, inout trace_hit hit)
 {
     vec4 w = uintBitsToFloat(trace_row(3 * i + 2));
@@ -169,7 +211,16 @@ void trace_hit_triangle(trace_ray ray, int i, int bvh, bool is_active, inout tra
                   (towards * ray.side >= 0.0 || (!trace_has(TRACE_HAS_CULLING) && t >= ray.reach));
     if (trace_has(TRACE_HAS_INCLUSIONS) && bvh == BVH_INCLUSIONS)
         is_hit = trace_hits_inclusion(ray, i, first, row, w, t, u, v);
-    if (is_active && is_hit && t > 0.0 && t < hit.t && u >= -trace_edge && v >= -trace_edge &&
+    else if (trace_has(TRACE_HAS_CONTACTS) && bvh == BVH_OBJECTS)
+        is_hit = contact_is_hit(ray, i, t, towards, is_hit);
+    bool is_nearer = t < hit.t;
+    if (trace_has(TRACE_HAS_CONTACTS)) {
+        bool is_beyond = t > contact_search.last ||
+                         (t == contact_search.last && i > contact_search.last_triangle);
+        is_nearer = is_beyond && i != contact_search.first &&
+                    (is_nearer || (t == hit.t && i < hit.triangle));
+    }
+    if (is_active && is_hit && t > 0.0 && is_nearer && u >= -trace_edge && v >= -trace_edge &&
         u + v <= 1.0 + trace_edge) {
         hit.t = t;
         hit.u = u;
@@ -189,10 +240,13 @@ void trace_hit_bvh(trace_ray ray, int root, int bvh, inout trace_hit hit)
             uvec4 child_0 = trace_node(BVH_NODE_WORDS * node);
             uvec4 child_1 = trace_node(BVH_NODE_WORDS * node + 1);
             float enter_0, enter_1;
-            bool hits_0 = trace_hits_box(slabs, child_0, hit.t, enter_0);
+            float reach = hit.t;
+            if (trace_has(TRACE_HAS_CONTACTS) && contact_search.first >= 0)
+                reach = contact_search.far; /* hits of equal distance are found despite rounding */
+            bool hits_0 = trace_hits_box(slabs, child_0, reach, enter_0);
             bool faces_0 = trace_cone_faces(slabs, child_0);
             hits_0 = hits_0 && faces_0;
-            bool hits_1 = trace_hits_box(slabs, child_1, hit.t, enter_1);
+            bool hits_1 = trace_hits_box(slabs, child_1, reach, enter_1);
             bool faces_1 = trace_cone_faces(slabs, child_1);
             hits_1 = hits_1 && faces_1;
             bool second = hits_1 && (!hits_0 || enter_1 < enter_0);
@@ -258,7 +312,8 @@ void trace_hit_in_world(trace_start start, int bvh, inout trace_hit hit)
  * outside the objects' bounding box, a ray that hits an object from inside skips the scenery. */
 trace_hit trace_nearest_hit(trace_start start, bool is_active)
 {
-    trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
+    float far = trace_has(TRACE_HAS_CONTACTS) ? contact_search.far : 1e30;
+    trace_hit hit = trace_hit(far, 0.0, 0.0, -1, 0);
     bool surroundings_are_apart = trace.surroundings_are_apart != 0u && start.side > 0.0;
     uint left = is_active ? start.bvhs & trace.bvh_mask : 0u;
     while (left != 0u) {

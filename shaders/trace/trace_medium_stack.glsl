@@ -59,6 +59,20 @@ uvec4 trace_stack_remove(uvec4 medium_stack, uint rank)
     return medium_stack;
 }
 
+/* Removes objects from a medium stack, and adds others. Objects in both sets do not change. */
+uvec4 trace_stack_change(uvec4 medium_stack, uvec4 removed, uvec4 added)
+{
+    uvec4 changed = medium_stack & ~(removed & ~added) | added & ~removed;
+    int count = trace_has(TRACE_HAS_MANY_OBJECTS) ? BVH_INTERIOR_LIST_MAX : 0;
+    for (int i = 0; i < count; i++) {
+        uint old = removed[i / 2] >> 16 * (i % 2) & 0xffffu;
+        uint own = added[i / 2] >> 16 * (i % 2) & 0xffffu;
+        medium_stack = trace_list_remove(medium_stack, trace_stack_has(added, old) ? 0u : old);
+        medium_stack = trace_list_insert(medium_stack, trace_stack_has(removed, own) ? 0u : own);
+    }
+    return trace_has(TRACE_HAS_MANY_OBJECTS) ? medium_stack : changed;
+}
+
 bool trace_is_inside(uvec4 medium_stack)
 {
     return medium_stack.x != 0u;
@@ -90,6 +104,23 @@ vec4 trace_medium(uint rank, int texel)
     if (trace_has(TRACE_HAS_MANY_OBJECTS))
         medium = trace_corner(int(trace.media_at + rank)).x;
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
+}
+
+/* Returns true if there is no interface between two media, because they are the same medium or
+ * objects of equal parameters. */
+bool trace_is_same_medium(uint a, uint b)
+{
+    bool is_same = a == b;
+    bool are_objects = !is_same && min(a, b) > 0u;
+    int iterations = are_objects && trace_medium(a, TRACE_IOR) == trace_medium(b, TRACE_IOR)
+                         ? int(trace.one)
+                         : 0;
+    while (iterations > 0) {
+        iterations -= int(trace.one);
+        is_same = trace_medium(a, TRACE_ABSORB) == trace_medium(b, TRACE_ABSORB) &&
+                  trace_medium(a, TRACE_TINT) == trace_medium(b, TRACE_TINT);
+    }
+    return is_same;
 }
 
 /* Returns the refractive index of a path's medium for green light, relative to the outside. */

@@ -109,8 +109,9 @@ vec2 photon_follow(int channel)
     bool is_going = true;
     trace_hit hit;
     do {
-        hit = trace_nearest_hit(trace_start_of(path), true);
-        trace_crossing c = trace_crossing_at(path, hit, channel);
+        trace_contact contact;
+        hit = contact_next_hit(path, true, contact);
+        trace_crossing c = trace_crossing_at(path, hit, contact, channel);
         is_going = !photon_step(hit, c);
     } while (is_going);
     bool is_surroundings = hit.bvh == BVH_SURROUNDINGS || hit.bvh == BVH_MOVERS;

@@ -30,7 +30,8 @@ void trace_query_bvh(trace_ray ray, int bvh, inout trace_hit hit)
     bool is_finite = dot(ray.origin, ray.origin) < 1e30 && dot(ray.dir, ray.dir) < 1e30;
     vec3 dir = is_finite ? ray.dir : vec3(0.0, 1.0, 0.0);
     vec3 origin = is_finite ? ray.origin - trace.epsilon * dir : vec3(0.0);
-    float near = 0.0, far = hit.t + 2.0 * trace.epsilon;
+    float near = trace_has(TRACE_HAS_CONTACTS) ? contact_search.near : 0.0;
+    float far = hit.t + 2.0 * trace.epsilon;
     for (int pass = 0; pass < 2; pass++) {
         rayQueryInitializeEXT(query, structure, gl_RayFlagsNoOpaqueEXT, is_finite ? 1u << bvh : 0u,
                               origin, near, dir, far);

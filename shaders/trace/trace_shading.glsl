@@ -70,7 +70,7 @@ trace_surface_point trace_surface_point_at(trace_hit hit, vec3 origin, vec3 dir)
     vec4 n0 = uintBitsToFloat(trace_corner(at));
     vec4 n1 = uintBitsToFloat(trace_corner(at + 1));
     vec4 n2 = uintBitsToFloat(trace_corner(at + 2));
-    int surface = floatBitsToInt(n2.w);
+    int surface = int(floatBitsToUint(n2.w) & ~BVH_CONTACT_MASK);
     vec4 c0 = uintBitsToFloat(trace_corner(surface));
     vec4 c1 = uintBitsToFloat(trace_corner(surface + 1));
     vec4 c2 = uintBitsToFloat(trace_corner(surface + 2));

@@ -567,6 +567,7 @@ enum status app_info(const struct app_options *o)
         return status;
     }
     status = STATUS_OK; /* printing a scene does not require a BVH */
+    setup_note_contacts(options, &scene);
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

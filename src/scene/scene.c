@@ -417,6 +417,15 @@ static enum status melt_ice(struct scene *scene, const struct scene_params *para
     return status;
 }
 
+static enum status find_contacts(struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    return coincident_shells_find(&scene->contacts, model->objects, model->object_count,
+                                  &model->object)
+               ? STATUS_OK
+               : log_out_of_memory("objects");
+}
+
 /* Gives resources that two poses share to the new pose, or to the old one if loading has failed. */
 static void transfer_ownership(struct scene *before, struct scene *scene, bool shares_environment,
                                enum status status)
@@ -459,6 +468,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = add_movers(scene, params->orbiting_ball_count);
     if (status == STATUS_OK)
         status = melt_ice(scene, params);
+    if (status == STATUS_OK)
+        status = find_contacts(scene);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene, params->has_scattering_medium);
     if (status == STATUS_OK && scene->tables.materials && has_object)
@@ -482,6 +493,7 @@ enum status scene_build_bvh(const struct scene *scene, bool is_cached)
         .sorted = scene->sorted,
         .cracks = &scene->inclusions.cracks,
         .bubbles = &scene->inclusions.bubbles,
+        .contacts = &scene->contacts,
         .rest = scene->rest,
         .is_cached = is_cached && (scene->rest || !scene->is_animated),
     };
@@ -496,6 +508,7 @@ void scene_finish(struct scene *scene)
     bvh_rest_pose_destroy(scene->rest);
     free(scene->sorted.all);
     model_finish(&scene->model);
+    coincident_shells_finish(&scene->contacts);
     melted_finish(&scene->melted);
     environment_finish(&scene->background.environment);
     environment_finish(&scene->background.cube);

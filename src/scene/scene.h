@@ -5,6 +5,7 @@
 
 #include "src/scene/ao_occluders.h"
 #include "src/scene/bvh/bvh.h"
+#include "src/scene/coincident_shells.h"
 #include "src/scene/environment/environment.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/ice_bump_map.h"
@@ -56,8 +57,9 @@ struct scene_files {
 };
 
 struct scene {
-    struct model model;    /* loaded model, with ranked objects (medium priorities) */
-    double file_origin[3]; /* model.origin before the model transform */
+    struct model model;                /* loaded model, with ranked objects (medium priorities) */
+    double file_origin[3];             /* model.origin before the model transform */
+    struct coincident_shells contacts; /* contacts between the objects' surfaces */
     struct scene_background background;
     struct scene_tables tables;
     struct scene_inclusions inclusions;

@@ -1,5 +1,6 @@
 /* load_scene.c: loads the scene that options describe, and completes its settings. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include "src/base/log.h"
 #include "src/render/frame/frame_uniforms.h"
@@ -155,6 +156,46 @@ static void check_shells(const struct setup_scene *options, const struct scene *
                 "a thickness",
                 options->name, first->name, others, count > 1 ? "are" : "is",
                 first->open_edge_count);
+}
+
+/* Returns a name of an object that is safe to print. */
+static const char *object_name(const struct model *model, uint32_t index,
+                               char text[static MATERIAL_NAME_SIZE])
+{
+    const char *name = model->objects[index].name;
+    if (name[0])
+        snprintf(text, MATERIAL_NAME_SIZE, "%s", name);
+    else
+        snprintf(text, MATERIAL_NAME_SIZE, "object %u", index);
+    log_sanitize(text);
+    return text;
+}
+
+static bool is_decided(const struct model *model, uint32_t object)
+{
+    return model->materials[model->objects[object].material].flags & MATERIAL_HAS_PRIORITY;
+}
+
+void setup_note_contacts(const struct setup_scene *options, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    char names[2][MATERIAL_NAME_SIZE];
+    for (uint32_t i = 0; i < scene->contacts.pair_count; i++) {
+        const struct coincident_pair pair = scene->contacts.pairs[i];
+        const struct frame_medium a = frame_medium_at(scene, &options->settings, pair.first);
+        const struct frame_medium b = frame_medium_at(scene, &options->settings, pair.second);
+        if (is_decided(model, pair.first) || is_decided(model, pair.second) ||
+            frame_media_are_equal(&a, &b))
+            continue;
+        const bool is_first = model->objects[pair.first].rank > model->objects[pair.second].rank;
+        const uint32_t top = is_first ? pair.first : pair.second;
+        log_note("%s: %s and %s share faces, and neither has a priority: where they overlap, the "
+                 "medium of %s applies; to choose, set extras.priority of a material",
+                 options->name, object_name(model, pair.first, names[0]),
+                 object_name(model, pair.second, names[1]), names[top == pair.second]);
+    }
+    if (scene->contacts.has_more_pairs)
+        log_note("%s: further objects share faces", options->name);
 }
 
 /* Warns of an empty environment box. This is no error, because a user may be editing the box. */
@@ -431,6 +472,8 @@ enum status setup_begin_scene(struct scene *scene, struct setup_scene *options)
         check_lights(options, scene);
         check_shells(options, scene);
         note_brightness(options, scene);
+        if (!options->quiet)
+            setup_note_contacts(options, scene);
     }
     return status;
 }

@@ -130,6 +130,10 @@ void setup_apply_scene_settings(struct setup_scene *options, const struct scene 
 /* Returns a loaded scene's settings without changes by --set, --preset, --plain or the user. */
 struct settings setup_scene_settings(const struct setup_scene *options, const struct scene *scene);
 
+/* Logs a note for each pair of objects of different media that share faces, if neither states a
+ * priority. */
+void setup_note_contacts(const struct setup_scene *options, const struct scene *scene);
+
 /* Begins to load a scene. After success, only a lack of memory can make setup_fill_scene() fail. */
 MUST_USE enum status setup_begin_scene(struct scene *scene, struct setup_scene *options);
 /* Does the slow part of loading. Meanwhile, other threads may read the scene. Returns NULL on

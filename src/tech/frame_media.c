@@ -80,6 +80,16 @@ bool frame_media_disperse(const struct scene *scene, const struct settings *sett
     return false;
 }
 
+bool frame_media_are_equal(const struct frame_medium *a, const struct frame_medium *b)
+{
+    for (int c = 0; c < 3; c++) {
+        if (a->ior[c] != b->ior[c] || a->absorption.raw[c] != b->absorption.raw[c] ||
+            a->tint.raw[c] != b->tint.raw[c])
+            return false;
+    }
+    return a->roughness == b->roughness && a->opacity == b->opacity && a->is_thin == b->is_thin;
+}
+
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index)
 {

@@ -31,6 +31,9 @@ bool frame_media_are_from_settings(const struct scene *scene);
 /* Returns true if any medium is dispersive. Each colour channel then needs its own path. */
 bool frame_media_disperse(const struct scene *scene, const struct settings *settings);
 
+/* Returns true if all parameters but the priority are equal. */
+bool frame_media_are_equal(const struct frame_medium *a, const struct frame_medium *b);
+
 /* Returns the number of media: one per object (at least one), and the medium around the objects. */
 uint32_t frame_media_count(const struct scene *scene);
 

@@ -20,12 +20,14 @@ def glass(ior=1.5, roughness=0, thickness=1, color=(1, 1, 1), **more):
 
 
 def boxes(*parts):
-    """The text of a file with a box, from -1 to 1, for each (material, place, scale)."""
+    """The text of a file with a box, from -1 to 1, for each (material, place, scale); a scale is a
+    number or three."""
     data = struct.pack('<24f', *sum(CORNERS, ())) + struct.pack('<36H', *SIDES)
     uri = 'data:application/octet-stream;base64,' + base64.b64encode(data).decode()
     return json.dumps({
         'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': list(range(len(parts)))}],
-        'nodes': [{'mesh': i, 'name': f'box {i}', 'translation': place, 'scale': [scale] * 3}
+        'nodes': [{'mesh': i, 'name': f'box {i}', 'translation': place,
+                   'scale': scale if isinstance(scale, list) else [scale] * 3}
                   for i, (_, place, scale) in enumerate(parts)],
         'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'indices': 1, 'material': i}]}
                    for i in range(len(parts))],
@@ -39,6 +41,25 @@ def boxes(*parts):
         'bufferViews': [{'buffer': 0, 'byteLength': 96},
                         {'buffer': 0, 'byteOffset': 96, 'byteLength': 72}],
         'buffers': [{'byteLength': len(data), 'uri': uri}]})
+
+
+def flat_boxes(*parts):
+    """A file of boxes() whose sides are flat: no corner is shared between sides."""
+    scene = json.loads(boxes(*parts))
+    corners = [CORNERS[i] for i in SIDES]
+    normals = [n for side in ((-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1), (0, 0, 1))
+               for n in [side] * 6]
+    data = struct.pack('<216f', *sum(corners + normals, ()))
+    vectors = {'componentType': 5126, 'count': 36, 'type': 'VEC3'}
+    scene['accessors'] = [{'bufferView': 0, 'min': [-1, -1, -1], 'max': [1, 1, 1], **vectors},
+                          {'bufferView': 1, **vectors}]
+    scene['bufferViews'] = [{'buffer': 0, 'byteOffset': at, 'byteLength': 432} for at in (0, 432)]
+    scene['buffers'] = [{'byteLength': 864, 'uri': 'data:application/octet-stream;base64,' +
+                         base64.b64encode(data).decode()}]
+    for mesh in scene['meshes']:
+        mesh['primitives'][0].update(attributes={'POSITION': 0, 'NORMAL': 1})
+        del mesh['primitives'][0]['indices']
+    return json.dumps(scene)
 
 
 def ball(radius, first, rows=32):

@@ -7,7 +7,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr, write_exr  # noqa: E402
-from gltf_file import balls, boxes, glass  # noqa: E402
+from gltf_file import balls, boxes, flat_boxes, glass  # noqa: E402
 
 SIZE = ('--size', '64x48', '--pixel-filter', 'point', '--samples', 1, '--plain', '-q',
         '--set', 'trace.min_branch=0')
@@ -113,6 +113,48 @@ class Trace(Case):
                 ground, ice = found[24 * 64 + 8], found[24 * 64 + 32]
                 self.assertAlmostEqual(ground, 1 / 9, delta=0.002)
                 self.assertAlmostEqual(ice, 1 / 9 + below, delta=0.002)
+
+    def check_contact(self, parts, truth):
+        """Boxes of which some share faces look like others that share none."""
+        words = ('--env', 'studio', *SIZE, '--eye', '-5,1.5,4', '--target', '0,0,0', '--set',
+                 'trace.surroundings=rays')
+        for rung in ('trace', 'reference'):
+            images = []
+            for name, boxes_of in (('a.gltf', parts), ('b.gltf', truth)):
+                (self.folder / name).write_text(flat_boxes(*boxes_of))
+                images.append(self.planes(name, '-r', rung, *words))
+            found, expected = ([x for c in 'RGB' for x in image[c]] for image in images)
+            error = sum(abs(a - b) for a, b in zip(found, expected)) / len(found)
+            self.assertLess(error, 0.001, (rung, len(parts)))
+
+    @unsanitized
+    def test_faces_that_objects_share(self):
+        """A block in two parts is one block; three media at an edge are as if they overlapped by
+        priority; so are faces that are less than a ten-thousandth of the objects apart."""
+        many = [(glass(), [0, -2, 0.1 * i], 0.01) for i in range(30)]  # more than a mask has bits
+        block = [(glass(), [0, 0, 0], [2, 1, 1])]
+        first, second, third = (glass(ior, extras={'priority': priority})
+                                for ior, priority in ((1.5, 3), (1.33, 2), (1.31, 1)))
+        edge = [(first, [-1, 0, 0], 1), (second, [0.8, 0.5, 0], [1.2, 0.5, 1]),
+                (third, [0.8, -0.3, 0], [1.2, 0.7, 1])]
+        for gap in (0, 1e-4):
+            self.check_contact([(glass(), [-1, 0, 0], 1), (glass(), [1 + gap, 0, 0], 1)], block)
+            parts = [(glass(1.5), [-1, 0, 0], 1), (glass(1.33), [1 + gap, 0.5, 0], [1, 0.5, 1]),
+                     (glass(1.31), [1 + gap, -0.5 - gap, 0], [1, 0.5, 1])]
+            self.check_contact(parts, edge)
+        self.check_contact(parts + many, edge + many)
+
+    def test_shared_faces_are_named(self):
+        def notes(command, ior, **more):
+            self.write('a.gltf', (glass(1.5, **more), [-1, 0, 0], 1), (glass(ior), [1, 0, 0], 1))
+            lines = self.succeed(*command, 'a.gltf').stderr.decode().splitlines()
+            return [line for line in lines if 'share faces' in line]
+        for command in (['info'], ['render', '--size', '8x6', '-o', 'a.exr']):
+            line, = notes(command, 1.33)
+            self.assertIn('box 0 and box 1 share', line)
+            self.assertIn('the medium of box 1 applies', line)
+            self.assertEqual(notes(command, 1.33, extras={'priority': 1}), [])
+            self.assertEqual(notes(command, 1.5), [])  # no interface
 
     @unsanitized
     def test_thin_and_dispersive(self):

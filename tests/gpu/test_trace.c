@@ -31,10 +31,13 @@ enum {
 static const struct rg_buffer rays = WORDS("rays", VK_FORMAT_R32G32B32A32_SFLOAT);
 static const struct rg_buffer nodes = WORDS("nodes", VK_FORMAT_R32G32B32A32_UINT);
 static const struct rg_buffer triangles = WORDS("triangles", VK_FORMAT_R32G32B32A32_UINT);
+static const struct rg_buffer corners = WORDS("corners", VK_FORMAT_R32G32B32A32_UINT);
 static const struct rg_buffer stored_nodes = { "stored nodes", .size = 16,
                                                .memory = RG_MEMORY_UPLOAD };
 static const struct rg_buffer stored_triangles = { "stored triangles", .size = 16,
                                                    .memory = RG_MEMORY_UPLOAD };
+static const struct rg_buffer stored_corners = { "stored corners", .size = 16,
+                                                 .memory = RG_MEMORY_UPLOAD };
 static const struct rg_buffer structure = { "structure", .size = 16 };
 static const struct rg_buffer trace = {
     .name = "trace",
@@ -62,7 +65,9 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
         { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING }, \
         { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES }, \
         { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES }, \
+        { .buffer = &corners, .access = RG_SAMPLED, .binding = TRACE_CORNERS }, \
         { .buffer = &stored_nodes, .access = RG_STORAGE_READ, .binding = TRACE_STORED_NODES }, \
+        { .buffer = &stored_corners, .access = RG_STORAGE_READ, .binding = TRACE_STORED_CORNERS }, \
     { \
         .buffer = &stored_triangles, .access = RG_STORAGE_READ, .binding = TRACE_STORED_TRIANGLES \
     }
@@ -139,7 +144,7 @@ static void pick_rays(struct ray *to, const struct bvh *bvh, bool is_sided)
 /* ---- a device ---- */
 
 enum {
-    WORDS_AND_RAYS = 3,
+    WORDS_AND_RAYS = 4,
     IMPORTS = WORDS_AND_RAYS + 1,
 };
 
@@ -159,16 +164,16 @@ static void ask(struct gpu *gpu, const struct bvh *bvh, const struct gpu_acceler
 {
     const VkSpecializationMapEntry entry = { CONSTANT_TRACE, 0, sizeof(constant) };
     const VkSpecializationInfo constants = { 1, &entry, sizeof(constant), &constant };
-    const struct bvh_words *words[] = { &bvh->nodes, &bvh->triangles };
-    const struct rg_buffer *const declared[] = { &nodes, &triangles, &rays };
+    const struct bvh_words *words[] = { &bvh->nodes, &bvh->triangles, &bvh->corners };
+    const struct rg_buffer *const declared[] = { &nodes, &triangles, &corners, &rays };
     struct rg_import imports[IMPORTS];
     struct rg_exec_import objects[IMPORTS];
     struct gpu_buffer buffers[WORDS_AND_RAYS];
     struct run run;
     for (int i = 0; i < WORDS_AND_RAYS; i++) {
-        const void *bytes = i < 2 ? (const void *)words[i]->all : asked;
+        const void *bytes = i < 3 ? (const void *)words[i]->all : asked;
         const size_t size =
-            i < 2 ? words[i]->count * sizeof(*words[i]->all) : RAYS * sizeof(*asked);
+            i < 3 ? words[i]->count * sizeof(*words[i]->all) : RAYS * sizeof(*asked);
         assert_int_equal(gpu_buffer_create(gpu, &buffers[i],
                                            VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, bytes, size,
                                            declared[i]->name),

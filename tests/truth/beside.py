@@ -103,7 +103,7 @@ def medium(glb, material):
         volume = more['KHR_materials_volume']
         absorbed = [-math.log(c) / volume['attenuationDistance']
                     for c in volume['attenuationColor']]
-        return (struct.pack('<2i4d', 1, material['extras']['priority'],
+        return (struct.pack('<2i4d', 1, material.get('extras', {}).get('priority', -1),
                             more['KHR_materials_ior']['ior'], *absorbed) +
                 picture(1, 1, [(1, 1, 1)]))
     texels = 1, 1, [(1, 1, 1)]

@@ -8,6 +8,8 @@
  * Every number is a double, and no hit is moved along its ray: the triangle that light has just met
  * is left out instead. A ray counts how often it has entered each object: overlapping parts of one
  * object are one body. Of the objects that it is inside, that of the greatest priority is there.
+ * Surfaces of several objects that coincide are one: all of them are crossed before the media on
+ * both sides are compared; the object of the greatest priority that begins or ends has the normal.
  * Where an interpolated normal would send light to the wrong side of its triangle, that of the
  * triangle is used.
  */
@@ -23,10 +25,12 @@ enum {
     LEAF_TRIANGLES = 4,
     BINS = 16,
     MAX_SURFACES = 2000, /* that light may meet; the rest is lost */
+    MAX_TOUCHING = 8,    /* surfaces that coincide */
 };
 
 static const double split_weight = 0.05; /* above it, light goes both ways at a surface */
 static const double weak = 0.01;         /* weight below which a path ends by chance */
+static const double touching = 1e-4;     /* distance of surfaces, in radii of the least object */
 
 struct vec {
     double x, y, z;
@@ -71,6 +75,7 @@ struct scene {
     struct picture around; /* equirectangular, -Z in its middle */
     struct node *nodes;
     int32_t node_count;
+    double reach; /* distance within which surfaces coincide */
 };
 
 struct hit {
@@ -80,7 +85,7 @@ struct hit {
 
 struct path {
     struct vec at, way, weight;
-    int32_t left; /* the triangle that it has just met, or -1 */
+    int32_t left[2 * MAX_TOUCHING]; /* the triangles that it has just met, or -1 */
     int32_t surfaces;
     int16_t inside[MAX_OBJECTS];
 };
@@ -310,7 +315,11 @@ static void meet(const struct scene *scene, const struct path *path, int32_t i, 
     const struct vec ab = plus(c[1].at, c[0].at, -1), ac = plus(c[2].at, c[0].at, -1);
     const struct vec p = cross(path->way, ac);
     const double det = dot(ab, p);
-    if (i == path->left || det == 0)
+    for (int k = 0; k < 2 * MAX_TOUCHING; k++) {
+        if (i == path->left[k])
+            return;
+    }
+    if (det == 0)
         return;
     const struct vec from = plus(path->at, c[0].at, -1);
     const double u = dot(from, p) / det;
@@ -434,20 +443,75 @@ static struct vec part(const struct scene *scene, struct path *path, struct path
     return plus(light, follow(scene, path, random), 1);
 }
 
-/* At a surface between two media: `path` becomes the refracted one. */
-static struct vec cross_surface(const struct scene *scene, struct path *path, const struct hit *hit,
-                                uint64_t *random)
+static struct vec flat_normal(const struct scene *scene, const struct hit *hit)
 {
-    const struct triangle *triangle = &scene->triangles[hit->triangle];
-    const struct corner *c = triangle->corners;
-    struct vec flat = unit(cross(plus(c[1].at, c[0].at, -1), plus(c[2].at, c[0].at, -1)));
-    struct vec normal = unit(blend(c[0].normal, c[1].normal, c[2].normal, hit));
-    const bool enters = dot(flat, path->way) < 0;
+    const struct corner *c = scene->triangles[hit->triangle].corners;
+    return unit(cross(plus(c[1].at, c[0].at, -1), plus(c[2].at, c[0].at, -1)));
+}
+
+/* Finds the hits that coincide with one, which is the first of them. Returns their number; 1 if
+ * all are of one object. */
+static int find_touching(const struct scene *scene, const struct path *path,
+                         struct hit hits[static MAX_TOUCHING])
+{
+    struct path probe = *path;
+    const int32_t first = scene->triangles[hits[0].triangle].object;
+    const double slope = fmax(fabs(dot(flat_normal(scene, &hits[0]), path->way)), 1.0 / 16);
+    int count = 1;
+    bool is_one = true;
+    for (; count < MAX_TOUCHING; count++) {
+        probe.left[MAX_TOUCHING + count] = hits[count - 1].triangle;
+        const struct hit hit = find_hit(scene, &probe);
+        if (hit.triangle < 0 || hit.t > hits[0].t + scene->reach / slope ||
+            !scene->objects[scene->triangles[hit.triangle].object].is_clear)
+            break;
+        hits[count] = hit;
+        is_one = is_one && scene->triangles[hit.triangle].object == first;
+    }
+    return is_one ? 1 : count;
+}
+
+/* Crosses all hits. Returns the one that has the normal. */
+static const struct hit *cross_all(const struct scene *scene, struct path *path,
+                                   const struct hit *hits, int count)
+{
+    const struct object *before = medium(scene, path->inside);
+    for (int i = 0; i < count; i++) {
+        int16_t *inside = &path->inside[scene->triangles[hits[i].triangle].object];
+        *inside = (int16_t)(*inside + (dot(flat_normal(scene, &hits[i]), path->way) < 0 ? 1 : -1));
+    }
+    const struct object *after = medium(scene, path->inside);
+    const struct object *top =
+        !after || (before && (before->priority > after->priority ||
+                              (before->priority == after->priority && before > after)))
+            ? before
+            : after;
+    for (int i = 0; i < count; i++) {
+        if (&scene->objects[scene->triangles[hits[i].triangle].object] == top)
+            return &hits[i];
+    }
+    return hits;
+}
+
+static bool are_same(const struct object *a, const struct object *b)
+{
+    return a == b || (a && b && a->index == b->index && a->absorbed.x == b->absorbed.x &&
+                      a->absorbed.y == b->absorbed.y && a->absorbed.z == b->absorbed.z);
+}
+
+/* At surfaces between two media: `path` becomes the refracted one. */
+static struct vec cross_surface(const struct scene *scene, struct path *path,
+                                const struct hit *hits, int count, uint64_t *random)
+{
     struct path back = *path;
     const struct object *before = medium(scene, path->inside);
-    path->inside[triangle->object] = (int16_t)(path->inside[triangle->object] + (enters ? 1 : -1));
+    const struct hit *hit = cross_all(scene, path, hits, count);
     const struct object *after = medium(scene, path->inside);
-    if (before == after)
+    const struct corner *c = scene->triangles[hit->triangle].corners;
+    struct vec flat = flat_normal(scene, hit);
+    struct vec normal = unit(blend(c[0].normal, c[1].normal, c[2].normal, hit));
+    const bool enters = dot(flat, path->way) < 0;
+    if (are_same(before, after))
         return follow(scene, path, random);
     if (!enters)
         flat = scaled(flat, -1), normal = scaled(normal, -1);
@@ -474,7 +538,8 @@ static struct vec follow(const struct scene *scene, struct path *path, uint64_t 
             return (struct vec){ 0, 0, 0 };
         path->weight = scaled(path->weight, weak / most);
     }
-    const struct hit hit = find_hit(scene, path);
+    struct hit hits[MAX_TOUCHING] = { find_hit(scene, path) };
+    const struct hit hit = hits[0];
     if (hit.triangle < 0)
         return times(path->weight, light_from(scene, path->way));
     const struct object *here = medium(scene, path->inside);
@@ -483,13 +548,32 @@ static struct vec follow(const struct scene *scene, struct path *path, uint64_t 
                                   exp(-here->absorbed.z * hit.t) };
         path->weight = times(path->weight, kept);
     }
-    path->at = plus(path->at, path->way, hit.t);
-    path->left = hit.triangle;
     if (!scene->objects[scene->triangles[hit.triangle].object].is_clear)
         return times(path->weight, emitted(scene, &hit));
     if (++path->surfaces > MAX_SURFACES)
         return (struct vec){ 0, 0, 0 };
-    return cross_surface(scene, path, &hit, random);
+    const int count = find_touching(scene, path, hits);
+    path->at = plus(path->at, path->way, hit.t);
+    for (int i = 0; i < 2 * MAX_TOUCHING; i++)
+        path->left[i] = i < count ? hits[i].triangle : -1;
+    return cross_surface(scene, path, hits, count, random);
+}
+
+/* Finds the distance of surfaces that coincide, of the size of the least clear object. */
+static void measure(struct scene *scene)
+{
+    double least = INFINITY;
+    for (int32_t i = 0; i < scene->counts.objects; i++) {
+        struct node box = nothing;
+        for (int32_t k = 0; k < scene->counts.triangles; k++) {
+            if (scene->triangles[k].object == i && scene->objects[i].is_clear)
+                grow_all(&box, &scene->triangles[k]);
+        }
+        const struct vec size = plus(box.high, box.low, -1);
+        if (size.x >= 0)
+            least = fmin(least, sqrt(dot(size, size)) / 2);
+    }
+    scene->reach = touching * least;
 }
 
 /* ---- the picture ---- */
@@ -499,7 +583,8 @@ static struct path from_eye(const struct scene *scene, double x, double y)
     const double height = scene->counts.height, width = scene->counts.width;
     const double right = (2 * x - width) / height * scene->tangent;
     const double up = (1 - 2 * y / height) * scene->tangent;
-    struct path path = { .at = scene->eye, .weight = { 1, 1, 1 }, .left = -1 };
+    struct path path = { .at = scene->eye, .weight = { 1, 1, 1 } };
+    memset(path.left, -1, sizeof(path.left));
     path.way = unit(plus(plus(scaled(scene->right, right), scene->up, up), scene->back, -1));
     return path;
 }
@@ -536,6 +621,7 @@ int main(int argc, char **argv)
         return 2;
     }
     read_scene(&scene, argv[1]);
+    measure(&scene);
     scene.nodes = room_for(2 * (size_t)scene.counts.triangles + 1, sizeof(*scene.nodes));
     scene.node_count = 1;
     build(&scene, 0, 0, scene.counts.triangles);

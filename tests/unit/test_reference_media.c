@@ -90,6 +90,8 @@ static void rank(struct scene *scene)
     assert_int_equal(object_assign_ranks(scene->model.objects, scene->model.object_count,
                                          &scene->model.object, scene->model.materials),
                      STATUS_OK);
+    assert_true(coincident_shells_find(&scene->contacts, scene->model.objects,
+                                       scene->model.object_count, &scene->model.object));
     const struct settings settings = settings_default();
     const struct refract_params *refract = settings_of(&settings, &refract_settings);
     scene->model_ior = refract->ior; /* so the materials' own indices count */
@@ -138,16 +140,16 @@ static double reflected(const double *surfaces, size_t count)
     return all;
 }
 
-/* Water between panes of glass, into which its box reaches; behind is white, before it black. */
-static void test_glass_water_glass(void **state)
+/* Checks water between panes of glass, into which its box reaches by `overlap`; behind is white,
+ * before it black. */
+static void check_glass_water_glass(float overlap, struct material pane, struct material liquid)
 {
     static const double angles[] = { 0, 20, 40, 60, 75 };
     const struct settings settings = SETTINGS("reference.cutoff=1e-6");
     struct scene scene = white_scene();
-    (void)state;
-    add_slab(&scene, -1.5F, -3.5F, with_priority(clear(water), 1));
-    add_slab(&scene, -1, -2, with_priority(clear(glass), 3));
-    add_slab(&scene, -3, -4, with_priority(clear(glass), 3));
+    add_slab(&scene, -2 + overlap, -3 - overlap, liquid);
+    add_slab(&scene, -1, -2, pane);
+    add_slab(&scene, -3, -4, pane);
     rank(&scene);
     picture_add_quad(&scene, &(struct picture_quad){
                                  .top_left = { { -300, 300, 8 } },
@@ -170,6 +172,40 @@ static void test_glass_water_glass(void **state)
         assert_true(vec_angle_deg(seen.exit, reference_ray_direction(in)) < 0.01);
     }
     scene_finish(&scene);
+}
+
+/* Panes and water that share faces, or nearly, are as if they overlapped. */
+static void test_glass_water_glass(void **state)
+{
+    (void)state;
+    check_glass_water_glass(0.5F, with_priority(clear(glass), 3), with_priority(clear(water), 1));
+    for (int i = -1; i <= 1; i++)
+        check_glass_water_glass(2e-3F * (float)i, clear(glass), clear(water));
+}
+
+/* A slab in two parts that share a face is one slab, also of a tint and a rough surface. */
+static void test_split_slab(void **state)
+{
+    const struct settings settings = SETTINGS("reference.cutoff=1e-6");
+    struct material material = clear(glass);
+    struct reference_ray seen[2];
+    (void)state;
+    material.base_color = (vec3s){ { 0.5F, 0.7F, 0.9F } };
+    material.roughness = 0.1F;
+    for (int i = 0; i < 2; i++) {
+        struct scene scene = white_scene();
+        add_slab(&scene, -1, i ? -1.7F : -3, material);
+        if (i)
+            add_slab(&scene, -1.7F, -3, material);
+        rank(&scene);
+        assert_int_equal(scene.contacts.pair_count, i);
+        seen[i] = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 3 },
+                                      reference_ray_direction(0.5));
+        scene_finish(&scene);
+    }
+    CHECK_NEAR(seen[0].color.x, seen[1].color.x, 1e-3);
+    CHECK_NEAR(seen[0].color.z, seen[1].color.z, 1e-3);
+    assert_true(seen[0].color.z > 0.5);
 }
 
 /* Light is attenuated by each medium over its own length, and by none where none is. */
@@ -339,10 +375,11 @@ static void test_points(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ranks),       cmocka_unit_test(test_glass_water_glass),
-        cmocka_unit_test(test_attenuation), cmocka_unit_test(test_snells_window),
-        cmocka_unit_test(test_thin_wall),   cmocka_unit_test(test_open_sheet),
-        cmocka_unit_test(test_rough_ball),  cmocka_unit_test(test_points),
+        cmocka_unit_test(test_ranks),         cmocka_unit_test(test_glass_water_glass),
+        cmocka_unit_test(test_split_slab),    cmocka_unit_test(test_attenuation),
+        cmocka_unit_test(test_snells_window), cmocka_unit_test(test_thin_wall),
+        cmocka_unit_test(test_open_sheet),    cmocka_unit_test(test_rough_ball),
+        cmocka_unit_test(test_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,7 +16,8 @@ struct dielectric_split {
 struct surface_hit {
     struct embree_scene_hit hit;
     struct nested_media_crossing crossing;
-    uint32_t channel; /* traced colour channel, for dispersion */
+    struct nested_media_changes changes; /* of the objects around the ray */
+    uint32_t channel;                    /* traced colour channel, for dispersion */
     uint32_t seed;
     struct object_material material; /* surface material, textures included */
     vec3s normal;                    /* outward shading normal */

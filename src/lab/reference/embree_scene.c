@@ -34,19 +34,65 @@ static uint32_t object_of(const struct embree_scene *embree_scene, uint32_t tria
                       model->objects);
 }
 
+static bool is_thin(const struct embree_scene *embree_scene, uint32_t object)
+{
+    const struct model *model = &embree_scene->radiance->scene->model;
+    const struct material *material = &model->materials[model->objects[object].material];
+    return !(material->flags & MATERIAL_FROM_SETTINGS) && !(material->thickness > 0.0f);
+}
+
+/* Returns true if a face at a contact belongs to the surface on which the ray starts. */
+static bool is_crossed_contact(const struct embree_scene *embree_scene,
+                               const struct embree_scene_ray *ray, const struct RTCHit *hit,
+                               float distance)
+{
+    const vec3s facet = glms_vec3_normalize((vec3s){ { hit->Ng_x, hit->Ng_y, hit->Ng_z } });
+    const float towards = glms_vec3_dot(facet, ray->dir);
+    const bool is_near =
+        distance * fmaxf(fabsf(towards), COINCIDENT_COSINE_MIN) < embree_scene->epsilon;
+    const uint32_t object = object_of(embree_scene, hit->primID);
+    if (is_thin(embree_scene, object))
+        return is_near ||
+               (ray->is_wrong_side && object == ray->object && (towards > 0.0f) != ray->is_inside);
+    return (is_near || ray->is_wrong_side) &&
+           nested_media_set_has(ray->inside, object) != (towards > 0.0f);
+}
+
+/* Returns true if a ray ignores a face of an object because of its origin. */
+static bool is_ignored(const struct embree_scene *embree_scene, const struct embree_scene_ray *ray,
+                       const struct RTCHit *hit, float distance)
+{
+    if (ray->from == EMBREE_SCENE_NO_ORIGIN || ray->kind != EMBREE_SCENE_OBJECT)
+        return false;
+    if (hit->primID == ray->from)
+        return true;
+    if (ray->inside && coincident_shells_has(&embree_scene->radiance->scene->contacts, hit->primID))
+        return is_crossed_contact(embree_scene, ray, hit, distance);
+    const vec3s facet = { { hit->Ng_x, hit->Ng_y, hit->Ng_z } };
+    const bool is_back = glms_vec3_dot(facet, ray->dir) > 0.0f;
+    return is_back != ray->is_inside && (ray->is_wrong_side || distance < embree_scene->epsilon) &&
+           object_of(embree_scene, hit->primID) == ray->object;
+}
+
+static bool is_found(const struct embree_scene_search *search, uint32_t triangle)
+{
+    const uint32_t count =
+        search->count < EMBREE_SCENE_FOUND_MAX ? search->count : EMBREE_SCENE_FOUND_MAX;
+    for (uint32_t i = 0; i < count; i++) {
+        if (search->found[i] == triangle)
+            return true;
+    }
+    return false;
+}
+
 static void filter_object(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;
     const struct embree_scene_ray *ray = ((const struct context *)(const void *)args->context)->ray;
     const struct RTCHit *hit = hit_of(args);
-    if (ray->from == EMBREE_SCENE_NO_ORIGIN || ray->kind != EMBREE_SCENE_OBJECT)
-        return;
-    const vec3s facet = { { hit->Ng_x, hit->Ng_y, hit->Ng_z } };
-    const bool is_back = glms_vec3_dot(facet, ray->dir) > 0.0f;
     const float distance = ((const struct RTCRay *)(const void *)args->ray)->tfar;
-    if (hit->primID == ray->from ||
-        (is_back != ray->is_inside && (ray->is_wrong_side || distance < embree_scene->epsilon) &&
-         object_of(embree_scene, hit->primID) == ray->object))
+    if ((ray->search && is_found(ray->search, hit->primID)) ||
+        is_ignored(embree_scene, ray, hit, distance))
         args->valid[0] = 0;
 }
 
@@ -235,7 +281,7 @@ enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice devic
 {
     *embree_scene = (struct embree_scene){
         .radiance = radiance,
-        .epsilon = 1e-4f * radiance->globals->radius,
+        .epsilon = fmaxf(1e-4f * radiance->globals->radius, radiance->scene->contacts.epsilon),
         .is_textured = has_textured_object(&radiance->scene->model),
         .meshes[EMBREE_SCENE_OBJECT].mesh = &radiance->scene->model.object,
         .meshes[EMBREE_SCENE_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
@@ -370,6 +416,13 @@ static struct embree_scene_hit bubble_hit(const struct embree_scene *embree_scen
     };
 }
 
+bool embree_scene_is_at_contact(const struct embree_scene *embree_scene,
+                                const struct embree_scene_hit *hit)
+{
+    return hit->kind == EMBREE_SCENE_OBJECT &&
+           coincident_shells_has(&embree_scene->radiance->scene->contacts, hit->triangle);
+}
+
 bool embree_scene_intersect(const struct embree_scene *embree_scene,
                             const struct embree_scene_ray *ray, struct embree_scene_hit *hit)
 {
@@ -383,7 +436,7 @@ bool embree_scene_intersect(const struct embree_scene *embree_scene,
             .dir_y = ray->dir.y,
             .dir_z = ray->dir.z,
             .tnear = ray->near,
-            .tfar = INFINITY,
+            .tfar = ray->far > 0.0f ? ray->far : INFINITY,
             .mask = UINT32_MAX,
         },
         .hit = { .geomID = RTC_INVALID_GEOMETRY_ID, .instID[0] = RTC_INVALID_GEOMETRY_ID },

@@ -4,8 +4,10 @@
  * Self-intersection is avoided without offsets: a ray ignores the triangle on which it starts. It
  * also ignores faces of the same object with the wrong orientation if they are closer than epsilon,
  * or if interpolated normals gave the ray a direction on the wrong side (`is_wrong_side`). Cracks
- * and planes of air closer than epsilon are ignored. Bubbles are intersected analytically
- * (src/scene/bubble_intersect.h): a ray that starts on a bubble hits it again only from inside.
+ * and planes of air closer than epsilon are ignored. At a contact with another object, a face that
+ * is closer than epsilon is ignored if it does not change the set of objects around the ray.
+ * Bubbles are intersected analytically (src/scene/bubble_intersect.h): a ray that starts on a
+ * bubble hits it again only from inside.
  *
  * Thread safety: several threads may call embree_scene_intersect() at the same time.
  */
@@ -14,6 +16,7 @@
 
 #include "src/base/status.h"
 #include "src/lab/reference/embree_compat.h"
+#include "src/lab/reference/nested_media.h"
 #include "src/lab/reference/surroundings_radiance.h"
 
 enum {
@@ -23,18 +26,28 @@ enum {
     EMBREE_SCENE_AIR,        /* sheets of trapped air */
     EMBREE_SCENE_MESH_COUNT, /* number of triangle meshes */
     EMBREE_SCENE_BUBBLES = EMBREE_SCENE_MESH_COUNT,
+    EMBREE_SCENE_FOUND_MAX = 16 /* see struct embree_scene_search */
 };
 
 #define EMBREE_SCENE_NO_ORIGIN UINT32_MAX /* the ray starts on no surface */
 
+/* Enumerates hits on objects that are at about the same distance. */
+struct embree_scene_search {
+    uint32_t found[EMBREE_SCENE_FOUND_MAX]; /* last triangles found, which are not found again */
+    uint32_t count;                         /* number of triangles found; may exceed the maximum */
+};
+
 struct embree_scene_ray {
-    vec3s origin, dir;  /* `dir` is unit length */
-    float near;         /* minimum hit distance, metres */
-    bool is_inside;     /* the ray starts inside `object` */
-    bool is_wrong_side; /* interpolated normals made its direction wrong */
-    uint32_t from;      /* triangle or bubble of origin */
-    uint32_t kind;      /* EMBREE_SCENE_... of `from` */
-    uint32_t object;    /* object of `from` */
+    vec3s origin, dir;                        /* `dir` is unit length */
+    float near;                               /* minimum hit distance, metres */
+    float far;                                /* maximum hit distance, metres; 0 for infinity */
+    bool is_inside;                           /* the ray starts inside `object` */
+    bool is_wrong_side;                       /* interpolated normals made its direction wrong */
+    uint32_t from;                            /* triangle or bubble of origin */
+    uint32_t kind;                            /* EMBREE_SCENE_... of `from` */
+    uint32_t object;                          /* object of `from` */
+    const struct nested_media_set *inside;    /* objects around the origin; NULL if unknown */
+    const struct embree_scene_search *search; /* NULL to find the closest hit */
 };
 
 struct embree_scene_hit {
@@ -72,6 +85,15 @@ struct embree_scene {
 MUST_USE enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice device,
                                        const struct radiance *radiance, uint64_t memory);
 void embree_scene_finish(struct embree_scene *embree_scene);
+
+static inline void embree_scene_search_add(struct embree_scene_search *search, uint32_t triangle)
+{
+    search->found[search->count++ % EMBREE_SCENE_FOUND_MAX] = triangle;
+}
+
+/* Returns true if a hit is on a triangle at a contact (src/scene/coincident_shells.h). */
+bool embree_scene_is_at_contact(const struct embree_scene *embree_scene,
+                                const struct embree_scene_hit *hit);
 
 /* Finds the closest hit of a ray. Returns false if nothing is hit. */
 bool embree_scene_intersect(const struct embree_scene *embree_scene,

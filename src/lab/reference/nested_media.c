@@ -43,7 +43,9 @@ bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32
 {
     const bool are_air =
         (a == media->outside && b == media->bubble) || (a == media->bubble && b == media->outside);
-    return a == b || (are_air && media->all[a].ior[0] == media->all[b].ior[0]);
+    const bool are_objects = a < media->outside && b < media->outside;
+    return a == b || (are_air && media->all[a].ior[0] == media->all[b].ior[0]) ||
+           (are_objects && frame_media_are_equal(&media->all[a], &media->all[b]));
 }
 
 /* Returns the object's index in the set, or the set's size if it is not a member. */
@@ -67,6 +69,28 @@ void nested_media_set_update(struct nested_media_set *set, uint32_t object, bool
         set->objects[set->count++] = (uint16_t)object;
     else if (!is_inside && i < set->count)
         set->objects[i] = set->objects[--set->count];
+}
+
+void nested_media_changes_cancel(struct nested_media_changes *changes)
+{
+    for (uint32_t i = changes->entered.count; i-- > 0;) {
+        const uint32_t object = changes->entered.objects[i];
+        if (!nested_media_set_has(&changes->left, object))
+            continue;
+        nested_media_set_update(&changes->entered, object, false);
+        nested_media_set_update(&changes->left, object, false);
+    }
+}
+
+void nested_media_set_apply(struct nested_media_set *set,
+                            const struct nested_media_changes *changes, bool is_behind)
+{
+    const struct nested_media_set *added = is_behind ? &changes->entered : &changes->left;
+    const struct nested_media_set *removed = is_behind ? &changes->left : &changes->entered;
+    for (uint32_t i = 0; i < removed->count; i++)
+        nested_media_set_update(set, removed->objects[i], false);
+    for (uint32_t i = 0; i < added->count; i++)
+        nested_media_set_update(set, added->objects[i], true);
 }
 
 struct nested_media_crossing nested_media_cross(const struct nested_media *media,

@@ -1,9 +1,8 @@
 /*
  * nested_media.h: nested dielectrics with priorities. Tracks which objects and which medium
- * surround a ray. Touching objects must overlap slightly, because rays cannot robustly hit
- * coincident surfaces. In an overlap, the medium of highest priority (`rank`) applies. Surfaces
- * inside this medium are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced
- * Images).
+ * surround a ray. In an overlap, the medium of highest priority (`rank`) applies. Surfaces inside
+ * this medium are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced Images).
+ * Coincident surfaces of several objects are one interface.
  */
 #ifndef FIRN_LAB_REFERENCE_NESTED_MEDIA_H
 #define FIRN_LAB_REFERENCE_NESTED_MEDIA_H
@@ -38,8 +37,21 @@ void nested_media_finish(struct nested_media *media);
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 
-/* Returns true if `a` and `b` are the same medium, or both are air of equal refractive index. */
+/* Returns true if there is no interface between two media: if they are the same medium, objects of
+ * equal parameters, or both air of equal refractive index. */
 bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32_t b);
+
+/* Objects that a ray enters and leaves at one hit, which may be on several coincident surfaces. */
+struct nested_media_changes {
+    struct nested_media_set entered, left;
+};
+
+/* Removes the objects that a ray both enters and leaves at one hit. */
+void nested_media_changes_cancel(struct nested_media_changes *changes);
+
+/* Applies the changes to a set: the objects around a point behind the hit, or in front of it. */
+void nested_media_set_apply(struct nested_media_set *set,
+                            const struct nested_media_changes *changes, bool is_behind);
 
 bool nested_media_set_has(const struct nested_media_set *set, uint32_t object);
 

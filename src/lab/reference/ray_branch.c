@@ -3,6 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "shaders/microfacet.h"
+#include "src/lab/reference/contact_hits.h"
 
 enum {
     SCATTERINGS_MAX = 65536, /* volume scattering events per ray */
@@ -29,21 +30,6 @@ static vec3s absorbed(const struct tracer *tracing, const struct ray_branch *b, 
     return throughput;
 }
 
-/* Returns the media on both sides of an object's surface. If the object is a thin wall, both are
- * the surrounding medium, because a thin wall has no interior. */
-static struct nested_media_crossing crossing_at(const struct tracer *tracing,
-                                                const struct nested_media_set *inside, vec3s dir,
-                                                const struct embree_scene_hit *hit)
-{
-    struct nested_media_crossing crossing = nested_media_cross(
-        tracing->media, inside, hit->object, dielectric_split_dot(hit->facet, dir) < 0.0);
-    if (tracer_medium(tracing, hit->object)->is_thin) {
-        crossing.before = nested_media_top(tracing->media, inside, hit->object);
-        crossing.after = crossing.before;
-    }
-    return crossing;
-}
-
 static uint32_t inclusion_bit(const struct embree_scene_hit *hit)
 {
     return hit->kind == EMBREE_SCENE_BUBBLES  ? REFERENCE_INCLUSION_BUBBLES
@@ -52,7 +38,7 @@ static uint32_t inclusion_bit(const struct embree_scene_hit *hit)
 }
 
 /* Returns the continuing ray: refracted if `is_through`, else reflected. */
-static struct ray_branch continue_ray(const struct tracer *tracing, const struct ray_branch *b,
+static struct ray_branch continue_ray(const struct ray_branch *b,
                                       const struct surface_hit *surface_hit, vec3s dir,
                                       bool is_through)
 {
@@ -79,8 +65,8 @@ static struct ray_branch continue_ray(const struct tracer *tracing, const struct
         .is_gather_ray = b->is_gather_ray,
         .is_single_path = b->is_single_path,
     };
-    if (hit->kind != EMBREE_SCENE_CRACKS && !tracer_medium(tracing, hit->object)->is_thin)
-        nested_media_set_update(&next.inside, hit->object, next.ray.is_inside);
+    if (hit->kind != EMBREE_SCENE_CRACKS)
+        nested_media_set_apply(&next.inside, &surface_hit->changes, is_through);
     return next;
 }
 
@@ -224,11 +210,18 @@ static void evaluate_material(const struct tracer *tracing, const struct ray_bra
     surface_hit->is_bent = material->textures[MATERIAL_NORMAL].layer > 0;
 }
 
+static bool intersect(const struct tracer *tracing, const struct ray_branch *b,
+                      struct embree_scene_hit *hit)
+{
+    struct embree_scene_ray ray = b->ray;
+    ray.inside = &b->inside;
+    return embree_scene_intersect(tracing->embree_scene, &ray, hit);
+}
+
 bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
                         struct surface_hit *surface_hit)
 {
-    while (!ray_branch_is_exhausted(tracing, b) &&
-           embree_scene_intersect(tracing->embree_scene, &b->ray, &surface_hit->hit)) {
+    while (!ray_branch_is_exhausted(tracing, b) && intersect(tracing, b, &surface_hit->hit)) {
         const struct embree_scene_hit *hit = &surface_hit->hit;
         if (scatter(tracing, b, hit->distance))
             continue;
@@ -244,7 +237,7 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
             pass_sheet(tracing, b, hit);
             continue;
         }
-        surface_hit->crossing = crossing_at(tracing, &b->inside, b->ray.dir, hit);
+        contact_hits_cross(tracing, &b->ray, &b->inside, surface_hit);
         if (tracer_medium(tracing, hit->object)->is_thin ||
             !nested_media_are_equal(tracing->media, surface_hit->crossing.before,
                                     surface_hit->crossing.after)) {
@@ -252,7 +245,7 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
             return true;
         }
         const struct ray_branch before = *b;
-        *b = continue_ray(tracing, b, surface_hit, b->ray.dir, true);
+        *b = continue_ray(b, surface_hit, b->ray.dir, true);
         b->throughput = before.throughput;
         b->air = before.air;
     }
@@ -265,10 +258,10 @@ struct fork ray_branch_split(const struct tracer *tracing, const struct ray_bran
     const struct object_material *surface = &surface_hit->material;
     struct fork fork = { .split = dielectric_split_at(tracing, b->ray.dir, surface_hit) };
     const struct dielectric_split *p = &fork.split;
-    fork.reflected = continue_ray(tracing, b, surface_hit, p->reflected, false);
+    fork.reflected = continue_ray(b, surface_hit, p->reflected, false);
     fork.reflected.throughput =
         glms_vec3_scale(glms_vec3_mul(b->throughput, p->colors), p->reflected_masking);
-    fork.refracted = continue_ray(tracing, b, surface_hit, p->refracted, true);
+    fork.refracted = continue_ray(b, surface_hit, p->refracted, true);
     fork.refracted.throughput =
         glms_vec3_scale(glms_vec3_mul(glms_vec3_mul(b->throughput, surface->tint),
                                       glms_vec3_sub(glms_vec3_one(), p->colors)),

@@ -13,6 +13,8 @@ enum {
     CROSSINGS_MAX = 4096, /* surfaces between camera and infinity */
 };
 
+#define ROUNDING 1e-6f /* relative rounding error of distances */
+
 /* Radiance summed over a ray tree, and the throughput of its terminated rays. */
 struct sum {
     vec3s light, remaining;
@@ -241,9 +243,11 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
 {
     struct nested_media_set entered = { 0 };
     struct embree_scene_hit hit;
+    struct embree_scene_search search = { .count = 0 };
     struct embree_scene_ray ray = { .origin = point,
                                     .dir = { { 0.36f, 0.8f, 0.48f } },
-                                    .from = EMBREE_SCENE_NO_ORIGIN };
+                                    .from = EMBREE_SCENE_NO_ORIGIN,
+                                    .search = &search };
     *inside = (struct nested_media_set){ 0 };
     for (uint32_t i = 0;
          i < CROSSINGS_MAX && embree_scene_intersect(tracing->embree_scene, &ray, &hit); i++) {
@@ -255,8 +259,11 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
             nested_media_set_update(inside, hit.object, true);
         else if (is_medium)
             nested_media_set_update(&entered, hit.object, false);
-        ray.origin = hit.surface.position;
-        ray.near = tracing->embree_scene->epsilon;
+        ray.near = nextafterf(hit.distance, INFINITY);
+        if (hit.kind == EMBREE_SCENE_OBJECT) { /* another object may be hit at the same distance */
+            embree_scene_search_add(&search, hit.triangle);
+            ray.near = hit.distance * (1.0f - ROUNDING);
+        }
     }
 }
 

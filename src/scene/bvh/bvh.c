@@ -113,6 +113,15 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
+/* Returns BVH_CONTACT, perhaps with BVH_CONTACT_THIN, if the triangle is at a contact, else 0. */
+static uint32_t contact_bits(const struct bvh_part *part, uint32_t triangle)
+{
+    const struct material *material = material_of(part, triangle);
+    if (!part->contacts || !coincident_shells_has(part->contacts, triangle))
+        return 0;
+    return material && !(material->thickness > 0.0f) ? BVH_CONTACT | BVH_CONTACT_THIN : BVH_CONTACT;
+}
+
 /* Returns a triangle's material bits (mesh_layout.h). The material index is the object's. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
@@ -201,7 +210,8 @@ static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *p
         }
         const bool is_shaded = has_surface(part, triangle);
         const uint32_t last[3] = { rank_bits(part, triangle), material_bits(part, triangle),
-                                   is_shaded ? bvh->corners.count : 0 };
+                                   (is_shaded ? bvh->corners.count : 0) |
+                                       contact_bits(part, triangle) };
         write_triangle(&bvh->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
             write_word(bvh->corners.all[word++], bvh_corner(part, triangle, k)->normal.raw,
@@ -332,6 +342,7 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
     bvh->is_closed = done && bvh_part_is_closed(&parts[BVH_OBJECTS]);
     bvh->surroundings_are_apart = done && bvh_parts_are_disjoint(parts, false);
     bvh->is_disjoint_rotating = done && bvh_parts_are_disjoint(parts, true);
+    bvh->has_contacts = params->contacts && params->contacts->triangles;
     bvh->built = work.built;
     bvh->shared = work.shared;
     bvh->refitted = work.refitted;

@@ -15,6 +15,7 @@
 #include <stddef.h>
 #include "shaders/trace/bvh_layout.h"
 #include "src/base/status.h"
+#include "src/scene/coincident_shells.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/model.h"
 
@@ -38,6 +39,7 @@ struct bvh {
     /* true if no triangle of the surroundings overlaps the objects' bounding box */
     bool surroundings_are_apart;
     bool is_disjoint_rotating; /* surroundings_are_apart holds for all object rotations about +Y */
+    bool has_contacts;         /* some triangles have BVH_CONTACT */
     bool is_stored; /* BVH is too large for the device's texel buffers; set by the caller */
     double ms;      /* duration of bvh_init(), milliseconds */
     /* numbers of object BVHs that were built, copied from similar objects, or refitted */
@@ -68,12 +70,13 @@ void bvh_rest_pose_move_from(struct bvh_rest_pose *rest, struct model *model,
 
 /* Input of bvh_init(), borrowed. Everything but `model` may be NULL or 0. */
 struct bvh_params {
-    const struct model *model;     /* model with ranked objects (medium priorities) */
-    struct mesh_order sorted;      /* triangle order of the surroundings */
-    const struct mesh *cracks;     /* crack sheets inside the ice */
-    const struct bubbles *bubbles; /* bubbles inside the ice */
-    struct bvh_rest_pose *rest;    /* rest pose; NULL without animation */
-    uint32_t threads;              /* maximum number of threads; 0 for one per core */
+    const struct model *model;                /* model with ranked objects (medium priorities) */
+    struct mesh_order sorted;                 /* triangle order of the surroundings */
+    const struct mesh *cracks;                /* crack sheets inside the ice */
+    const struct bubbles *bubbles;            /* bubbles inside the ice */
+    const struct coincident_shells *contacts; /* contacts between the objects' surfaces */
+    struct bvh_rest_pose *rest;               /* rest pose; NULL without animation */
+    uint32_t threads;                         /* maximum number of threads; 0 for one per core */
     bool is_cached; /* true to cache large BVHs in files; only rest-pose BVHs if animated */
 };
 
@@ -94,8 +97,9 @@ size_t bvh_size(const struct bvh *bvh);
 
 struct bvh_ray {
     vec3s origin, dir;
-    double near;   /* distance that a hit must exceed, in lengths of `dir` */
-    uint32_t from; /* triangle that the ray leaves and must not hit; BVH_NONE for none */
+    double near; /* distance that a hit must exceed, in lengths of `dir` */
+    /* hits at the distance `near` also count if their triangle has a higher index; or BVH_NONE */
+    uint32_t from;
 };
 
 struct bvh_hit {
@@ -106,7 +110,8 @@ struct bvh_hit {
     bool is_back;      /* the back face was hit */
 };
 
-/* Finds a ray's nearest hit in a scene part, in the part's own space. Returns false for a miss. */
+/* Finds a ray's nearest hit in a scene part, in the part's own space. Of equally distant hits,
+ * finds the triangle of lowest index. Returns false for a miss. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 

@@ -31,7 +31,9 @@ static void intersect_triangle(const struct bvh *bvh, uint32_t triangle, const s
     const double v =
         dot_row(rows[1], ray->origin.raw) + t * dot_row(rows[1], ray->dir.raw) + number(rows[1][3]);
     const double edge = -1e-6;
-    if (triangle == ray->from || !(t > ray->near && t < hit->t))
+    const bool is_beyond = t > ray->near || (t >= ray->near && triangle > ray->from);
+    const bool is_nearer = t < hit->t || (t <= hit->t && triangle < hit->triangle);
+    if (!is_beyond || !is_nearer)
         return;
     if (!(u >= edge && v >= edge && 1.0 - u - v >= edge))
         return;

@@ -102,7 +102,10 @@ bool bvh_parts_init(struct bvh_part parts[static BVH_COUNT], const struct bvh_pa
 {
     const struct model *model = params->model;
     const struct bvh_part all[BVH_COUNT] = {
-        [BVH_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
+        [BVH_OBJECTS] = { .model = model,
+                          .mesh = &model->object,
+                          .contacts = params->contacts,
+                          .is_object = true },
         [BVH_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
         [BVH_MOVERS] = { .model = model, .mesh = &model->surroundings },
         [BVH_INCLUSIONS] = { .model = model,

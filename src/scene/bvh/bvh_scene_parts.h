@@ -7,9 +7,10 @@
 
 struct bvh_part {
     const struct model *model;
-    const struct mesh *mesh;       /* NULL for none */
-    const struct bubbles *bubbles; /* numbered after the triangles; or NULL */
-    uint32_t *triangles;           /* mesh triangle indices in file order */
+    const struct mesh *mesh;                  /* NULL for none */
+    const struct bubbles *bubbles;            /* numbered after the triangles; or NULL */
+    const struct coincident_shells *contacts; /* NULL for none */
+    uint32_t *triangles;                      /* mesh triangle indices in file order */
     uint32_t count;
     uint32_t *firsts; /* start of each group in `triangles`, followed by `count` */
     uint32_t group_count;

@@ -13,6 +13,7 @@
  * (shaders/refract/refract_environment.glsl). Bump maps and air impostors are ignored.
  */
 #include "src/tech/trace/refract_trace.h"
+#include <math.h>
 #include <string.h>
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
@@ -167,7 +168,8 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
     *trace = (struct trace_frame){
         .sample_index = view->sample,
         .branch = trace_branch_throughput(view->scene, view->settings),
-        .epsilon = 1e-4f * globals->radius,
+        .epsilon = fmaxf(1e-4f * globals->radius, view->scene->contacts.epsilon),
+        .contact = view->scene->contacts.epsilon,
         .one = 1,
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
         .crack_rms_slope = cracks_of->shading.bump,

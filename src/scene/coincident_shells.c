@@ -1,0 +1,424 @@
+/*
+ * coincident_shells.c: self-join of the objects' triangles that finds coincident faces.
+ *
+ * The triangles are sorted along a Morton curve. An implicit binary tree of bounding boxes over
+ * the sorted order is traversed against itself. Pairs of nodes are skipped if their boxes are
+ * apart, or if all their triangles belong to one object.
+ */
+#include "src/scene/coincident_shells.h"
+#include <cglm/struct.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    LEAF_TRIANGLES = 4,
+    MORTON_BITS = 10,    /* per axis */
+    RADIX_BITS = 10,     /* of a counting sort pass */
+    POLYGON_MAX = 6,     /* vertices of a triangle that is clipped by three half-planes */
+    TESTS_MIN = 1 << 20, /* see tests_max() */
+    TESTS_PER_TRIANGLE = 64,
+};
+
+/* Distances within which surfaces coincide: relative to the smaller object's radius, and to the
+ * magnitude of coordinates because of rounding. */
+#define SCALE_EPSILON 1.5e-4f
+#define ROUND_EPSILON 5e-7f
+
+#define CONTACT_COSINE  0.98f  /* minimum cosine between the normals of triangles at a contact */
+#define PARALLEL_COSINE 0.999f /* minimum cosine between the normals of a shared face */
+
+#define MIXED_OBJECTS UINT32_MAX
+
+/* Node of the implicit tree: node i has the children 2 i and 2 i + 1. */
+struct node {
+    struct box box;
+    uint32_t object; /* object of all triangles, or MIXED_OBJECTS */
+};
+
+/* Triangle of the objects' mesh. */
+struct face {
+    vec3s corners[3];
+    vec3s normal; /* unit normal; not a number if the triangle has no area */
+    struct box box;
+    uint32_t object;
+};
+
+struct join {
+    struct coincident_shells *shells;
+    const struct object *objects;
+    const struct mesh *mesh;
+    float *radii;        /* of the objects' boxes */
+    float round_epsilon; /* maximum rounding error of coordinates */
+    float reach;         /* maximum epsilon of two objects */
+    uint32_t *order;     /* triangles along the Morton curve */
+    struct face *faces;  /* triangles in that order */
+    uint32_t triangle_count;
+    struct node *nodes;
+    uint32_t leaf_count; /* power of two */
+    uint64_t tests_left; /* limit of the work */
+};
+
+static void grow(struct box *box, struct box other)
+{
+    for (int k = 0; k < 3; k++) {
+        box->min.raw[k] = glm_min(box->min.raw[k], other.min.raw[k]);
+        box->max.raw[k] = glm_max(box->max.raw[k], other.max.raw[k]);
+    }
+}
+
+static struct face face_at(const struct join *join, uint32_t triangle)
+{
+    const uint32_t *corners = &join->mesh->indices[(size_t)triangle * 3];
+    struct face face;
+    for (uint32_t k = 0; k < 3; k++)
+        face.corners[k] = join->mesh->vertices[corners[k]].position;
+    const vec3s n = glms_vec3_cross(glms_vec3_sub(face.corners[1], face.corners[0]),
+                                    glms_vec3_sub(face.corners[2], face.corners[0]));
+    face.normal = glms_vec3_scale(n, 1.0f / sqrtf(glms_vec3_dot(n, n)));
+    face.box = (struct box){ face.corners[0], face.corners[0] };
+    grow(&face.box, (struct box){ face.corners[1], face.corners[1] });
+    grow(&face.box, (struct box){ face.corners[2], face.corners[2] });
+    return face;
+}
+
+static bool are_apart(const struct box *a, const struct box *b, float reach)
+{
+    for (int k = 0; k < 3; k++) {
+        if (a->min.raw[k] > b->max.raw[k] + reach || b->min.raw[k] > a->max.raw[k] + reach)
+            return true;
+    }
+    return false;
+}
+
+/* ---- tree ---- */
+
+/* Moves the lower MORTON_BITS bits of a number apart, to every third bit. */
+static uint32_t spread_bits(uint32_t x)
+{
+    x = (x | x << 16) & 0x30000ff;
+    x = (x | x << 8) & 0x300f00f;
+    x = (x | x << 4) & 0x30c30c3;
+    return (x | x << 2) & 0x9249249;
+}
+
+static uint32_t morton_code(vec3s at)
+{
+    uint32_t code = 0;
+    for (int k = 0; k < 3; k++) {
+        const float cell = glm_clamp(at.raw[k], 0.0f, 1.0f) * (float)((1 << MORTON_BITS) - 1);
+        code |= spread_bits((uint32_t)cell) << k;
+    }
+    return code;
+}
+
+/* Sorts the triangles by their Morton codes. Returns false when out of memory. */
+static bool sort_triangles(struct join *join)
+{
+    const struct mesh *mesh = join->mesh;
+    const uint32_t count = join->triangle_count;
+    const struct box all = join->nodes[0].box;
+    const vec3s size = glms_vec3_maxv(glms_vec3_sub(all.max, all.min), glms_vec3_fill(FLT_MIN));
+    uint32_t *codes = malloc(((size_t)count + 1) * sizeof(*codes));
+    uint32_t *other = malloc(((size_t)count + 1) * sizeof(*other));
+    bool done = codes && other;
+    for (uint32_t i = 0; done && i < count; i++) {
+        const vec3s corner = mesh->vertices[mesh->indices[(size_t)i * 3]].position;
+        codes[i] = morton_code(glms_vec3_div(glms_vec3_sub(corner, all.min), size));
+        join->order[i] = i;
+    }
+    for (uint32_t shift = 0; done && shift < 3 * MORTON_BITS; shift += RADIX_BITS) {
+        uint32_t starts[(1 << RADIX_BITS) + 1] = { 0 };
+        const uint32_t mask = (1 << RADIX_BITS) - 1;
+        for (uint32_t i = 0; i < count; i++)
+            starts[(codes[i] >> shift & mask) + 1]++;
+        for (uint32_t b = 0; b < mask; b++)
+            starts[b + 1] += starts[b];
+        for (uint32_t i = 0; i < count; i++)
+            other[starts[codes[join->order[i]] >> shift & mask]++] = join->order[i];
+        uint32_t *sorted = other;
+        other = join->order;
+        join->order = sorted;
+    }
+    free(codes);
+    free(other);
+    return done;
+}
+
+static struct node leaf_at(const struct join *join, uint32_t leaf)
+{
+    struct node node = { { glms_vec3_fill(FLT_MAX), glms_vec3_fill(-FLT_MAX) }, MIXED_OBJECTS };
+    for (uint32_t k = 0; k < LEAF_TRIANGLES; k++) {
+        const uint32_t at = leaf * LEAF_TRIANGLES + k;
+        if (at >= join->triangle_count)
+            break;
+        const struct face *face = &join->faces[at];
+        node.object = k == 0 || node.object == face->object ? face->object : MIXED_OBJECTS;
+        grow(&node.box, face->box);
+    }
+    return node;
+}
+
+/* Fills the tree. Nodes beyond the last triangle have empty boxes, which are apart from all. */
+static void build_tree(struct join *join)
+{
+    for (uint32_t i = 2 * join->leaf_count - 1; i > 0; i--) {
+        if (i >= join->leaf_count) {
+            join->nodes[i] = leaf_at(join, i - join->leaf_count);
+            continue;
+        }
+        const struct node *children = &join->nodes[(size_t)2 * i];
+        const bool is_second_empty = children[1].box.min.x > children[1].box.max.x;
+        join->nodes[i] = children[0];
+        grow(&join->nodes[i].box, children[1].box);
+        if (!is_second_empty && children[0].object != children[1].object)
+            join->nodes[i].object = MIXED_OBJECTS;
+    }
+}
+
+/* ---- contact of two triangles ---- */
+
+/* Point of a triangle relative to the plane of another one. */
+struct plane_point {
+    vec3s at;
+    float distance; /* signed */
+};
+
+/* Clips a polygon to the half-space dot(side, at - from) >= 0. Returns the number of vertices. */
+static uint32_t clip(struct plane_point polygon[static POLYGON_MAX], uint32_t count, vec3s from,
+                     vec3s side)
+{
+    struct plane_point clipped[POLYGON_MAX + 1];
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct plane_point *a = &polygon[i], *b = &polygon[(i + 1) % count];
+        const float at_a = glms_vec3_dot(side, glms_vec3_sub(a->at, from));
+        const float at_b = glms_vec3_dot(side, glms_vec3_sub(b->at, from));
+        if (at_a >= 0.0f && kept < POLYGON_MAX)
+            clipped[kept++] = *a;
+        if ((at_a >= 0.0f) != (at_b >= 0.0f) && kept < POLYGON_MAX) {
+            const float t = at_a / (at_a - at_b);
+            clipped[kept++] = (struct plane_point){ glms_vec3_lerp(a->at, b->at, t),
+                                                    glm_lerp(a->distance, b->distance, t) };
+        }
+    }
+    memcpy(polygon, clipped, kept * sizeof(*clipped));
+    return kept;
+}
+
+static float area_of(const struct plane_point *polygon, uint32_t count)
+{
+    vec3s sum = glms_vec3_zero();
+    for (uint32_t i = 2; i < count; i++)
+        sum = glms_vec3_add(sum, glms_vec3_cross(glms_vec3_sub(polygon[i - 1].at, polygon[0].at),
+                                                 glms_vec3_sub(polygon[i].at, polygon[0].at)));
+    return 0.5f * glms_vec3_norm(sum);
+}
+
+/* Returns true if a triangle is farther than `epsilon` from the plane of another one. */
+static bool is_beside(const struct face *face, const struct face *other, float epsilon)
+{
+    float low = FLT_MAX, high = -FLT_MAX;
+    for (uint32_t k = 0; k < 3; k++) {
+        const float distance =
+            glms_vec3_dot(face->normal, glms_vec3_sub(other->corners[k], face->corners[0]));
+        low = glm_min(low, distance);
+        high = glm_max(high, distance);
+    }
+    return !(low <= epsilon && high >= -epsilon);
+}
+
+/* Returns the part of triangle `b` in front of or behind triangle `a`, as a polygon. */
+static uint32_t overlap(const struct face *a, const struct face *b,
+                        struct plane_point polygon[static POLYGON_MAX])
+{
+    const vec3s n = a->normal;
+    uint32_t count = 3;
+    for (uint32_t k = 0; k < 3; k++) {
+        const vec3s at = b->corners[k];
+        polygon[k] = (struct plane_point){ at, glms_vec3_dot(n, glms_vec3_sub(at, a->corners[0])) };
+    }
+    for (uint32_t k = 0; k < 3 && count; k++) {
+        const vec3s side = glms_vec3_sub(a->corners[(k + 1) % 3], a->corners[k]);
+        count = clip(polygon, count, a->corners[k], glms_vec3_cross(n, side));
+    }
+    return count;
+}
+
+static float pair_epsilon(const struct join *join, uint32_t a, uint32_t b)
+{
+    return fmaxf(SCALE_EPSILON * fminf(join->radii[a], join->radii[b]), join->round_epsilon);
+}
+
+static void record_pair(struct coincident_shells *shells, uint32_t a, uint32_t b)
+{
+    const struct coincident_pair pair = { a < b ? a : b, a < b ? b : a };
+    for (uint32_t i = 0; i < shells->pair_count; i++) {
+        if (shells->pairs[i].first == pair.first && shells->pairs[i].second == pair.second)
+            return;
+    }
+    if (shells->pair_count < COINCIDENT_PAIRS_MAX)
+        shells->pairs[shells->pair_count++] = pair;
+    else
+        shells->has_more_pairs = true;
+}
+
+static void mark(struct join *join, uint32_t at)
+{
+    join->shells->triangles[join->order[at] / 32] |= 1u << join->order[at] % 32;
+}
+
+/* Marks two triangles of different objects if they are in contact. */
+static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
+{
+    const struct face *a = &join->faces[at_a], *b = &join->faces[at_b];
+    const float epsilon = pair_epsilon(join, a->object, b->object);
+    const float cosine = fabsf(glms_vec3_dot(a->normal, b->normal));
+    if (!(cosine > CONTACT_COSINE) || are_apart(&a->box, &b->box, epsilon) ||
+        is_beside(a, b, epsilon))
+        return;
+    struct plane_point polygon[POLYGON_MAX];
+    const uint32_t count = overlap(a, b, polygon);
+    float low = FLT_MAX, high = -FLT_MAX;
+    for (uint32_t i = 0; i < count; i++) {
+        low = fminf(low, polygon[i].distance);
+        high = fmaxf(high, polygon[i].distance);
+    }
+    if (!(area_of(polygon, count) > epsilon * box_diagonal(a->box)) || low > epsilon ||
+        high < -epsilon)
+        return;
+    struct coincident_shells *shells = join->shells;
+    mark(join, at_a);
+    mark(join, at_b);
+    if (cosine > PARALLEL_COSINE && low >= -epsilon && high <= epsilon) {
+        shells->epsilon = shells->epsilon > 0.0f ? fminf(shells->epsilon, epsilon) : epsilon;
+        record_pair(shells, a->object, b->object);
+    }
+}
+
+/* ---- join ---- */
+
+/* Lists the triangles of a leaf that are near a box. Returns their number. */
+static uint32_t list_near(const struct join *join, uint32_t leaf, const struct box *box,
+                          uint32_t near[static LEAF_TRIANGLES])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < LEAF_TRIANGLES; i++) {
+        const uint32_t at = (leaf - join->leaf_count) * LEAF_TRIANGLES + i;
+        if (at >= join->triangle_count)
+            break;
+        if (!are_apart(&join->faces[at].box, box, join->reach))
+            near[count++] = at;
+    }
+    return count;
+}
+
+static void test_leaves(struct join *join, uint32_t a, uint32_t b)
+{
+    uint32_t near_a[LEAF_TRIANGLES], near_b[LEAF_TRIANGLES];
+    const uint32_t count_a = list_near(join, a, &join->nodes[b].box, near_a);
+    const uint32_t count_b = count_a ? list_near(join, b, &join->nodes[a].box, near_b) : 0;
+    for (uint32_t i = 0; i < count_a; i++) {
+        for (uint32_t k = a == b ? i + 1 : 0; k < count_b; k++) {
+            if (join->faces[near_a[i]].object != join->faces[near_b[k]].object)
+                test_faces(join, near_a[i], near_b[k]);
+        }
+    }
+}
+
+/* Tests the triangles of two nodes of the same depth against each other. */
+static void join_nodes(struct join *join, uint32_t a, uint32_t b)
+{
+    const struct node *x = &join->nodes[a], *y = &join->nodes[b];
+    if ((x->object == y->object && x->object != MIXED_OBJECTS) || join->tests_left == 0 ||
+        are_apart(&x->box, &y->box, join->reach))
+        return;
+    join->tests_left--;
+    if (a >= join->leaf_count) {
+        test_leaves(join, a, b);
+        return;
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        if (a != b || i != 2)
+            join_nodes(join, 2 * a + i / 2, 2 * b + i % 2);
+    }
+}
+
+/* Returns the limit of the number of tests, which only stacks of many equal objects reach. */
+static uint64_t tests_max(const struct join *join)
+{
+    return TESTS_MIN + (uint64_t)TESTS_PER_TRIANGLE * join->triangle_count;
+}
+
+static void measure(struct join *join, uint32_t count)
+{
+    const struct box all = mesh_box(join->mesh);
+    const vec3s far = glms_vec3_maxv(glms_vec3_abs(all.min), glms_vec3_abs(all.max));
+    join->round_epsilon = ROUND_EPSILON * glms_vec3_max(far);
+    join->reach = join->round_epsilon;
+    join->nodes[0].box = all;
+    for (uint32_t i = 0; i < count; i++) {
+        join->radii[i] = 0.5f * box_diagonal(join->objects[i].box);
+        join->reach = fmaxf(join->reach, SCALE_EPSILON * join->radii[i]);
+    }
+}
+
+/* Copies the sorted triangles to `faces`. */
+static void copy_faces(struct join *join, uint32_t count)
+{
+    for (uint32_t i = 0; i < join->triangle_count; i++) {
+        const struct object *object = object_of_index(join->objects, count, join->order[i] * 3);
+        join->faces[i] = face_at(join, join->order[i]);
+        join->faces[i].object = (uint32_t)(object - join->objects);
+    }
+}
+
+static bool allocate(struct join *join, uint32_t count)
+{
+    const size_t triangles = join->triangle_count;
+    join->leaf_count = 1;
+    while ((size_t)join->leaf_count * LEAF_TRIANGLES < triangles)
+        join->leaf_count *= 2;
+    join->radii = malloc(count * sizeof(*join->radii));
+    join->order = malloc((triangles + 1) * sizeof(*join->order));
+    join->faces = malloc((triangles + 1) * sizeof(*join->faces));
+    join->nodes = malloc(2 * (size_t)join->leaf_count * sizeof(*join->nodes));
+    join->shells->triangles = calloc(triangles / 32 + 1, sizeof(*join->shells->triangles));
+    return join->radii && join->order && join->faces && join->nodes && join->shells->triangles;
+}
+
+bool coincident_shells_find(struct coincident_shells *shells, const struct object *objects,
+                            uint32_t count, const struct mesh *mesh)
+{
+    struct join join = { .shells = shells, .objects = objects, .mesh = mesh };
+    join.triangle_count = mesh->index_count / 3;
+    *shells = (struct coincident_shells){ 0 };
+    if (count < 2)
+        return true;
+    bool done = allocate(&join, count);
+    if (done) {
+        measure(&join, count);
+        done = sort_triangles(&join);
+    }
+    if (done) {
+        copy_faces(&join, count);
+        build_tree(&join);
+        join.tests_left = tests_max(&join);
+        join_nodes(&join, 1, 1);
+        shells->has_more_pairs |= join.tests_left == 0;
+    }
+    free(join.radii);
+    free(join.order);
+    free(join.faces);
+    free(join.nodes);
+    if (!done || shells->pair_count == 0)
+        coincident_shells_finish(shells);
+    return done;
+}
+
+void coincident_shells_finish(struct coincident_shells *shells)
+{
+    free(shells->triangles);
+    *shells = (struct coincident_shells){ 0 };
+}
