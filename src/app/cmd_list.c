@@ -46,7 +46,7 @@ static json_t *environments(void)
                            json_pack("{s:s, s:s}", "name", "valley", "help",
                                      "landscape of the paper, under the built-in sky; also: sky"));
     return json_text_append(all, json_pack("{s:s, s:s}", "name", "FILE", "help",
-                                           "equirectangular .exr or .hdr, or a strip of six cube faces"));
+                                           "equirectangular .exr or .hdr, or six cube faces"));
 }
 
 static json_t *refraction_of(const struct technique *refraction, bool is_available)

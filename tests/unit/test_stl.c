@@ -76,7 +76,7 @@ static void check_cube(const struct model *model)
     assert_int_equal(model->object_count, 1);
     assert_int_equal(mesh->index_count, 36);
     assert_int_equal(mesh->vertex_count, 24);
-    assert_true(object_is_closed(&model->objects[0], mesh));
+    assert_int_equal(model->objects[0].open_edge_count, 0);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         const struct mesh_vertex *v = &mesh->vertices[mesh->indices[i]];
         CHECK_NEAR((double)glms_vec3_max(glms_vec3_abs(v->normal)), 1, 1e-6);

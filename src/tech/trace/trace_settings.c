@@ -179,7 +179,7 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
 }
 
 /* Throughput for Russian roulette with trace.min_branch=auto. For clear objects it is below 0.018,
- * the reflectance of ice at normal incidence, so that the first internal reflection has no noise. */
+ * the reflectance of ice at normal incidence: the first internal reflection has no noise. */
 static const float branch_of_clear = 0.01f, branch_of_others = 0.03f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)

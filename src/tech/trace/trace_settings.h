@@ -39,8 +39,9 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
 /* Returns true if objects or surroundings may rotate. */
 bool trace_has_motion(const struct settings *settings);
 
-/* Returns the throughput below which reflections are subject to Russian roulette, from the setting trace.min_branch. `auto`
- * means a lower value if all objects are clear and rays hit the surroundings. */
+/* Returns the setting trace.min_branch: the throughput below which Russian roulette decides whether
+ * a reflection is followed. `auto` is lower if all objects are clear and rays hit the surroundings.
+ */
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings);
 
 #endif
