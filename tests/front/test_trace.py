@@ -370,9 +370,10 @@ class Trace(Case):
             r = 0.5 * sum(((a - b) / (a + b)) ** 2
                           for a, b in ((z / 1.5, 1.5 * inner), (inner, z)))  # of one surface
             for rung in ('trace', 'reference'):
-                light = self.planes('panes.gltf', '--eye', f'{x},0,{z - 0.1}', '--target',
-                                    '0,0,-0.1', '--fov', 2, '--size', '16x16', '--background', '0,0,0',
-                                    '--plain', '-q', '--samples', 64, '-r', rung)['G']
+                light = self.planes(
+                    'panes.gltf', '--eye', f'{x},0,{z - 0.1}', '--target', '0,0,-0.1', '--fov', 2,
+                    '--size', '16x16', '--background', '0,0,0', '--plain', '-q', '--samples', 64,
+                    '-r', rung)['G']
                 self.assertAlmostEqual(sum(light) / len(light),
                                        (1 - r) / (1 + (2 * count - 1) * r), delta=0.005,
                                        msg=f"{count} panes, {degrees} degrees, {rung}")
