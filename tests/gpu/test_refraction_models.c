@@ -353,7 +353,8 @@ static struct settings set_all(const char *const *assignments)
     return settings;
 }
 
-/* Where light of one radiance comes from everywhere, the object shows the same. */
+/* Where light of one radiance comes from everywhere, the object shows the same. What chooses paths
+ * at random does so on average. */
 static void white_furnace_is_white(void **state)
 {
     static const char *const exact[] = { "refract.fresnel=exact", "refract.dispersion=1", NULL };
@@ -364,8 +365,14 @@ static void white_furnace_is_white(void **state)
     const struct technique *refraction;
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
         struct rung_picture p = draw(*state, &scene, refraction->refraction.name, &settings, 128);
-        for (size_t i = 0; i < p.pixel_count; i++)
-            CHECK_NEAR(vec_difference(picture_at(p.beauty, i), (struct vec){ 1, 1, 1 }), 0, 1e-3);
+        const bool is_random = refraction->refraction.traces_bvh;
+        double sum = 0;
+        for (size_t i = 0; i < p.pixel_count; i++) {
+            const struct vec color = picture_at(p.beauty, i);
+            CHECK_NEAR(vec_difference(color, (struct vec){ 1, 1, 1 }), 0, is_random ? 0.1 : 1e-3);
+            sum += (color.x + color.y + color.z) / 3;
+        }
+        CHECK_NEAR(sum / (double)p.pixel_count, 1, 1e-3);
         finish(&p);
     }
     scene_finish(&scene);
