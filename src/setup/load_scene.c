@@ -72,7 +72,8 @@ static bool has_default(const struct setup_scene *options, const struct techniqu
            settings_source(&options->settings, &technique->settings->rows[0]) == SETTING_SCENE;
 }
 
-/* Switches off inclusions and bumps with --plain, or if the material is not ice. */
+/* Switches off inclusions and bumps with --plain, or if the material is not ice. Highlights of
+ * invisible lights are also switched off in a file of the user's with another material or --env. */
 static void switch_off_ice_effects(struct setup_scene *options, const struct scene *scene)
 {
     const bool is_ice =
@@ -81,7 +82,10 @@ static void switch_off_ice_effects(struct setup_scene *options, const struct sce
         if ((*t)->is_ice_only && (options->plain || (!is_ice && !has_default(options, *t))))
             switch_off(options, *t);
     }
-    if (options->plain)
+    const bool is_own =
+        !scene_find_builtin(options->name) && !asset_find(options->name, ASSET_SCENE);
+    if (options->plain ||
+        (is_own && (!is_ice || (options->environment && !options->has_default_environment))))
         switch_off(options, &highlight);
 }
 

@@ -356,6 +356,15 @@ class Trace(Case):
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.check_white(light)
 
+    def test_light_is_that_of_the_environment(self):
+        """A file's own material has no highlights of lights that are not there."""
+        self.write('ball.gltf', (glass(1), [0, 0, 0], 1))
+        (self.folder / 'white.exr').write_bytes(write_exr((4, 2), {'Y': [1] * 8}))
+        for rung in ('bounce', 'trace'):
+            light = self.planes('ball.gltf', '--env', 'white.exr', '--size', '64x48', '-q',
+                                '-r', rung)
+            self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 1e-3)
+
     def test_panes(self):
         """Parallel panes before a white wall: light that is reflected between them is all there."""
         wall = {'extensions': {'KHR_materials_unlit': {}}}
