@@ -61,7 +61,7 @@ static void extend_by_positions(double low[static 3], double high[static 3], con
 void model_build_extend(struct model_build *build, enum model_role role, const float *positions,
                         uint32_t vertex_count, const struct affine *model_from_shape)
 {
-    double low[3] = { INFINITY, INFINITY, INFINITY }, high[3] = { -INFINITY, -INFINITY, -INFINITY };
+    double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
     extend_by_positions(low, high, positions, vertex_count);
     for (unsigned i = 0; i < 8; i++) {
         double corner[3] = { 0 };
@@ -85,8 +85,8 @@ void model_build_init(struct model_build *build, struct model_import *import, st
     };
     for (int i = 0; i < MODEL_ROLE_COUNT; i++) {
         for (int k = 0; k < 3; k++) {
-            build->low[i][k] = INFINITY;
-            build->high[i][k] = -INFINITY;
+            build->low[i][k] = HUGE_VAL;
+            build->high[i][k] = -HUGE_VAL;
         }
     }
 }
@@ -235,7 +235,7 @@ static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape
  * precision may have rounded different vertices to the same position. */
 static void count_collapsed(struct model_import *import, const struct model_shape *shape)
 {
-    double low[3] = { INFINITY, INFINITY, INFINITY }, high[3] = { -INFINITY, -INFINITY, -INFINITY };
+    double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
     double reach;
     extend_by_positions(low, high, shape->positions, shape->vertex_count);
     const double diagonal = measure_box(low, high, &reach);

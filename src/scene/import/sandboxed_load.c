@@ -20,7 +20,7 @@ static char *encode_pose(const struct model_pose *pose)
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
     const char *name = pose->animation ? pose->animation : "";
     const char *objects = pose->objects ? pose->objects : "";
-    static const double unknown[3] = { NAN, NAN, NAN };
+    static const double unknown[3] = { (double)NAN, (double)NAN, (double)NAN };
     const double *origin = pose->origin ? pose->origin : unknown;
     const size_t size = strlen(name) + strlen(objects) + 160;
     char *text = malloc(size);

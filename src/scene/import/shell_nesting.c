@@ -62,7 +62,7 @@ static void hit_triangle(const struct nesting *nesting, uint32_t triangle, vec3s
 
 static struct hit cast_up(const struct nesting *nesting, vec3s from, uint32_t self)
 {
-    struct hit hit = { INFINITY, SHELL_NONE, false };
+    struct hit hit = { HUGE_VAL, SHELL_NONE, false };
     uint32_t stack[STACK_MAX], depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
