@@ -178,6 +178,7 @@ static enum status copy_level(struct gpu *gpu, const struct gpu_image *image,
     const uint32_t width = mip_size(image->extent.width, mip);
     const uint32_t height = mip_size(image->extent.height, mip);
     const size_t row_size = (size_t)width * find_texel_size(image->format);
+    assert(row_size > 0);
     const uint32_t rows_max = (uint32_t)(upload->staging.size / row_size);
     /* layers per copy */
     const uint32_t layers = rows_max / height >= image->layers ? image->layers : 1;

@@ -162,6 +162,19 @@ bool layer_image_is_dithered(const struct settings *settings)
     return values->dither;
 }
 
+/* Writes a pixel of 8 or 16 bits per channel, or both. Arrays that are NULL are left out. */
+static void write_pixel(const float shown[4], size_t i, bool is_dithered, uint8_t *bytes,
+                        uint16_t *words)
+{
+    for (uint32_t c = 0; c < 4; c++) {
+        if (words)
+            words[i * 4 + c] = quantise_16(shown[c]);
+        if (bytes)
+            bytes[i * 4 + c] =
+                quantise(is_dithered && c < 3 ? dither_value(shown[c], i, c) : shown[c]);
+    }
+}
+
 bool layer_image_show(const struct image *image, const struct frame_layer *layer,
                       const struct settings *settings, uint8_t **rgba, uint16_t **rgba_16)
 {
@@ -180,13 +193,7 @@ bool layer_image_show(const struct image *image, const struct frame_layer *layer
             show_layer(&source, layer->shown, i, words != NULL, shown);
         else
             show_beauty(beauty, i, params, shown);
-        for (uint32_t c = 0; c < 4; c++) {
-            if (words)
-                words[i * 4 + c] = quantise_16(shown[c]);
-            if (bytes)
-                bytes[i * 4 + c] =
-                    quantise(is_dithered && c < 3 ? dither_value(shown[c], i, c) : shown[c]);
-        }
+        write_pixel(shown, i, is_dithered, bytes, words);
     }
     if (rgba)
         *rgba = bytes;

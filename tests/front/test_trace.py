@@ -40,11 +40,11 @@ class Trace(Case):
         self.assertLess(error, limit, words)
         return error
 
-    def check_white(self, light, noise=0.06):
+    def check_white(self, light, noise=0.06, bias=1e-3):
         """Paths are chosen at random: the mean is exact, pixels have noise."""
         values = [x for name in 'RGB' for x in light[name]]
         self.assertLess(max(abs(x - 1) for x in values), noise)
-        self.assertLess(abs(sum(values) / len(values) - 1), 1e-3)
+        self.assertLess(abs(sum(values) / len(values) - 1), bias)
 
     def write(self, name, *parts):
         (self.folder / name).write_text(boxes(*parts))
@@ -215,7 +215,7 @@ class Trace(Case):
             self.check(0.003, 'valley', *SIZE, *inclusions, *rays, *more)
         for more in ((), (*rays, *shapes)):
             light = self.planes('valley', *WHITE, *SIZE, '-r', 'trace', *inclusions, *more)
-            self.check_white(light)
+            self.check_white(light, noise=0.9, bias=5e-3)  # cracks reflect colours
 
     def ground(self, *words, **how):
         """The mean of the picture's middle."""
@@ -393,7 +393,7 @@ class Trace(Case):
         self.write('cloudy.gltf', (glass(1.31, extras={'cloud': 8}), [0, 0, 0], 1))
         for rung in ('trace', 'bounce', 'one-sided'):
             light = self.planes('cloudy.gltf', *WHITE, *SIZE, '-r', rung)
-            self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3, rung)
+            self.check_white(light, noise=0.06 if rung == 'trace' else 2e-3)
         sky = write_exr((4, 2), {'Y': [1] * 4 + [0] * 4})  # that is all, and is seen from above
         (self.folder / 'sky.exr').write_bytes(sky)
         lit = ('cloudy.gltf', '--env', 'sky.exr', *SIZE, '--eye', '0,5,5', '--target', '0,0,0')

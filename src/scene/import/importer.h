@@ -35,9 +35,9 @@ struct model_loss {
 struct model_import {
     const char *path;
     struct model_loss textures, channels; /* channels of animations */
-    const double *origin;       /* model_pose.origin; may be NULL */
-    char refused_file[256];     /* first file outside folder, else "" */
-    uint32_t clamped_materials; /* number of materials with clamped colours */
+    const double *origin;                 /* model_pose.origin; may be NULL */
+    char refused_file[256];               /* first file outside folder, else "" */
+    uint32_t clamped_materials;           /* number of materials with clamped colours */
     uint32_t clamped_vertices;
     uint32_t collapsed_triangles; /* degenerate triangles of far shapes */
     struct shell_counts shells;   /* numbers of changed shells */

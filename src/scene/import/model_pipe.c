@@ -231,7 +231,9 @@ struct array {
 #define ARRAY(items, count) \
     offsetof(struct model, items), offsetof(struct model, count), \
         sizeof(*((const struct model *)NULL)->items)
-#define LAYERS(member) offsetof(struct model, member), offsetof(struct model, member.count), 0
+#define LAYERS(member) \
+    offsetof(struct model, member), \
+        offsetof(struct model, member) + offsetof(struct texture_layers, count), 0
 
 static const struct array arrays[] = {
     { ARRAY(object.vertices, object.vertex_count), MODEL_ELEMENT_MAX, check_vertex, 1, false },

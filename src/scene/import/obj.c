@@ -185,7 +185,7 @@ static uint32_t find_part(struct obj *obj)
         bucket = bucket * 31 + (unsigned char)*c;
     uint32_t *first = &obj->buckets[bucket % BUCKET_COUNT];
     const struct obj_part *parts = obj->parts.items;
-    for (uint32_t i = *first; i != none; i = parts[i].next) {
+    for (uint32_t i = *first; parts && i != none; i = parts[i].next) {
         if (parts[i].part.material == obj->material && !strcmp(parts[i].part.name, obj->group))
             return i;
     }
@@ -403,7 +403,7 @@ static bool append_part(struct obj *obj, const struct obj_part *from, struct obj
     *part = from->part;
     part->first_vertex = *vertex_count;
     part->first_index = *index_count;
-    for (size_t i = 0; i < from->indices.count; i++) {
+    for (size_t i = 0; corners && i < from->indices.count; i++) {
         struct corner *corner = &corners[indices[i]];
         if (corner->next == none) {
             corner->next = (*vertex_count)++;

@@ -116,6 +116,18 @@ static enum status list_materials(const struct obj_ply *obj_ply, struct model *m
     return STATUS_OK;
 }
 
+/* Counts a part's vertices and triangles, after checking them. */
+static enum status count_part(struct model_build *build, const struct obj_ply *obj_ply,
+                              const struct model_shape *shape, enum model_role role)
+{
+    const struct affine in_file = affine_identity();
+    const enum status status = model_shape_check(obj_ply->import, shape);
+    if (status != STATUS_OK)
+        return status;
+    model_build_extend(build, role, shape->positions, shape->vertex_count, &in_file);
+    return model_build_count(build, role, shape->vertex_count, shape->index_count);
+}
+
 /* Visits all parts that have triangles: counts them in the first pass, adds them in the second. */
 static enum status visit_parts(struct model_build *build, const struct obj_ply *obj_ply,
                                const struct role_rule *role_rule, bool is_counting)
@@ -136,11 +148,7 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
             continue;
         struct model_shape shape = make_shape(obj_ply, part, name);
         if (is_counting) {
-            status = model_shape_check(obj_ply->import, &shape);
-            if (status == STATUS_OK)
-                model_build_extend(build, role, shape.positions, shape.vertex_count, &in_file);
-            if (status == STATUS_OK)
-                status = model_build_count(build, role, part->vertex_count, part->index_count);
+            status = count_part(build, obj_ply, &shape, role);
             continue;
         }
         if (role_rule->is_split)
