@@ -15,7 +15,7 @@
 #include "src/lab/metric/flip_filter.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
-#include "src/scene/material.h"
+
 #include "src/setup/aov_to_png.h"
 #include "src/setup/apply_preset.h"
 #include "src/tech/refract/cpu_reference_settings.h"

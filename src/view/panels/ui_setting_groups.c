@@ -24,6 +24,7 @@ static const struct {
     { UI_OBJECT, "object.triangles" },
     { UI_MATERIAL, "refract.ior" },
     { UI_MATERIAL, "refract.dispersion" },
+    { UI_MATERIAL, "refract.roughness" },
     { UI_MATERIAL, "absorb.red" },
     { UI_MATERIAL, "absorb.green" },
     { UI_MATERIAL, "absorb.blue" },
