@@ -125,5 +125,5 @@ bool setup_has_thin_walls(const struct scene *scene)
     const struct object *object = &model->objects[0];
     const float wall =
         setup_wall_thickness(&model->object, object->first_index, object->index_count);
-    return wall < THIN_WALL * box_diagonal(object->box);
+    return wall < THIN_WALL * box_diagonal(mesh_box(&model->object));
 }
