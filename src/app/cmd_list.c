@@ -99,8 +99,6 @@ static enum status print_materials(void)
                    (double)color.z);
         printf(" [%s]\n", m->source);
     }
-    for (const struct material_finish *f = material_finishes; f->name; f++)
-        printf("  NAME:%-10s         any of these with a %s\n", f->name, f->help);
     return STATUS_OK;
 }
 

@@ -95,7 +95,8 @@ const struct material_preset material_presets[] = {
         .name = "glass",
         .kind = MATERIAL_KIND_GLASS,
         .ior = 1.5f,
-        .help = "window glass, without absorption",
+        .help = "window glass, without absorption; with a rough surface glass:rough or "
+                "glass:frosted, as any other name",
         .source = "Fernando and Kilgard 2003",
     },
     {

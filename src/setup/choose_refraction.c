@@ -328,9 +328,8 @@ static void warn_of_media(const struct setup_image *image, const struct scene *s
     if (!scene->inclusions.media.count)
         return;
     if (!is_drawn && air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
-        log_warning(
-            "air.model: the medium is drawn as planes by this refraction model; use --refraction "
-            "bounce, one-sided, trace or reference to draw a medium");
+        log_warning("air.model=medium: drawn as planes by this refraction model; use --refraction "
+                    "bounce, one-sided, trace or reference to draw a medium");
     else if (!is_drawn && refraction->shaders && !image->scene.quiet)
         log_note("%s: its scattering medium is drawn clear; --refraction trace and bounce draw "
                  "scattering%s",

@@ -170,8 +170,11 @@ class Panels(PanelsCase):
         second = self.names('rungs')[1]
         material, ior = 'diamond', 'refract.ior=2.417 '
         window = self.start_with_panels(plain=PLAIN)
-        self.wait_for_command(window, ior,
-                              act=lambda: self.choose(window, 'Material preset', material))
+
+        def choose_material():
+            self.choose(window, 'Kind', 'crystal')
+            self.choose(window, 'Material preset', material)
+        self.wait_for_command(window, ior, act=choose_material)
         for group, row, shown in (('Material', 'Material preset', False),
                                   ('Inside', 'cracks.count', False),
                                   ('Quality', 'Refraction model', True)):
@@ -282,6 +285,7 @@ class Panels(PanelsCase):
         self.wait_for_command(window, '--eye',
                               act=lambda: self.move(window, (250, 100), (260, 110), (270, 105)))
         self.wait_for_command(window, without='--eye', act=lambda: self.press(window, 'r'))
+        self.fold(window, 'Material', 'Kind', False)  # what follows is then in sight
         row = 'bump.strength'  # not as it is by default
         self.wait_for_command(window, without=row, act=lambda: self.click(window, f'reset {row}'))
         self.wait_for_command(window, f'{row}=', act=lambda: self.move(

@@ -186,7 +186,7 @@ static void finish_buttons(const struct ui_view *view, struct ui_request *reques
         &(struct material_choice){ is, chosen ? &material_finishes[chosen - 1] : NULL });
 }
 
-/* Draws buttons for material presets, of one kind if they have thumbnails. */
+/* Draws buttons for the material presets of one kind. */
 static void material_buttons(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     const struct material_preset *is =
@@ -195,10 +195,9 @@ static void material_buttons(struct ui *ui, const struct ui_view *view, struct u
     const struct material_preset *shown[MATERIAL_MAX];
     const char *names[MATERIAL_MAX], *tips[MATERIAL_MAX];
     uint32_t thumbnails[MATERIAL_MAX], count = 0, chosen = UINT32_MAX;
-    if (all)
-        kind_list(ui, is);
+    kind_list(ui, is);
     for (const struct material_preset *m = material_presets; m->name && count < MATERIAL_MAX; m++) {
-        if (all && m->kind != ui->material_kind)
+        if (m->kind != ui->material_kind)
             continue;
         chosen = m == is ? count : chosen;
         thumbnails[count] = all ? all[m - material_presets] : UI_THUMBNAIL_NONE;
