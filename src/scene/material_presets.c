@@ -2,8 +2,8 @@
  *
  * Indices and Abbe numbers are computed from the dispersion formulas of the cited data sets, as
  * collected on refractiveindex.info. Absorption is computed from the cited spectra for light of D65
- * and the linear sRGB colours after 1 cm (ice and water: 1 m), with the colour matching functions of
- * Wyman et al. 2013. Narasimhan et al. 2006 measured red, green and blue. Where a preset states the
+ * and the linear sRGB colours after 1 cm (ice and water: 1 m), with the colour matching functions
+ * of Wyman et al. 2013. Narasimhan et al. 2006 measured red, green and blue. Where a preset states the
  * colour of an example, its absorption is a choice, because it varies from piece to piece.
  *
  * "CRC Handbook": concentrative properties of aqueous solutions. "GIA": gem reference of the
@@ -50,7 +50,7 @@ const struct material_preset material_presets[] = {
         .ior = 1.3098f,
         .abbe = 53.2f,
         .absorption = { { 0.204f, 0.043f, 0.0f } },
-        .inclusions = MATERIAL_CLOUDY,
+        .inclusions = MATERIAL_WHITE_CORE,
         .optical_depth = 8.0f,
         .help = "ice with a white core of fine bubbles; cloudiness of an example",
         .source = "Warren and Brandt 2008",
@@ -61,7 +61,7 @@ const struct material_preset material_presets[] = {
         .ior = 1.3098f,
         .abbe = 53.2f,
         .absorption = { { 0.204f, 0.043f, 0.0f } },
-        .inclusions = MATERIAL_CLOUDY,
+        .inclusions = MATERIAL_WHITE_CORE,
         .optical_depth = 1.5f,
         .help = "old ice with few bubbles, blue from metres on; cloudiness of an example",
         .source = "Warren and Brandt 2008",

@@ -22,10 +22,10 @@ enum material_kind {
 
 /* Inclusions of a preset. */
 enum material_inclusions {
-    MATERIAL_CLEAR,  /* none */
-    MATERIAL_ICE,    /* bubbles, cracks, planes of fine bubbles, bumps */
-    MATERIAL_CLOUDY, /* as ice, with a scattering medium that is densest in the core */
-    MATERIAL_MILKY,  /* an even scattering medium, and nothing else */
+    MATERIAL_CLEAR,      /* none */
+    MATERIAL_ICE,        /* bubbles, cracks, planes of fine bubbles, bumps */
+    MATERIAL_WHITE_CORE, /* as ice, with a scattering medium that is densest in the core */
+    MATERIAL_MILKY,      /* an even scattering medium, and nothing else */
 };
 
 /* Preset of a transparent medium. */

@@ -44,7 +44,7 @@ static bool is_ice_chosen(const struct setup_scene *options)
 {
     const enum material_inclusions inclusions =
         options->material ? inclusions_of(options) : MATERIAL_CLEAR;
-    return inclusions == MATERIAL_ICE || inclusions == MATERIAL_CLOUDY;
+    return inclusions == MATERIAL_ICE || inclusions == MATERIAL_WHITE_CORE;
 }
 
 /* Puts the settings of --material, which --set overrides. */

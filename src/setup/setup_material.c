@@ -27,7 +27,7 @@ static void values_of(struct setting_value values[static VALUE_COUNT],
     static const enum air_model models[] = {
         [MATERIAL_CLEAR] = AIR_PLANES,
         [MATERIAL_ICE] = AIR_PLANES,
-        [MATERIAL_CLOUDY] = AIR_MEDIUM,
+        [MATERIAL_WHITE_CORE] = AIR_MEDIUM,
         [MATERIAL_MILKY] = AIR_EVEN,
     };
     const struct material_preset *preset = choice->preset;

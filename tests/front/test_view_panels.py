@@ -272,7 +272,7 @@ class Panels(PanelsCase):
         return float(self.command(window).partition('motion.time=')[2].split()[0])
 
     def test_buttons(self):
-        window = self.start_with_panels('--size', '320x280')
+        window = self.start_with_panels('--size', '320x380')
         self.find('sphere', act=lambda: self.click(window, 'Play'))
         self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
         wait_until('another time', lambda: abs(self.time(window) - 4) < 0.3, self.words, again=5,
@@ -285,7 +285,6 @@ class Panels(PanelsCase):
         self.wait_for_command(window, '--eye',
                               act=lambda: self.move(window, (250, 100), (260, 110), (270, 105)))
         self.wait_for_command(window, without='--eye', act=lambda: self.press(window, 'r'))
-        self.fold(window, 'Material', 'Kind', False)  # what follows is then in sight
         row = 'bump.strength'  # not as it is by default
         self.wait_for_command(window, without=row, act=lambda: self.click(window, f'reset {row}'))
         self.wait_for_command(window, f'{row}=', act=lambda: self.move(

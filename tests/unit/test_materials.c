@@ -17,7 +17,7 @@ static void test_every_preset_is_complete(void **state)
         assert_true(m->ior >= 1.0f && m->ior <= 3.0f);
         assert_true(!(m->abbe > 0.0f) || (m->abbe >= 12.0f && m->abbe <= 100.0f));
         assert_true(glms_vec3_min(m->absorption) >= 0.0f && glms_vec3_max(m->absorption) < 1e3f);
-        assert_int_equal(m->optical_depth > 0.0f, m->inclusions >= MATERIAL_CLOUDY);
+        assert_int_equal(m->optical_depth > 0.0f, m->inclusions >= MATERIAL_WHITE_CORE);
         assert_true(m->kind >= kind && m->kind < MATERIAL_KIND_COUNT);
         assert_null(strpbrk(m->name, ":=, "));
         for (const struct material_preset *other = material_presets; other != m; other++)
