@@ -1,9 +1,9 @@
 /* material_presets.c: table of transparent media, and the parser of their names.
  *
  * Indices and Abbe numbers are computed from the dispersion formulas of the cited data sets, as
- * collected on refractiveindex.info. Absorption is computed from the cited spectra for light of D65
- * and the linear sRGB colours after 1 cm (ice and water: 1 m), with the colour matching functions
- * of Wyman et al. 2013. Narasimhan et al. 2006 measured red, green and blue. Where a preset states the
+ * collected on refractiveindex.info. Absorption is computed from the cited spectra for D65 and the
+ * linear sRGB colours after 1 cm (ice and water: 1 m), with the colour matching functions of Wyman
+ * et al. 2013. Narasimhan et al. 2006 measured red, green and blue. Where a preset states the
  * colour of an example, its absorption is a choice, because it varies from piece to piece.
  *
  * "CRC Handbook": concentrative properties of aqueous solutions. "GIA": gem reference of the
