@@ -13,7 +13,7 @@
 #include "src/lab/ladder/sheet_grid.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/settings/scene_settings.h"
 #include "src/version.h"
 

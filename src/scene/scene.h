@@ -125,6 +125,7 @@ struct scene_params {
     struct melting melting;
     struct generate_air air;         /* air planes; count 0 for none */
     bool has_scattering_medium;      /* true if the settings make the first object scatter light */
+    bool scatters_evenly;            /* true if that medium has the same density everywhere */
     struct generate_bubbles bubbles; /* bubbles; count 0 for none */
     const struct bump_maps_params *bump; /* parameters of the surface's bump map; NULL for none */
     struct scene_cracks cracks;

@@ -170,8 +170,11 @@ class Panels(PanelsCase):
         second = self.names('rungs')[1]
         material, ior = 'diamond', 'refract.ior=2.417 '
         window = self.start_with_panels(plain=PLAIN)
-        self.wait_for_command(window, ior,
-                              act=lambda: self.choose(window, 'Material preset', material))
+
+        def choose_material():
+            self.choose(window, 'Kind', 'crystal')
+            self.choose(window, 'Material preset', material)
+        self.wait_for_command(window, ior, act=choose_material)
         for group, row, shown in (('Material', 'Material preset', False),
                                   ('Inside', 'cracks.count', False),
                                   ('Quality', 'Refraction model', True)):
@@ -269,7 +272,7 @@ class Panels(PanelsCase):
         return float(self.command(window).partition('motion.time=')[2].split()[0])
 
     def test_buttons(self):
-        window = self.start_with_panels('--size', '320x280')
+        window = self.start_with_panels('--size', '320x380')
         self.find('sphere', act=lambda: self.click(window, 'Play'))
         self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
         wait_until('another time', lambda: abs(self.time(window) - 4) < 0.3, self.words, again=5,

@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/lab/reference/reference.h"
 #include "src/render/adaptive_sampling.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/setup/aov_to_png.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/cpu_reference_settings.h"
@@ -139,10 +139,11 @@ enum status option_refraction(const struct option *option, void *at, const char 
 enum status option_material(const struct option *option, void *at, const char *value)
 {
     struct setup_scene *scene = at;
+    struct material_choice choice;
     if (strchr(value, '='))
         return option_node_material(option, scene, value);
     scene->material = value;
-    return material_preset_find(value)
+    return material_choice_parse(&choice, value, strlen(value))
                ? STATUS_OK
                : option_refuse_name(option, OPTION_MATERIALS, value, strlen(value));
 }
