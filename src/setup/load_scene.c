@@ -399,6 +399,7 @@ enum status setup_pose_scene(struct scene *scene, const struct setup_scene *opti
         return status;
     posed.model_ior = scene->model_ior;
     posed.framing_box = scene->framing_box;
+    posed.framing = scene->framing;
     scene_finish(scene);
     *scene = posed;
     return STATUS_OK;

@@ -85,7 +85,7 @@ struct setup_image {
     const char *camera;             /* name or number; NULL if unset */
     struct setup_position eye, target;
     struct setup_vector orbit; /* azimuth, elevation (degrees), distance (metres) */
-    float fov_deg;             /* 0: the model camera's, or 45 */
+    float fov_deg;             /* 0: default of the camera */
 };
 
 /* Names of the output files. */

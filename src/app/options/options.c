@@ -235,7 +235,7 @@ static const struct option options[] = {
     { "Camera", "target", 0, "X,Y,Z", IMAGES, POSITION(target),
       "point that the camera looks at, as --eye (default: the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", IMAGES, FLOAT(image.fov_deg),
-      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)", 1, 170,
+      "vertical field of view, degrees, 1 to 170 (default: the file's, else 24 or 45)", 1, 170,
       " degrees" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
       "Vulkan device, number or part of its name; see firn list devices (default: a GPU)" },
