@@ -195,6 +195,8 @@ static const struct option options[] = {
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (default: neutral)" },
+    { "Rendering", "exposure", 0, "auto|EV", IMAGES, SCENE(option_stops),
+      "exposure of PNG files and windows, stops (default: auto for models, else 0)" },
     { "Rendering", "preset", 0, "FILE", IMAGES, INPUT(image.scene.preset),
       "settings from NAME=VALUE lines, from an image that firn wrote, or `paper`" },
     { "Rendering", "set", 0, "NAME=VALUE", IMAGES, SCENE(option_set),
@@ -435,6 +437,15 @@ void app_default_output(struct app_options *o, enum app_command command)
     }
 }
 
+/* Checks that the exposure is stated only once. */
+static enum status check_exposure(const struct setup_exposure *exposure)
+{
+    if (!exposure->is_option || !exposure->is_set)
+        return STATUS_OK;
+    log_error("--exposure conflicts with --set tonemap.exposure: state the exposure once");
+    return STATUS_USAGE;
+}
+
 /* Checks that no output file is also an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
@@ -532,6 +543,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         status = option_check_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);
+    if (status == STATUS_OK)
+        status = check_exposure(&o->image.scene.exposure);
     return status == STATUS_OK ? setup_apply_preset(&o->image.scene) : status;
 }
 
