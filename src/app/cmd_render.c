@@ -23,6 +23,7 @@
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
+#include "src/scene/world_position.h"
 #include "src/setup/aov_to_png.h"
 #include "src/setup/image_output.h"
 #include "src/setup/previous_pose.h"
@@ -518,10 +519,27 @@ static void write_last_report(void *user, int code)
         return; /* write_report() has logged why */
 }
 
+/* Returns the camera and the exposure in the report's form. */
+static struct render_report_view report_view(const struct job *job)
+{
+    const struct camera *camera = &job->camera;
+    const struct model *model = &job->scene.model;
+    struct render_report_view view = {
+        .fov_deg = camera->height > 0.0f ? 0.0 : (double)camera->fov_deg,
+        .exposure = settings_get(&job->o.image.scene.settings, settings_find("tonemap.exposure")),
+    };
+    for (int i = 0; i < 3; i++) {
+        view.eye[i] = world_position_axis(model, camera->eye, i);
+        view.target[i] = world_position_axis(model, camera->target, i);
+    }
+    return view;
+}
+
 static enum status begin_report(struct job *job)
 {
     struct report report;
     enum status status = render_report_init(&report, job->sequence.range.count);
+    report.view = report_view(job);
     signals_hold(&job->stop);
     job->report = report;
     signals_release(&job->stop);
@@ -554,6 +572,8 @@ static enum status run(struct job *job)
         status = setup_begin_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK)
         status = setup_camera(&job->camera, &job->scene, &job->o.image);
+    if (status == STATUS_OK)
+        status = setup_choose_exposure(&job->o.image, &job->scene, &job->camera);
     if (status == STATUS_OK)
         setup_choose_refraction(&job->o.image, &job->scene, &job->camera);
     if (status == STATUS_OK)

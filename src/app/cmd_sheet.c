@@ -170,9 +170,8 @@ static enum status add_image(struct job *job, uint32_t point)
     struct render_result result = { 0 };
     enum status status = sweep_values_apply(&job->sweep, point, &job->o.image, &image);
     if (status == STATUS_OK)
-        status = setup_load_scene(&scene, &image.scene);
-    if (status == STATUS_OK)
-        status = setup_camera(&camera, &scene, &image);
+        status = setup_load_exposed(&scene, &camera, &image);
+    job->o.image.scene.exposure = image.scene.exposure; /* all images have that of the first */
     if (status == STATUS_OK)
         setup_choose_refraction(&image, &scene, &camera);
     if (status == STATUS_OK && !job->gpu.device)

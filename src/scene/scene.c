@@ -458,6 +458,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (!scene->has_pool)
         scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
     scene->framing_box = scene->box;
+    if (!scene_is_known(params->name))
+        framing_init(&scene->framing, &scene->model.object, &scene->model.surroundings);
     scene->time = params->pose.time;
     scene->is_animated = scene->model.animation || params->melting.speed > 0.0f;
     measure_shape(scene);

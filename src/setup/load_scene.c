@@ -377,6 +377,7 @@ void setup_apply_scene_settings(struct setup_scene *options, const struct scene 
     check_inclusions(options, scene, false);
     (void)choose_ior(options, scene);
     choose_sun(options, scene);
+    setup_put_exposure(options);
 }
 
 struct settings setup_scene_settings(const struct setup_scene *options, const struct scene *scene)
@@ -475,22 +476,45 @@ enum status setup_pose_scene(struct scene *scene, const struct setup_scene *opti
         return status;
     posed.model_ior = scene->model_ior;
     posed.framing_box = scene->framing_box;
+    posed.framing = scene->framing;
     scene_finish(scene);
     *scene = posed;
     return STATUS_OK;
 }
 
-enum status setup_load_scene(struct scene *scene, struct setup_scene *options)
+/* Poses and fills a scene that setup_begin_scene() has begun to load. */
+static enum status pose_and_fill(struct scene *scene, const struct setup_scene *options)
 {
     const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
     bool is_filled = false;
-    enum status status = setup_begin_scene(scene, options);
-    if (status == STATUS_OK)
-        status = setup_pose_scene(scene, options, motion->time, &is_filled);
+    enum status status = setup_pose_scene(scene, options, motion->time, &is_filled);
     const char *lacking =
         status == STATUS_OK && !is_filled ? setup_fill_scene(scene, options) : NULL;
-    if (lacking)
-        status = setup_log_fill_failure(lacking);
+    return lacking ? setup_log_fill_failure(lacking) : status;
+}
+
+enum status setup_load_scene(struct scene *scene, struct setup_scene *options)
+{
+    enum status status = setup_begin_scene(scene, options);
+    if (status == STATUS_OK)
+        status = pose_and_fill(scene, options);
+    if (status != STATUS_OK)
+        scene_finish(scene);
+    return status;
+}
+
+enum status setup_load_exposed(struct scene *scene, struct camera *camera,
+                               struct setup_image *image)
+{
+    enum status status = setup_begin_scene(scene, &image->scene);
+    if (status == STATUS_OK)
+        status = setup_camera(camera, scene, image);
+    if (status == STATUS_OK)
+        status = setup_choose_exposure(image, scene, camera);
+    if (status == STATUS_OK)
+        status = pose_and_fill(scene, &image->scene);
+    if (status == STATUS_OK)
+        status = setup_camera(camera, scene, image);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

@@ -351,7 +351,7 @@ class Trace(Case):
             (1.8, [0, 0, 0], 1), (1, [0.02, 0, 0], 0.96), (1.8, [0, 0.02, 0], 0.92),
             (1, [0.02, 0, 0], 0.88), (1.8, [0, 0.02, 0], 0.84))]
         (self.folder / 'shells.gltf').write_text(balls(0.75, *shells))  # of very many reflections
-        light = self.planes('shells.gltf', *WHITE, *SIZE, '-r', 'trace')
+        light = self.planes('shells.gltf', *WHITE, *SIZE, '-r', 'trace', '--orbit', '28,9,4.98')
         self.check_white(light)
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.check_white(light)

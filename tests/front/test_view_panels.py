@@ -368,6 +368,20 @@ class Panels(PanelsCase):
         self.assertEqual(self.command(window), mine)
         self.press_to_end(window, 'alt+F4')
 
+    @unsanitized
+    def test_reset_returns_to_the_metered_exposure(self):
+        (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n'
+                                           'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n')
+        window = self.start_with_panels('--quiet', scene='a.obj', plain=PAPER)
+        said = re.search(r'exposure=(\S+) ', self.command(window))
+        self.assertGreater(float(said[1]), 0)
+        self.wait_for_command(window, f'exposure={float(said[1]) + 0.5:.4g} ',
+                              act=lambda: self.press(window, 'e'))
+        self.find_row(window, 'tonemap.exposure')
+        self.wait_for_command(window, said[0],
+                              act=lambda: self.click(window, 'reset tonemap.exposure'))
+        self.press_to_end(window, 'alt+F4')
+
     def open_other(self, window, scene):
         """Its command."""
         self.find(f'{scene}, paused', act=lambda: self.find_and_choose(window, f'open {scene}'))
