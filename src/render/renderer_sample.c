@@ -6,6 +6,7 @@
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
+#include "src/render/weighted_mean.h"
 #include "src/settings/scene_settings.h"
 
 /* Returns the offset of a tile's pixel from its block's centre, in image pixels. Tiles are
@@ -132,15 +133,18 @@ bool renderer_wants_layer(const struct renderer *r, uint32_t layer)
     return r->params.layers & 1u << layer;
 }
 
-enum status renderer_read_sample(struct renderer *r, struct image *image, const struct tile *tile,
-                                 uint32_t sample, uint32_t slot)
+enum status renderer_read_sample(struct renderer *r, struct render_result *result,
+                                 const struct tile *tile, uint32_t sample, uint32_t slot)
 {
+    struct image *image = &result->image;
     enum status status = gpu_status(rg_exec_wait(r->image.exec, slot));
     if (status != STATUS_OK)
         return status;
     const void *beauty = renderer_read_back(&r->image, frame_beauty.image, slot);
-    if (beauty)
+    if (beauty && image_find(image, frame_beauty.planes[0]))
         accumulate_sample(image, tile, &frame_beauty, beauty, sample);
+    if (beauty && result->display.planes)
+        weighted_mean_add(&result->display, tile, beauty, weighted_mean_scale(r->params.settings));
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const void *texels = renderer_read_back(&r->image, techniques_layer(i)->image, slot);
         if (renderer_wants_layer(r, i) && texels)
