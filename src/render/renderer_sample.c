@@ -2,6 +2,7 @@
  */
 #include <math.h>
 #include <string.h>
+#include "src/render/adaptive_sampling.h"
 #include "src/render/frame/thin_lens.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
@@ -73,7 +74,8 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .width = r->width,
         .height = r->height,
         .jitter = pixel_filter_offset(r->params.filter, sample),
-        .light_jitter = pixel_filter_jitter(sample),
+        .light_jitter =
+            pixel_filter_jitter(r->params.is_adaptive ? adaptive_light_sample(sample) : sample),
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
                         : 0.0f,
@@ -96,7 +98,8 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .light_jitter = view.light_jitter,
         .skips_readback = r->skips_readback,
     };
-    const struct globals globals = frame_view_globals(&view, &frame.view);
+    struct globals globals = frame_view_globals(&view, &frame.view);
+    globals.sample_random = pixel_filter_jitter(sample).x + 0.5f;
     for (uint32_t face = 0; face < 6; face++)
         frame.faces[face] = frame_view_face(&view, face);
     const VkExtent2D size = compiled_frame->frame->plan->view;
