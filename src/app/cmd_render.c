@@ -137,16 +137,23 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
+static bool add_planes_of(const struct image *tile, struct image *image, const struct job *job)
+{
+    image_init(image, job->o.image.width, job->o.image.height);
+    for (uint32_t p = 0; p < tile->plane_count; p++) {
+        if (!image_add_plane(image, tile->planes[p].name, tile->planes[p].half))
+            return false;
+    }
+    return true;
+}
+
 /* Allocates the whole image, with the same planes as a tile. */
 static bool assemble_image(const struct job *job, const struct render_result *tile,
                            struct render_result *image)
 {
-    image_init(&image->image, job->o.image.width, job->o.image.height);
-    for (uint32_t p = 0; p < tile->image.plane_count; p++) {
-        const struct image_plane *plane = &tile->image.planes[p];
-        if (!image_add_plane(&image->image, plane->name, plane->half))
-            return false;
-    }
+    if (!add_planes_of(&tile->image, &image->image, job) ||
+        !add_planes_of(&tile->display, &image->display, job))
+        return false;
     if (tile->rgba)
         image->rgba = malloc((size_t)job->o.image.width * job->o.image.height * 4);
     return !tile->rgba || image->rgba;
@@ -169,6 +176,8 @@ static void copy_tile(const struct job *job, uint32_t index, const struct render
             const size_t to = (down * y + at.y) * tiling.width + across * x + at.x;
             for (uint32_t p = 0; p < image->image.plane_count; p++)
                 image->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
+            for (uint32_t p = 0; p < image->display.plane_count; p++)
+                image->display.planes[p].texels[to] = tile->display.planes[p].texels[from];
             if (image->rgba)
                 memcpy(&image->rgba[4 * to], &tile->rgba[4 * from], 4);
         }
@@ -260,8 +269,9 @@ static enum status draw_image(struct job *job, struct frame *frame)
 static bool make_png(const struct setup_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
-    return layer_image_show(&result->image, p->show, &p->scene.settings,
-                            is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL);
+    return layer_image_show(p->show ? &result->image : render_result_display(result), p->show,
+                            &p->scene.settings, is_16 ? NULL : &result->rgba,
+                            is_16 ? &result->rgba_16 : NULL);
 }
 
 static enum status draw(struct job *job, struct frame *frame)
@@ -298,6 +308,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .layers = params->layers,
         .linear = params->linear,
         .display = params->display,
+        .resolved = params->resolved,
     };
     char names[REFERENCE_NAMES_SIZE];
     if (!job->is_filled)
@@ -363,7 +374,8 @@ static enum status open_renderer(struct job *job)
     else if (p->layers && !job->is_opened)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_image_bit(p->show);
-    params.linear = params.linear || p->is_adaptive || (job->makes_png && !p->show);
+    params.linear = params.linear || p->is_adaptive;
+    params.resolved = job->makes_png && !p->show;
     if (p->refraction == &cpu_reference_settings)
         return open_reference(job, &params);
     enum status status = open_device(job);
