@@ -6,9 +6,9 @@
  * cosine between the normal and the half vector. The refraction models compute the highlights,
  * because they have the bump-mapped normal; composite.c adds them to the image.
  *
- * A highlight stands for the mirror image of a round lamp: its peak radiance is the lamp's times the
- * exact Fresnel reflectance at the half vector (highlight.fresnel), so that the ice reflects no more
- * light than it gets. The default exponent 900 has the width of a lamp 9 degrees across.
+ * A highlight stands for the mirror image of a round lamp: its peak radiance is the lamp's times
+ * the exact Fresnel reflectance at the half vector (highlight.fresnel), so that the ice reflects no
+ * more light than it gets. The default exponent 900 has the width of a lamp 9 degrees across.
  *
  * Error: a highlight has equal size for all directions of its light. The lights are invisible and
  * light nothing else.
