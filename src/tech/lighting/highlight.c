@@ -6,9 +6,12 @@
  * cosine between the normal and the half vector. The refraction models compute the highlights,
  * because they have the bump-mapped normal; composite.c adds them to the image.
  *
- * Error: a highlight has equal radiance and size for all directions of its light, where Fresnel's
- * equations make a grazing one up to 56 times as bright. The lights are invisible and light nothing
- * else.
+ * A highlight stands for the mirror image of a round lamp: its peak radiance is the lamp's times
+ * the exact Fresnel reflectance at the half vector (highlight.fresnel), so that the ice reflects no
+ * more light than it gets. The default exponent 900 has the width of a lamp 9 degrees across.
+ *
+ * Error: a highlight has equal size for all directions of its light. The lights are invisible and
+ * light nothing else.
  */
 #include "src/tech/lighting/highlight.h"
 #include "shaders/lighting/highlight.h"
@@ -25,10 +28,10 @@ static const struct setting rows[] = {
         SETTING_FIELD("highlight.strength", FLOAT, struct highlight_params, strength),
         .renamed_from = "surface.strength",
         .label = "Highlight",
-        .initial = 6,
-        .max = 100,
+        .initial = 300,
+        .max = 1e5,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "brightness of the lights' highlights on the ice (0 for none)",
+        .help = "radiance of the lights that highlights on the ice reflect (0 for none)",
     },
     {
         SETTING_FIELD("highlight.shininess", FLOAT, struct highlight_params, shininess),
@@ -39,6 +42,13 @@ static const struct setting rows[] = {
         .max = 1e5,
         .help =
             "Blinn-Phong exponent of the highlights on the ice; a larger one makes them smaller",
+    },
+    {
+        SETTING_FIELD("highlight.fresnel", SWITCH, struct highlight_params, fresnel),
+        .label = "Fresnel highlights",
+        .initial = 1,
+        .max = 1,
+        .help = "highlights are weakened by Fresnel's equations; off: as bright as the lights",
     },
 };
 
