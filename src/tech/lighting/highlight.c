@@ -18,6 +18,9 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
 
+/* Reflectance of ice and water at normal incidence, used without the Fresnel factor. */
+static const float normal_reflectance = 0.02f;
+
 const struct rg_image highlight_radiance = {
     .name = "highlight.radiance",
     .format = VK_FORMAT_R32_SFLOAT,
@@ -48,7 +51,7 @@ static const struct setting rows[] = {
         .label = "Fresnel highlights",
         .initial = 1,
         .max = 1,
-        .help = "highlights are weakened by Fresnel's equations; off: as bright as the lights",
+        .help = "reflectance of highlights by Fresnel's equations; off: 0.02 at all angles",
     },
 };
 
@@ -65,6 +68,8 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct highlight_params *params = settings_of(view->settings, &highlight_settings);
     g->highlight = *params;
+    if (!params->fresnel)
+        g->highlight.strength *= normal_reflectance;
 }
 
 const struct technique highlight = {
