@@ -7,7 +7,7 @@
 #include "src/scene/bvh/bvh.h"
 #include "src/scene/coincident_shells.h"
 #include "src/scene/environment/environment.h"
-#include "src/scene/framing.h"
+#include "src/scene/geometry/framing.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/ice_bump_map.h"
 #include "src/scene/import/model.h"

@@ -1,5 +1,5 @@
 /* test_framing.c: where the default camera of a model file shows its geometry. */
-#include "src/scene/framing.h"
+#include "src/scene/geometry/framing.h"
 
 #include <cglm/struct.h>
 #include <math.h>

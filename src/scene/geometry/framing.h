@@ -1,6 +1,6 @@
 /* framing.h: support points of a model file's geometry, and the camera that frames them. */
-#ifndef FIRN_SCENE_FRAMING_H
-#define FIRN_SCENE_FRAMING_H
+#ifndef FIRN_SCENE_GEOMETRY_FRAMING_H
+#define FIRN_SCENE_GEOMETRY_FRAMING_H
 
 #include "src/scene/camera.h"
 

@@ -1,5 +1,5 @@
 /* framing.c: support points of a model file's geometry, and the camera that frames them. */
-#include "src/scene/framing.h"
+#include "src/scene/geometry/framing.h"
 #include <cglm/struct.h>
 #include <math.h>
 
