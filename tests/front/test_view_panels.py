@@ -189,7 +189,7 @@ class Panels(PanelsCase):
         self.desktop.do('windowsize', '--sync', window, 305, 340)
         rungs = [name for name in self.names('rungs') if name != 'reference']
         wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
-        # Rows of pixels; a line of text has 15, and a button at the edge is cut until it is scrolled.
+        # A line of text has 15 rows of pixels; a button at the edge is cut until it is scrolled.
         wait_until('whole buttons', lambda: self.control('paper')[3] > 25, self.words)
 
         def each_has_its_own():  # they come one by one

@@ -95,7 +95,7 @@ static void print_columns(const struct ladder *l, const struct columns *columns,
 /* Prints MAE by pixel class in separate tables, to keep lines below 100 characters. */
 static void print_classes(const struct ladder *l, FILE *out)
 {
-    const struct columns paths = { "MAE by path", ladder_path_class_names, l->path_class_counts,
+    const struct columns paths = { "MAE, path", ladder_path_class_names, l->path_class_counts,
                                    LADDER_PATH_CLASS_COUNT,
                                    offsetof(struct ladder_error, path_class_mae) };
     const struct columns inclusions = { "MAE, hits", ladder_inclusion_names, l->inclusion_counts,
@@ -122,13 +122,13 @@ void ladder_table(const struct ladder_report *report, FILE *out)
             "unclipped", "RMSE", "degrees", "95 %", "TIR %");
     fprintf(out, "%s %9s %9s\n", has_truth ? "     truth" : "", "ms", "cost");
     print_rows(l, out);
-    fprintf(out,
-            "\nFLIP: over all pixels. MAE (clipped to 0 and 1; unclipped), RMSE: linear, over the "
-            "object's\npixels. degrees: error of the "
-            "exit direction\nwhere there is no total reflection. TIR %%: pixels with total "
-            "reflection in only one of the two\nimages. cost: median frame time relative to %s, "
-            "frames of all models interleaved.\n",
-            ladder_base(l)->refraction->refraction.name);
+    fprintf(
+        out,
+        "\nFLIP: over all pixels. MAE (clipped to 0 and 1; unclipped), RMSE: linear, over the "
+        "object's\npixels. degrees: error of the exit direction where there is no total "
+        "reflection. TIR %%: pixels\nwith total reflection in only one of the two images. cost: "
+        "median frame time relative to %s,\nframes of all models interleaved.\n",
+        ladder_base(l)->refraction->refraction.name);
     for (uint32_t i = 0; i < l->refraction_model_count; i++) {
         if (l->refraction_models[i].error.not_finite)
             fprintf(out, "%s: %llu values are not finite\n",
