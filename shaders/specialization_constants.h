@@ -3,7 +3,8 @@
  *
  * Drivers remove code that these constants make unreachable. Branches on uniforms are slow on
  * lavapipe, which runs shaders on a CPU's SIMD units. It executes both sides, including texture
- * fetches, and recompiles large shaders in every frame (Mesa 22.3).
+ * fetches, and recompiles a shader whose branch depends on a member of globals in every frame,
+ * without freeing the last one (Mesa 22.3).
  */
 #ifndef SHADERS_SPECIALIZATION_CONSTANTS_H
 #define SHADERS_SPECIALIZATION_CONSTANTS_H

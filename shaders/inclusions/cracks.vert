@@ -38,5 +38,5 @@ void main()
     for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
         out_lights[i] = vec4(pose_to_object(frame.lights[i].xyz) - eye, frame.lights[i].w);
     out_shading = shading;
-    out_eta = frame.highlight.fresnel != 0u ? frame.outside_in_air / frame.eta : 0.0;
+    out_eta = float(frame.highlight.fresnel) * (frame.outside_in_air / frame.eta);
 }

@@ -26,7 +26,7 @@ void highlight_write_varyings()
         highlight_lights[i] =
             vec4(frame.lights[i].xyz - frame.eye, frame.highlight.strength * frame.lights[i].w);
     highlight_surface =
-        vec2(frame.highlight.shininess, frame.highlight.fresnel != 0u ? frame.eta : 0.0);
+        vec2(frame.highlight.shininess, float(frame.highlight.fresnel) * frame.eta);
 }
 #else
 /* Returns the radiance of the highlights towards the camera; e is the view direction. */
