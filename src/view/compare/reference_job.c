@@ -5,14 +5,14 @@
 #include "src/base/log.h"
 #include "src/base/parallel.h"
 #include "src/lab/reference/reference_sample_sums.h"
+#include "src/render/weighted_mean.h"
 #include "src/view/window/window.h"
 
 static const char *const names[] = { "R", "G", "B" };
 
-/* Returns the accumulated sums of a plane; NULL if there are none. */
-static const double *find_sum(const struct reference_sums *sums, const char *plane)
+/* Returns the sums of a value of reference_sample_sums.h; NULL if there are none. */
+static const double *find_sum(const struct reference_sums *sums, size_t value)
 {
-    const size_t value = reference_layers_find(plane);
     for (uint32_t i = 0; i < sums->count; i++) {
         if (sums->values[i] == value)
             return &sums->sums[i];
@@ -20,19 +20,30 @@ static const double *find_sum(const struct reference_sums *sums, const char *pla
     return NULL;
 }
 
+/* Writes the image to display: the weighted mean of the samples if it is summed, else the linear
+ * mean. Returns false when out of memory. */
 static bool make_mean(const struct reference_sums *sums, struct image *mean)
 {
     const size_t size = (size_t)sums->width * sums->height;
+    const double *alpha = find_sum(sums, reference_layers_find("A"));
+    const double *weight = find_sum(sums, REFERENCE_SUM_WEIGHT);
+    const bool is_weighted = alpha && weight;
     image_init(mean, sums->width, sums->height);
     for (size_t c = 0; c < 3; c++) {
-        const double *sum = find_sum(sums, names[c]);
+        const double *sum = find_sum(sums, is_weighted ? REFERENCE_SUM_DISPLAY + c
+                                                       : reference_layers_find(names[c]));
         float *texels = sum ? image_add_plane(mean, names[c], false) : NULL;
         if (!texels) {
             image_finish(mean);
             return false;
         }
-        for (size_t i = 0; i < size; i++)
-            texels[i] = (float)(sum[i * sums->count] / sums->samples);
+        for (size_t i = 0; i < size; i++) {
+            const size_t at = i * sums->count;
+            const double factor = is_weighted
+                                      ? weighted_mean_factor(alpha[at], weight[at], sums->samples)
+                                      : 1.0 / sums->samples;
+            texels[i] = (float)(sum[at] * factor);
+        }
     }
     return true;
 }
