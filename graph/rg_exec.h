@@ -141,6 +141,22 @@ struct rg_exec_external_sync {
 RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                       const struct rg_exec_external_sync *sync);
 
+/*
+ * Submits the next part of the frame begun last, and waits for it. A part is a group of passes, or
+ * a band of rows of one raster pass, that will take about `seconds` by the times of earlier parts;
+ * a compute pass or a copy is never divided. Returns VK_NOT_READY until the last part, and then
+ * VK_SUCCESS. Between the parts of a frame, which have equal `frame`, the host may use other
+ * executors, but of this one only rg_exec_submit_part(), rg_exec_abandon() and rg_exec_destroy().
+ * Values are those of rg_exec_submit(). Raster passes with storage writes are not divided.
+ */
+RG_API VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
+                                    double seconds);
+
+/* Ends a frame of which only some parts have been submitted, without the other passes' commands.
+ * What these would have written is undefined, also in persistent images and buffers. Does nothing
+ * if there is no such frame. */
+RG_API VkResult rg_exec_abandon(struct rg_exec *exec);
+
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 

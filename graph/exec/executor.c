@@ -58,6 +58,7 @@ static VkResult make_arrays(struct rg_exec *exec)
                 RG_MAKE_ARRAY(exec, exec->fallbacks, plan->fallback_count) &&
                 RG_MAKE_ARRAY(exec, exec->has_content, resource_count) &&
                 RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
+                RG_MAKE_ARRAY(exec, exec->costs, plan->pass_count) &&
                 RG_MAKE_KEYED_ARRAY(exec, 1, exec->slots, slot_count) &&
                 RG_MAKE_ARRAY(exec, exec->batch.images, barrier_count) &&
                 RG_MAKE_ARRAY(exec, exec->batch.buffers, barrier_count) &&
@@ -216,6 +217,7 @@ void rg_exec_destroy(struct rg_exec *exec)
 VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
 {
     const uint64_t start = rg_time_now();
+    assert(!exec->next_part.count);
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
     VkResult result = rg_exec_wait(exec, exec->slot);
@@ -232,15 +234,19 @@ static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineSta
     };
 }
 
-/* Returns the name of pass `first` if `count` is 1, otherwise NULL. */
-static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
+/* Returns the name of the pass if there is only one, otherwise NULL. */
+static const char *pass_name(const struct rg_exec *exec, const struct exec_part *part)
 {
-    return count == 1 ? exec->plan->passes[first].pass->name : NULL;
+    return part->count == 1 ? exec->plan->passes[part->first].pass->name : NULL;
 }
 
-/* Records `count` passes from `first` on into the most recently begun slot, and submits them. */
-static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
-                       uint32_t count)
+VkResult rg_exec_wait_fence(const struct rg_exec *exec)
+{
+    return rg_exec_check(exec, wait_fence(exec, &exec->slots[exec->slot]), "vkWaitForFences", NULL);
+}
+
+VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
+                                 const struct exec_part *part)
 {
     const struct rg_exec_external_sync *sync = &exec->external_sync;
     VkResult result;
@@ -251,11 +257,11 @@ static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint3
     };
     const VkSemaphoreSubmitInfo wait = semaphore_info(sync->wait, sync->wait_stages);
     const VkSemaphoreSubmitInfo signal = semaphore_info(sync->signal, 0);
-    const bool is_last = first + count == exec->plan->pass_count;
-    const char *of = pass_name(exec, first, count);
+    const bool is_last = part->ends && part->first + part->count == exec->plan->pass_count;
+    const char *of = pass_name(exec, part);
     const VkSubmitInfo2 info = {
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-        .waitSemaphoreInfoCount = first == 0 && sync->wait,
+        .waitSemaphoreInfoCount = part->begins && part->first == 0 && sync->wait,
         .pWaitSemaphoreInfos = &wait,
         .commandBufferInfoCount = 1,
         .pCommandBufferInfos = &commands,
@@ -263,7 +269,7 @@ static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint3
         .pSignalSemaphoreInfos = &signal,
     };
     const uint64_t start = rg_time_now();
-    RG_TRY(rg_exec_record(exec, frame, first, count));
+    RG_TRY(rg_exec_record(exec, frame, part));
     RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
     const uint64_t recorded = rg_time_now();
     RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
@@ -281,10 +287,11 @@ static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
     struct exec_slot *slot = &exec->slots[exec->slot];
     uint64_t begin = 0;
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
-        RG_TRY(submit(exec, frame, p, 1));
+        const struct exec_part part = { .first = p, .count = 1, .begins = true, .ends = true };
+        RG_TRY(rg_exec_submit_recorded(exec, frame, &part));
         const uint64_t submitted = rg_time_now();
         RG_TRY(
-            rg_exec_check(exec, wait_fence(exec, slot), "vkWaitForFences", pass_name(exec, p, 1)));
+            rg_exec_check(exec, wait_fence(exec, slot), "vkWaitForFences", pass_name(exec, &part)));
         slot->passes[p].begin = begin;
         begin += slot->times.submit + rg_time_now() - submitted;
         slot->passes[p].end = begin;
@@ -302,15 +309,18 @@ VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
 VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                const struct rg_exec_external_sync *sync)
 {
+    const struct exec_part whole = { .count = exec->plan->pass_count,
+                                     .begins = true,
+                                     .ends = true };
     VkResult result;
-    assert(sync->image_index < exec->image_set_count);
+    assert(sync->image_index < exec->image_set_count && !exec->next_part.count);
     exec->external_sync = *sync;
     exec->image_set = &exec->image_sets[sync->image_index];
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
         RG_TRY(submit_alone(exec, frame));
     else
-        RG_TRY(submit(exec, frame, 0, exec->plan->pass_count));
+        RG_TRY(rg_exec_submit_recorded(exec, frame, &whole));
     exec->initialized = true;
 fail:
     return result;

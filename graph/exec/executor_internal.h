@@ -17,7 +17,8 @@ struct exec_buffer {
 };
 
 enum {
-    RG_ATTACHMENT_COUNT = 2 * RG_COLOR_COUNT + 1 /* colours, depth, resolves */
+    RG_ATTACHMENT_COUNT = 2 * RG_COLOR_COUNT + 1, /* colours, depth, resolves */
+    RG_ZONE_COUNT = 64                            /* of struct exec_pass_cost */
 };
 
 struct exec_targets {
@@ -80,6 +81,21 @@ struct exec_transition {
     VkImageLayout from;
 };
 
+/* Part of a frame: whole passes, or a band of rows of one pass. */
+struct exec_part {
+    uint32_t first, count; /* passes */
+    uint32_t row, row_end; /* rows, if `count` is 1; row_end 0: all */
+    bool begins, ends;     /* contains the first, the last row of its passes */
+    bool is_empty;         /* records barriers only */
+};
+
+/* Time that a pass took on the device (partial_submission.c). 0 means unknown. */
+struct exec_pass_cost {
+    float pass;                /* seconds; of passes that are not divided */
+    float rows[RG_ZONE_COUNT]; /* seconds per row in equal parts of the target's height */
+    bool is_undivided;         /* bands would not be faster */
+};
+
 /* Barriers recorded in one call: those of a pass that runs and of the skipped passes before it. */
 struct exec_batch {
     VkImageMemoryBarrier2 *images; /* capacity: all barriers of the plan */
@@ -127,6 +143,10 @@ struct rg_exec {
     bool has_indirect_count; /* the device has drawIndirectCount */
     bool has_structures;     /* plan has acceleration structures */
     struct exec_batch batch;
+    struct exec_part next_part; /* where a frame in parts continues; `count` 0: no such frame */
+    struct exec_pass_cost *costs;
+    double last_band_seconds; /* of the part submitted last */
+    uint32_t last_band_rows;  /* 0 if it was no band */
 };
 
 /* The pass being recorded. */
@@ -278,8 +298,16 @@ void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t 
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
 /* record_commands.c */
-/* Records `count` passes from `first` on, and the final barriers after the last pass. */
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
-                        uint32_t count);
+/* Records a part of a frame, with the final barriers if it contains the last pass. */
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
+                        const struct exec_part *part);
+/* Returns the render area of a pass in a frame; empty if the pass does not run. */
+VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
+
+/* executor.c */
+/* Records a part of the frame begun last, and submits it. */
+VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
+                                 const struct exec_part *part);
+VkResult rg_exec_wait_fence(const struct rg_exec *exec);
 
 #endif

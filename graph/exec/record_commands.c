@@ -147,16 +147,37 @@ static bool is_drawn(struct rg_cmd *cmd, const struct rg_frame *frame)
     return cmd->area.extent.width && cmd->area.extent.height;
 }
 
-static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
-                        const struct rg_frame *frame)
+static struct rg_cmd begin_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands)
 {
-    struct rg_cmd cmd = {
+    return (struct rg_cmd){
         .exec = exec,
         .index = index,
         .plan_pass = &exec->plan->passes[index],
         .pass = &exec->passes[index],
         .commands = commands,
     };
+}
+
+VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame)
+{
+    struct rg_cmd cmd = begin_pass(exec, index, VK_NULL_HANDLE);
+    return is_drawn(&cmd, frame) ? cmd.area : (VkRect2D){ 0 };
+}
+
+/* Limits the render area to the rows of a part. Returns false if none is left. */
+static bool limit_rows(struct rg_cmd *cmd, const struct exec_part *part)
+{
+    const VkRect2D band = { { cmd->area.offset.x, (int32_t)part->row },
+                            { cmd->area.extent.width, part->row_end - part->row } };
+    if (part->row_end)
+        cmd->area = rg_exec_intersect(band, cmd->area);
+    return cmd->area.extent.height;
+}
+
+static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
+                        const struct rg_frame *frame, const struct exec_part *part)
+{
+    struct rg_cmd cmd = begin_pass(exec, index, commands);
     const struct rg_pass *row = cmd.plan_pass->pass;
     if (exec->vk.CmdBeginDebugUtilsLabelEXT)
         exec->vk.CmdBeginDebugUtilsLabelEXT(commands,
@@ -164,38 +185,43 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
                                                 .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
                                                 .pLabelName = row->name,
                                             });
-    rg_time_begin_pass(exec, commands, index);
-    rg_exec_add_batch(exec, commands, cmd.plan_pass->first_barrier, cmd.plan_pass->barrier_count);
-    const bool drawn = is_drawn(&cmd, frame);
+    if (part->begins) {
+        rg_time_begin_pass(exec, commands, index);
+        rg_exec_add_batch(exec, commands, cmd.plan_pass->first_barrier,
+                          cmd.plan_pass->barrier_count);
+    }
+    const bool drawn = !part->is_empty && is_drawn(&cmd, frame) && limit_rows(&cmd, part);
     if (drawn) {
         rg_exec_record_batch(exec, commands);
         record_work(&cmd, frame);
     }
-    rg_time_end_pass(exec, commands, index, drawn);
+    if (part->ends)
+        rg_time_end_pass(exec, commands, index, drawn);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
-                        uint32_t count)
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
+                        const struct exec_part *part)
 {
     VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
+    const bool is_first = part->first == 0 && part->begins;
     VkResult result;
     RG_CALL(exec, NULL, BeginCommandBuffer, commands,
             &(VkCommandBufferBeginInfo){
                 .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                 .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
             });
-    if (first == 0 && !exec->initialized) {
+    if (is_first && !exec->initialized) {
         rg_exec_record_clear(exec, commands);
         rg_exec_record_fallbacks(exec, commands);
     }
-    if (first == 0)
+    if (is_first)
         rg_time_begin_frame(exec, commands);
-    for (uint32_t p = first; p < first + count; p++)
-        record_pass(exec, p, commands, frame);
-    if (first + count == plan->pass_count)
+    for (uint32_t p = part->first; p < part->first + part->count; p++)
+        record_pass(exec, p, commands, frame, part);
+    if (part->ends && part->first + part->count == plan->pass_count)
         rg_exec_add_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     rg_exec_record_batch(exec, commands);
     RG_CALL(exec, NULL, EndCommandBuffer, commands);

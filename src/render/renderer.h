@@ -79,14 +79,18 @@ MUST_USE enum status renderer_draw(struct renderer *renderer, const struct rende
  *
  * renderer_set_view() makes the next images smaller, at most as large as in params; it creates no
  * memory and no pipelines, but renderer_display_image() returns another image. renderer_refine()
- * draws a full-size sample, waits, and adds it to the sums; sample 0 restarts them.
+ * draws the next part of a full-size sample, of about `seconds`, and waits for it. The last part
+ * adds the sample to the sums and sets *is_done; sample 0 restarts them. Between the parts, which
+ * need equal arguments, only renderer_resolve() and functions that read are allowed, or
+ * renderer_abandon(), which drops the sample, as do functions that draw something else.
  * renderer_resolve() tone-maps the mean of the samples with the current settings into
  * renderer_mean(): the pixels are those of renderer_render() with that many samples. The exposure
  * must be that of sample 0, on which the weights depend (weighted_mean.h).
  */
 MUST_USE enum status renderer_set_view(struct renderer *renderer, VkExtent2D view);
 MUST_USE enum status renderer_refine(struct renderer *renderer, const struct renderer_shot *shot,
-                                     uint32_t sample);
+                                     uint32_t sample, double seconds, bool *is_done);
+MUST_USE enum status renderer_abandon(struct renderer *renderer);
 MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
 VkImage renderer_mean(const struct renderer *renderer);
 /* Returns the sample sums, or an empty image before the first sample. */

@@ -11,6 +11,13 @@
 
 struct adaptive;
 
+/* What a frame in preparation needs until it is submitted. */
+struct renderer_frame {
+    struct frame_view view;
+    struct globals globals;
+    struct rg_frame graph;
+};
+
 struct renderer {
     struct renderer_params params;      /* interleaved: width, height of a tile */
     uint32_t width, height;             /* current image size, pixels */
@@ -30,7 +37,9 @@ struct renderer {
     struct frame_cube cube;        /* cube state of `image` */
     bool skips_readback;           /* the image is not read back */
     struct renderer_costs costs;
-    uint32_t last_slot;        /* `image` slot of the last sample */
+    uint32_t last_slot; /* `image` slot of the last sample */
+    bool is_partial;    /* `partial` is submitted in part by renderer_refine() */
+    struct renderer_frame partial;
     uint32_t sum_count;        /* number of samples in `sums` */
     struct image sums;         /* sums of the samples of renderer_refine() */
     struct image display_sums; /* their weighted sums; without planes if not weighted */
@@ -66,6 +75,14 @@ struct rg_exec_import *renderer_imports(const struct renderer *renderer,
 MUST_USE enum status renderer_run(struct renderer *renderer, struct compiled_frame *compiled_frame,
                                   const struct renderer_shot *shot, uint32_t sample,
                                   uint32_t *slot);
+
+/* Begins a frame of an executor and fills its uploads, but submits nothing. Sets *slot. */
+MUST_USE enum status renderer_begin_frame(struct renderer *renderer,
+                                          struct compiled_frame *compiled_frame,
+                                          const struct renderer_shot *shot, uint32_t sample,
+                                          struct renderer_frame *frame, uint32_t *slot);
+/* Notes that a frame of the image, which may have drawn the environment cube, was submitted. */
+void renderer_mark_drawn(struct renderer *renderer, const struct renderer_frame *frame);
 
 /* Returns true if params ask for layer `layer`. */
 bool renderer_wants_layer(const struct renderer *renderer, uint32_t layer);

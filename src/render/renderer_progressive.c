@@ -13,6 +13,8 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
     struct frame_request request = renderer_image_request(&r->params);
     if (r->width == view.width && r->height == view.height)
         return STATUS_OK;
+    if (renderer_abandon(r) != STATUS_OK)
+        return STATUS_FAILED;
     struct rg_exec_import *imports = renderer_imports(r, r->image.frame);
     if (!imports)
         return log_out_of_memory(NULL);
@@ -46,7 +48,9 @@ static void add_sample(struct renderer *r, uint32_t sample)
         weighted_mean_add(&r->display_sums, &all, texels, weighted_mean_scale(r->params.settings));
 }
 
-enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot, uint32_t sample)
+/* Begins a sample of the full size. */
+static enum status begin_sample(struct renderer *r, const struct renderer_shot *shot,
+                                uint32_t sample)
 {
     const VkExtent2D whole = { r->params.width, r->params.height };
     if (sample == 0 && !clear_sums(r))
@@ -56,13 +60,40 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
         status = renderer_capture_cube(r, shot);
     r->skips_readback = false;
     if (status == STATUS_OK)
-        status = renderer_run(r, &r->image, shot, sample, &r->last_slot);
-    if (status == STATUS_OK)
-        status = renderer_wait(r);
-    if (status == STATUS_OK)
-        add_sample(r, sample);
-    r->sum_count = sample + 1;
+        status = renderer_begin_frame(r, &r->image, shot, sample, &r->partial, &r->last_slot);
+    r->is_partial = status == STATUS_OK;
     return status;
+}
+
+enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot, uint32_t sample,
+                            double seconds, bool *is_done)
+{
+    *is_done = false;
+    enum status status = r->is_partial ? STATUS_OK : begin_sample(r, shot, sample);
+    if (status != STATUS_OK)
+        return status;
+    const VkResult result = rg_exec_submit_part(r->image.exec, &r->partial.graph, seconds);
+    if (result == VK_NOT_READY)
+        return STATUS_OK;
+    r->is_partial = false;
+    status = result == VK_SUCCESS ? renderer_wait(r) : gpu_status(result);
+    if (status != STATUS_OK)
+        return status;
+    renderer_mark_drawn(r, &r->partial);
+    add_sample(r, sample);
+    r->sum_count = sample + 1;
+    *is_done = true;
+    return STATUS_OK;
+}
+
+enum status renderer_abandon(struct renderer *r)
+{
+    if (!r->is_partial)
+        return STATUS_OK;
+    r->is_partial = false;
+    r->cube.is_drawn = r->cube.is_drawn && !r->partial.graph.due.cube;
+    r->cube.has_light = r->cube.has_light && !r->partial.graph.due.light;
+    return gpu_status(rg_exec_abandon(r->image.exec));
 }
 
 /* Returns pixel `i` of the mean for display. Keeps the sums. */

@@ -61,7 +61,9 @@ static void discard_images(struct renderer *r)
 enum status renderer_change(struct renderer *r, const struct renderer_params *params)
 {
     /* necessary, because rg_exec_update() of the image does not wait for `capture` */
-    enum status status = renderer_wait(r);
+    enum status status = renderer_abandon(r);
+    if (status == STATUS_OK)
+        status = renderer_wait(r);
     renderer_set_params(r, params);
     discard_images(r);
     if (status == STATUS_OK)

@@ -62,11 +62,13 @@ static void restrict_to_tile(const struct renderer *r, const struct frame_view *
         rg_exec_set_region(r->image.exec, &region);
 }
 
-enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_frame,
-                         const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
+enum status renderer_begin_frame(struct renderer *r, struct compiled_frame *compiled_frame,
+                                 const struct renderer_shot *shot, uint32_t sample,
+                                 struct renderer_frame *f, uint32_t *slot)
 {
     const struct uploaded_scene *s = r->scene;
-    struct frame_view view = {
+    struct frame_view *view = &f->view;
+    *view = (struct frame_view){
         .scene = r->params.scene,
         .settings = r->params.settings,
         .camera = shot->camera,
@@ -82,10 +84,10 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .face_size = r->params.face_size,
         .sample = sample,
     };
-    frame_lens_apply(&view);
-    view.jitter = glms_vec2_add(view.jitter, tile_offset(&r->params, shot->tile));
-    view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
-    struct rg_frame frame = {
+    frame_lens_apply(view);
+    view->jitter = glms_vec2_add(view->jitter, tile_offset(&r->params, shot->tile));
+    view->previous_clip_from_world = frame_view_previous_clip_from_world(view, &shot->earlier);
+    f->graph = (struct rg_frame){
         .settings = r->params.settings,
         .scene = r->params.scene,
         .object = uploaded_scene_mesh(&s->object, r->params.is_coarse),
@@ -93,35 +95,50 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .objects = compiled_frame == &r->image ? r->objects.all : NULL,
         .object_count = compiled_frame == &r->image ? r->objects.count : 0,
         .meshes = r->meshes,
-        .view = frame_view_push(&view),
+        .view = frame_view_push(view),
         .time = shot->time,
-        .light_jitter = view.light_jitter,
+        .light_jitter = view->light_jitter,
         .skips_readback = r->skips_readback,
     };
-    struct globals globals = frame_view_globals(&view, &frame.view);
-    globals.sample_random = pixel_filter_jitter(sample).x + 0.5f;
+    f->globals = frame_view_globals(view, &f->graph.view);
+    f->globals.sample_random = pixel_filter_jitter(sample).x + 0.5f;
     for (uint32_t face = 0; face < 6; face++)
-        frame.faces[face] = frame_view_face(&view, face);
+        f->graph.faces[face] = frame_view_face(view, face);
     const VkExtent2D size = compiled_frame->frame->plan->view;
-    frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
-    frame.lookup_area = lookup_area(r, &view, &globals, size);
-    frame.ground_area = frame_view_reflection_area(&view, &globals, size);
-    frame.due = compiled_frame == &r->image ? frame_cube_due(&r->cube, &view, &globals)
-                                            : (struct frame_updates){ true, true };
-    VkResult result = rg_exec_begin(compiled_frame->exec, slot);
-    if (result == VK_SUCCESS) {
-        write_uploads(&view, &globals, compiled_frame->exec, *slot);
-        if (compiled_frame == &r->image) {
-            frame_objects_place(&r->objects, compiled_frame, *slot, &view, &globals,
-                                r->params.refraction ? r->params.refraction->refraction.reach
-                                                     : 0.0f);
-            restrict_to_tile(r, &view, &globals);
-        }
-        result = rg_exec_submit(compiled_frame->exec, &frame);
+    f->graph.object_area = frame_view_box_area(view, &f->globals, view->scene->box, size, 0.0f);
+    f->graph.lookup_area = lookup_area(r, view, &f->globals, size);
+    f->graph.ground_area = frame_view_reflection_area(view, &f->globals, size);
+    f->graph.due = compiled_frame == &r->image ? frame_cube_due(&r->cube, view, &f->globals)
+                                               : (struct frame_updates){ true, true };
+    const VkResult result = rg_exec_begin(compiled_frame->exec, slot);
+    if (result != VK_SUCCESS)
+        return gpu_status(result);
+    write_uploads(view, &f->globals, compiled_frame->exec, *slot);
+    if (compiled_frame == &r->image) {
+        frame_objects_place(&r->objects, compiled_frame, *slot, view, &f->globals,
+                            r->params.refraction ? r->params.refraction->refraction.reach : 0.0f);
+        restrict_to_tile(r, view, &f->globals);
     }
-    if (compiled_frame == &r->image && result == VK_SUCCESS)
-        frame_cube_mark_drawn(&r->cube, &view, &globals, frame.due);
-    return gpu_status(result);
+    return STATUS_OK;
+}
+
+void renderer_mark_drawn(struct renderer *r, const struct renderer_frame *f)
+{
+    frame_cube_mark_drawn(&r->cube, &f->view, &f->globals, f->graph.due);
+}
+
+enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_frame,
+                         const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
+{
+    struct renderer_frame frame;
+    enum status status = renderer_abandon(r);
+    if (status == STATUS_OK)
+        status = renderer_begin_frame(r, compiled_frame, shot, sample, &frame, slot);
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_submit(compiled_frame->exec, &frame.graph));
+    if (status == STATUS_OK && compiled_frame == &r->image)
+        renderer_mark_drawn(r, &frame);
+    return status;
 }
 
 const void *renderer_read_back(struct compiled_frame *compiled_frame, const struct rg_image *image,

@@ -1,6 +1,7 @@
 /* view_progressive.c: progressive refinement: fast interactive frames, then samples. */
 #include "src/view/view_progressive.h"
 #include <cglm/struct.h>
+#include <math.h>
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/render/weighted_mean.h"
@@ -9,6 +10,7 @@
 
 static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
+static const double part_seconds = 0.02; /* duration of a part of a sample, seconds */
 static const double soon_seconds = 0.15; /* seconds per sample above which a draft is shown first */
 
 enum {
@@ -185,19 +187,33 @@ static enum status prepare(struct view *v, bool *drew)
     return STATUS_OK;
 }
 
-static enum status draw_sample(struct view *v)
+/* Returns the duration of a part of a sample. The shown image must not be drawn while the window
+ * shows it, so the first sample is drawn at once unless a draft is shown. */
+static double part_duration(const struct viewport *p)
+{
+    return p->shows_draft || p->shows_mean ? part_seconds : HUGE_VAL;
+}
+
+static enum status draw_part(struct view *v)
 {
     struct view_progressive *r = &v->progressive;
     const double start = clock_seconds();
     const struct renderer_shot shot = current_shot(v);
-    enum status status = r->count ? STATUS_OK : presenter_wait(&v->presenter);
+    const bool is_first = !r->is_partial;
+    bool is_done = false;
+    enum status status = is_first && !r->count ? presenter_wait(&v->presenter) : STATUS_OK;
     if (status == STATUS_OK)
-        status = viewport_refine(v->viewport, &shot, r->count);
-    r->begun_at = r->count ? r->begun_at : start;
-    r->count++;
-    r->sample_seconds = clock_seconds() - start;
-    if (status == STATUS_OK && is_to_be_shown(r))
-        status = resolve(v);
+        status =
+            viewport_refine(v->viewport, &shot, r->count, part_duration(v->viewport), &is_done);
+    r->begun_at = is_first && !r->count ? start : r->begun_at;
+    r->sample_begun_at = is_first ? start : r->sample_begun_at;
+    r->is_partial = !is_done;
+    if (is_done) {
+        r->count++;
+        r->sample_seconds = clock_seconds() - r->sample_begun_at;
+        if (status == STATUS_OK && is_to_be_shown(r))
+            status = resolve(v);
+    }
     view_frame_stats_exclude(&v->frame_stats, start);
     return status;
 }
@@ -209,11 +225,11 @@ enum status view_progressive_step(struct view *v, bool *drew)
     *drew = false;
     if (!refines(v) || !has_current_samples(v) || (wait > 0.0))
         return STATUS_OK;
-    const enum status status = prepare(v, drew);
+    const enum status status = v->progressive.is_partial ? STATUS_OK : prepare(v, drew);
     if (status != STATUS_OK || *drew || !is_due)
         return status;
     *drew = true;
-    return draw_sample(v);
+    return draw_part(v);
 }
 
 enum status view_progressive_draw(struct view *v, const struct renderer_shot *shot)
@@ -237,7 +253,7 @@ enum status view_progressive_draw(struct view *v, const struct renderer_shot *sh
     r->identity = now;
     r->has_identity = true;
     r->count = r->shown_count = 0;
-    r->has_full_draft = false;
+    r->has_full_draft = r->is_partial = false;
     r->moved_at = first ? 0.0 : clock_seconds();
     v->redrawn = true;
     return status;

@@ -27,7 +27,9 @@ struct view_progressive {
     uint32_t shown_count;         /* displayed samples; 0 during interaction */
     bool has_full_draft;          /* a full-size draft was drawn */
     double begun_at;              /* start of sample 0, seconds */
+    double sample_begun_at;       /* start of the sample that is drawn, seconds */
     double sample_seconds;        /* last duration, seconds; 0 if none */
+    bool is_partial;              /* a sample is drawn in part */
     double moved_at;              /* last interaction, seconds */
     double shown_at;              /* last displayed mean, seconds */
     bool skips_rest;              /* sample without delay after mouse release */

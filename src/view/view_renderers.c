@@ -206,7 +206,7 @@ static enum status fit_renderers(struct viewport *p)
     }
     p->draws_beyond_image = are_wide(p);
     p->version++;
-    p->shows_mean = p->shows_draft = false;
+    p->shows_mean = p->shows_draft = p->is_left_refined = false;
     p->extent = (VkExtent2D){ p->state.width, p->state.height };
     return STATUS_OK;
 }
@@ -317,7 +317,9 @@ enum status viewport_draw_interactive(struct viewport *p, const struct renderer_
                                       VkExtent2D view)
 {
     const struct draft_renderer_params params = draft_renderer_params(p);
-    enum status status = p->draft.is_off ? STATUS_OK : draft_renderer_update(&p->draft, &params);
+    enum status status = viewport_abandon(p);
+    if (status == STATUS_OK && !p->draft.is_off)
+        status = draft_renderer_update(&p->draft, &params);
     p->extent = view;
     p->shows_mean = false;
     p->shows_draft = p->draft.left && !p->draft.is_off;
@@ -330,11 +332,31 @@ enum status viewport_draw_interactive(struct viewport *p, const struct renderer_
     return status == STATUS_OK ? viewport_draw(p, shot) : status;
 }
 
-enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot, uint32_t sample)
+enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot, uint32_t sample,
+                            double seconds, bool *is_done)
 {
-    enum status status = renderer_refine(p->renderer, shot, sample);
+    enum status status = STATUS_OK;
+    *is_done = p->is_left_refined;
+    if (!p->is_left_refined)
+        status = renderer_refine(p->renderer, shot, sample, seconds, is_done);
+    if (status != STATUS_OK || !*is_done || !p->right_renderer)
+        return status;
+    if (!p->is_left_refined) {
+        p->is_left_refined = true;
+        *is_done = false;
+        return STATUS_OK;
+    }
+    status = renderer_refine(p->right_renderer, shot, sample, seconds, is_done);
+    p->is_left_refined = !*is_done;
+    return status;
+}
+
+enum status viewport_abandon(struct viewport *p)
+{
+    enum status status = renderer_abandon(p->renderer);
     if (status == STATUS_OK && p->right_renderer)
-        status = renderer_refine(p->right_renderer, shot, sample);
+        status = renderer_abandon(p->right_renderer);
+    p->is_left_refined = false;
     return status;
 }
 

@@ -48,6 +48,7 @@ struct viewport {
     bool is_progressive;                 /* renderers support viewport_refine() */
     VkImage replacement;                 /* image displayed instead, or NULL */
     bool shows_mean;                     /* displayed images are sample means */
+    bool is_left_refined;                /* side A has finished the sample, side B not */
     VkExtent2D extent;
     bool draws_beyond_image; /* renderer_draws_beyond_image() of either renderer */
     uint64_t version;        /* changes whenever the renderers are replaced */
@@ -122,9 +123,10 @@ MUST_USE enum status viewport_draw_interactive(struct viewport *p, const struct 
 bool viewport_wants_draft(const struct viewport *p);
 MUST_USE enum status viewport_create_draft(struct viewport *p, const struct renderer_shot *shot);
 
-/* Adds a sample with the renderers of both sides, as renderer_refine() does. */
+/* Draws the next part of a sample of both sides, as renderer_refine() does for one. */
 MUST_USE enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot,
-                                     uint32_t sample);
+                                     uint32_t sample, double seconds, bool *is_done);
+MUST_USE enum status viewport_abandon(struct viewport *p); /* drops the sample of both sides */
 MUST_USE enum status viewport_resolve(struct viewport *p, uint32_t sample_count); /* both sides */
 
 /* Returns the renderer of the left or right image. Without a split, the right one is NULL. */

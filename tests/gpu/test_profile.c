@@ -160,6 +160,7 @@ static void a_kept_frame_is_the_picture(void **state)
 /* Of a view that changes, a sample is read back, and a picture that is only shown is not. */
 static void a_shown_frame_stays_on_the_device(void **state)
 {
+    bool is_done;
     static uint16_t sample[SIDE * SIDE * 4];
     const struct settings settings = settings_default();
     const vec3s gray = { { 0.5F, 0.5F, 0.5F } };
@@ -181,7 +182,7 @@ static void a_shown_frame_stays_on_the_device(void **state)
                                                    .keep = true,
                                                    .refines = true }),
         STATUS_OK);
-    assert_int_equal(renderer_refine(renderer, &shot, 0), STATUS_OK);
+    assert_int_equal(renderer_refine(renderer, &shot, 0, HUGE_VAL, &is_done), STATUS_OK);
     const uint32_t slot = renderer->last_slot;
     const void *texels = renderer_read_back(&renderer->image, frame_beauty.image, slot);
     memcpy(sample, texels, sizeof(sample));
@@ -192,8 +193,8 @@ static void a_shown_frame_stays_on_the_device(void **state)
     }
     assert_int_equal(renderer->last_slot, slot);
     assert_memory_equal(texels, sample, sizeof(sample));
-    assert_int_equal(renderer_refine(renderer, &shot, 0), STATUS_OK);
-    assert_int_equal(renderer_refine(renderer, &shot, 1), STATUS_OK);
+    assert_int_equal(renderer_refine(renderer, &shot, 0, HUGE_VAL, &is_done), STATUS_OK);
+    assert_int_equal(renderer_refine(renderer, &shot, 1, HUGE_VAL, &is_done), STATUS_OK);
     assert_memory_not_equal(texels, sample, sizeof(sample));
     renderer_destroy(renderer);
     scene_finish(&scene);

@@ -1,0 +1,193 @@
+/* partial_submission.c: submits a frame in parts of bounded duration, between which the host can do
+ * other work. Durations are predicted from the times of earlier parts. */
+#include <assert.h>
+#include "graph/exec/executor_internal.h"
+
+enum {
+    UNKNOWN_ROWS = 16, /* height of a band of unknown cost */
+};
+
+/* If a band of at most half the rows takes more than this fraction of the time of the band before,
+ * the pass's vertices dominate its cost. */
+static const double vertex_bound = 0.75;
+
+static bool can_be_divided(const struct rg_exec *exec, uint32_t pass)
+{
+    const struct rg_plan_pass *plan = &exec->plan->passes[pass];
+    bool is_divisible = plan->pass->kind == RG_RASTER && !exec->costs[pass].is_undivided &&
+                        !exec->slots[exec->slot].times.measure.statistics;
+    for (uint32_t i = 0; i < plan->use_count; i++) {
+        const enum rg_access access = exec->plan->uses[plan->first_use + i].use->access;
+        is_divisible =
+            is_divisible && access != RG_STORAGE_WRITE && access != RG_STORAGE_READ_WRITE;
+    }
+    return is_divisible;
+}
+
+/* Returns the cost of a row of a pass, for reading and writing. */
+static float *row_cost(const struct rg_exec *exec, uint32_t pass, uint32_t row)
+{
+    const uint32_t height = exec->plan->passes[pass].extent.height;
+    const uint64_t zone = (uint64_t)row * RG_ZONE_COUNT / (height ? height : 1);
+    return &exec->costs[pass].rows[zone < RG_ZONE_COUNT ? zone : RG_ZONE_COUNT - 1];
+}
+
+static uint32_t end_of(VkRect2D area)
+{
+    return (uint32_t)area.offset.y + area.extent.height;
+}
+
+/* Returns the predicted cost of a pass in seconds: 0 if it does not run, more than `most` if it is
+ * unknown. */
+static double predict(const struct rg_exec *exec, uint32_t pass, VkRect2D area, double most)
+{
+    const double unknown = 2.0 * most;
+    double sum = 0.0;
+    if (!area.extent.width || !area.extent.height)
+        return 0.0;
+    if (!can_be_divided(exec, pass))
+        return exec->costs[pass].pass > 0.0f ? (double)exec->costs[pass].pass : unknown;
+    for (uint32_t row = (uint32_t)area.offset.y; row < end_of(area); row++) {
+        const float cost = *row_cost(exec, pass, row);
+        sum += cost > 0.0f ? (double)cost : unknown;
+    }
+    return sum;
+}
+
+/* Sets part->row_end so that the band takes about `seconds`. Bands end at even rows, because
+ * fragment derivatives are computed for 2x2 pixels. */
+static void find_band(const struct rg_exec *exec, struct exec_part *part, uint32_t end,
+                      double seconds)
+{
+    double sum = 0.0;
+    uint32_t row = part->row;
+    while (row < end && (sum < seconds || row < part->row + 2)) {
+        const float cost = *row_cost(exec, part->first, row++);
+        sum += cost > 0.0f ? (double)cost : seconds / UNKNOWN_ROWS;
+    }
+    row = (row + 1) & ~1u;
+    part->row_end = row < end && can_be_divided(exec, part->first) ? row : end;
+    part->ends = part->row_end == end;
+}
+
+/* Returns the part that begins at exec->next_part and takes about `seconds`. */
+static struct exec_part find_part(struct rg_exec *exec, const struct rg_frame *frame,
+                                  double seconds)
+{
+    struct exec_part part = exec->next_part;
+    const VkRect2D area = rg_exec_pass_area(exec, part.first, frame);
+    double sum = predict(exec, part.first, area, seconds);
+    if (!part.begins || (sum > seconds && can_be_divided(exec, part.first))) {
+        part.row = part.begins ? (uint32_t)area.offset.y : part.row;
+        find_band(exec, &part, end_of(area), seconds);
+        return part;
+    }
+    for (part.count = 1; part.first + part.count < exec->plan->pass_count; part.count++) {
+        const uint32_t next = part.first + part.count;
+        sum += predict(exec, next, rg_exec_pass_area(exec, next, frame), seconds);
+        if (sum > seconds)
+            break;
+    }
+    part.ends = true;
+    return part;
+}
+
+/* Multiplies the costs of a pass by `factor`. */
+static void scale(struct exec_pass_cost *cost, double factor)
+{
+    cost->pass *= (float)factor;
+    for (uint32_t i = 0; i < RG_ZONE_COUNT; i++)
+        cost->rows[i] *= (float)factor;
+}
+
+/* Stores the time of a part that consists of one pass or of some of its rows. */
+static void learn_pass(struct rg_exec *exec, const struct exec_part *part, VkRect2D area,
+                       double taken)
+{
+    const uint32_t begin = part->row_end ? part->row : (uint32_t)area.offset.y;
+    const uint32_t end = part->row_end ? part->row_end : end_of(area);
+    exec->costs[part->first].pass = (float)taken;
+    for (uint32_t row = begin; row < end; row++)
+        *row_cost(exec, part->first, row) = (float)(taken / (end - begin));
+}
+
+/* Stores the time of a part, and notes if shorter bands are not faster than `last`. */
+static void learn(struct rg_exec *exec, const struct rg_frame *frame, const struct exec_part *part,
+                  double taken, double seconds)
+{
+    const double last = exec->last_band_seconds;
+    const uint32_t rows = part->row_end - part->row, last_rows = exec->last_band_rows;
+    double predicted = 0.0;
+    exec->last_band_seconds = taken;
+    exec->last_band_rows = part->row_end ? rows : 0;
+    if (part->row_end && !part->begins && 2 * rows <= last_rows && taken > seconds &&
+        taken > vertex_bound * last)
+        exec->costs[part->first].is_undivided = true;
+    if (part->count == 1) {
+        learn_pass(exec, part, rg_exec_pass_area(exec, part->first, frame), taken);
+        return;
+    }
+    for (uint32_t p = part->first; p < part->first + part->count; p++)
+        predicted += predict(exec, p, rg_exec_pass_area(exec, p, frame), seconds);
+    for (uint32_t p = part->first; p < part->first + part->count && predicted > 0.0; p++)
+        scale(&exec->costs[p], taken / predicted);
+}
+
+/* Records, submits and waits for a part. Moves exec->next_part behind it. */
+static VkResult run(struct rg_exec *exec, const struct rg_frame *frame,
+                    const struct exec_part *part)
+{
+    const bool is_last = part->ends && part->first + part->count == exec->plan->pass_count;
+    VkResult result;
+    RG_TRY(rg_exec_submit_recorded(exec, frame, part));
+    RG_TRY(rg_exec_wait_fence(exec));
+    exec->next_part = (struct exec_part){
+        .first = part->ends ? part->first + part->count : part->first,
+        .count = !is_last,
+        .row = part->ends ? 0 : part->row_end,
+        .begins = part->ends,
+    };
+    exec->initialized = true;
+fail:
+    return result;
+}
+
+VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame, double seconds)
+{
+    VkResult result;
+    if (!exec->next_part.count) {
+        exec->next_part = (struct exec_part){ .count = 1, .begins = true };
+        exec->external_sync = (struct rg_exec_external_sync){ 0 };
+        exec->image_set = exec->image_sets;
+        RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    }
+    const struct exec_part part = find_part(exec, frame, seconds);
+    const uint64_t start = rg_time_now();
+    RG_TRY(run(exec, frame, &part));
+    learn(exec, frame, &part, (double)(rg_time_now() - start) * 1e-9, seconds);
+    return exec->next_part.count ? VK_NOT_READY : VK_SUCCESS;
+fail:
+    exec->next_part.count = 0;
+    return result;
+}
+
+VkResult rg_exec_abandon(struct rg_exec *exec)
+{
+    struct exec_part part = exec->next_part;
+    VkResult result = VK_SUCCESS;
+    if (!part.count)
+        return result;
+    exec->next_part.count = 0;
+    part.is_empty = part.ends = true;
+    if (!part.begins) {
+        RG_TRY(run(exec, NULL, &part)); /* ends the pass's measurement */
+        part = exec->next_part;
+    }
+    part.count = exec->plan->pass_count - part.first;
+    part.is_empty = part.begins = part.ends = true;
+    if (part.count)
+        RG_TRY(run(exec, NULL, &part));
+fail:
+    exec->next_part.count = 0;
+    return result;
+}
