@@ -241,8 +241,9 @@ struct rg_frame; /* program-defined per-frame data for callbacks */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Returns true if a conditional pass runs in a frame; `repetition` is 0 unless the pass is
- * repeated. Called once per recording of each pass; must depend only on its arguments. A skipped
- * pass changes and clears nothing; its barriers are recorded with those of the next pass that runs.
+ * repeated. Called once per recording of each pass, but more often for a frame in parts
+ * (rg_exec_submit_part()); must depend only on its arguments. A skipped pass changes and clears
+ * nothing; its barriers are recorded with those of the next pass that runs.
  * Content that only conditional passes write may be read only by passes with the same condition
  * (that of the last writer) and, if it depends on the repetition, by the same repetition, unless it
  * is persistent or imported. */
@@ -250,8 +251,8 @@ typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
 
 /* Returns the rectangle of the targets, in texels, that a raster pass draws in a frame. Draws and
  * RG_LOAD_CLEAR are limited to it; the outside is preserved by RG_LOAD_KEEP, else undefined. If it
- * does not overlap the targets, the pass is skipped as by rg_when_fn. Called once per recording of
- * each pass; only rg_cmd_pass(), rg_cmd_repetition() and rg_cmd_extent() may be called. */
+ * does not overlap the targets, the pass is skipped as by rg_when_fn. Called as rg_when_fn is;
+ * only rg_cmd_pass(), rg_cmd_repetition() and rg_cmd_extent() may be called. */
 typedef VkRect2D rg_area_fn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Returns the next row to merge into a raster pass, given the pass's own `row` first and then each

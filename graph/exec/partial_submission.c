@@ -1,6 +1,6 @@
 /* partial_submission.c: submits a frame in parts of bounded duration, between which the host can do
  * other work. Durations are predicted from the times of earlier parts. */
-#include <assert.h>
+#include <math.h>
 #include "graph/exec/executor_internal.h"
 
 enum {
@@ -37,19 +37,17 @@ static uint32_t end_of(VkRect2D area)
     return (uint32_t)area.offset.y + area.extent.height;
 }
 
-/* Returns the predicted cost of a pass in seconds: 0 if it does not run, more than `most` if it is
- * unknown. */
-static double predict(const struct rg_exec *exec, uint32_t pass, VkRect2D area, double most)
+/* Returns the predicted cost of a pass in seconds: 0 if it does not run, HUGE_VAL if unknown. */
+static double predict(const struct rg_exec *exec, uint32_t pass, VkRect2D area)
 {
-    const double unknown = 2.0 * most;
     double sum = 0.0;
     if (!area.extent.width || !area.extent.height)
         return 0.0;
     if (!can_be_divided(exec, pass))
-        return exec->costs[pass].pass > 0.0f ? (double)exec->costs[pass].pass : unknown;
+        return exec->costs[pass].pass > 0.0f ? (double)exec->costs[pass].pass : HUGE_VAL;
     for (uint32_t row = (uint32_t)area.offset.y; row < end_of(area); row++) {
         const float cost = *row_cost(exec, pass, row);
-        sum += cost > 0.0f ? (double)cost : unknown;
+        sum += cost > 0.0f ? (double)cost : HUGE_VAL;
     }
     return sum;
 }
@@ -76,7 +74,7 @@ static struct exec_part find_part(struct rg_exec *exec, const struct rg_frame *f
 {
     struct exec_part part = exec->next_part;
     const VkRect2D area = rg_exec_pass_area(exec, part.first, frame);
-    double sum = predict(exec, part.first, area, seconds);
+    double sum = predict(exec, part.first, area);
     if (!part.begins || (sum > seconds && can_be_divided(exec, part.first))) {
         part.row = part.begins ? (uint32_t)area.offset.y : part.row;
         find_band(exec, &part, end_of(area), seconds);
@@ -84,7 +82,7 @@ static struct exec_part find_part(struct rg_exec *exec, const struct rg_frame *f
     }
     for (part.count = 1; part.first + part.count < exec->plan->pass_count; part.count++) {
         const uint32_t next = part.first + part.count;
-        sum += predict(exec, next, rg_exec_pass_area(exec, next, frame), seconds);
+        sum += predict(exec, next, rg_exec_pass_area(exec, next, frame));
         if (sum > seconds)
             break;
     }
@@ -128,8 +126,9 @@ static void learn(struct rg_exec *exec, const struct rg_frame *frame, const stru
         return;
     }
     for (uint32_t p = part->first; p < part->first + part->count; p++)
-        predicted += predict(exec, p, rg_exec_pass_area(exec, p, frame), seconds);
-    for (uint32_t p = part->first; p < part->first + part->count && predicted > 0.0; p++)
+        predicted += predict(exec, p, rg_exec_pass_area(exec, p, frame));
+    for (uint32_t p = part->first;
+         p < part->first + part->count && predicted > 0.0 && predicted < HUGE_VAL; p++)
         scale(&exec->costs[p], taken / predicted);
 }
 

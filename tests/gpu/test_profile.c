@@ -200,6 +200,55 @@ static void a_shown_frame_stays_on_the_device(void **state)
     scene_finish(&scene);
 }
 
+/* Draws two samples in parts of a duration. Returns the number of parts. */
+static uint32_t refine(struct renderer *renderer, const struct renderer_shot *shot, double seconds)
+{
+    uint32_t parts = 0;
+    for (uint32_t sample = 0; sample < 2; parts++) {
+        bool is_done;
+        assert_int_equal(renderer_refine(renderer, shot, sample, seconds, &is_done), STATUS_OK);
+        sample += is_done;
+    }
+    return parts;
+}
+
+static void samples_in_parts_are_those_drawn_at_once(void **state)
+{
+    static float whole[SIDE * SIDE];
+    const struct settings settings = settings_default();
+    struct scene scene = { 0 };
+    struct renderer *renderer;
+    bool is_done = true;
+    assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
+    const struct renderer_shot shot = { .camera =
+                                            camera_orbit(28, 9, 4, box_center(scene.box), 45) };
+    assert_int_equal(
+        renderer_create(&renderer,
+                        &(struct renderer_params){ .gpu = *state,
+                                                   .scene = &scene,
+                                                   .settings = &settings,
+                                                   .refraction = techniques_refraction(0),
+                                                   .width = SIDE,
+                                                   .height = SIDE,
+                                                   .keep = true,
+                                                   .refines = true,
+                                                   .samples = 2 }),
+        STATUS_OK);
+    assert_int_equal(refine(renderer, &shot, HUGE_VAL), 2);
+    const float *sums = renderer_sums(renderer)->planes[0].texels;
+    memcpy(whole, sums, sizeof(whole));
+    for (uint32_t parts = 1; parts < 40; parts += 19) { /* the sample is abandoned */
+        for (uint32_t i = 0; i < parts; i++)
+            assert_int_equal(renderer_refine(renderer, &shot, 0, 0.0, &is_done), STATUS_OK);
+        assert_false(is_done);
+        assert_int_equal(renderer_abandon(renderer), STATUS_OK);
+    }
+    assert_true(refine(renderer, &shot, 0.0) > 40);
+    assert_memory_equal(renderer_sums(renderer)->planes[0].texels, whole, sizeof(whole));
+    renderer_destroy(renderer);
+    scene_finish(&scene);
+}
+
 /* The device is described as smaller than it is. */
 static void a_picture_that_does_not_fit_is_refused(void **state)
 {
@@ -239,6 +288,7 @@ int main(void)
         ON_DEVICE(rows_are_the_frame),
         ON_DEVICE(a_kept_frame_is_the_picture),
         ON_DEVICE(a_shown_frame_stays_on_the_device),
+        ON_DEVICE(samples_in_parts_are_those_drawn_at_once),
         ON_DEVICE(a_picture_that_does_not_fit_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -155,7 +155,12 @@ void run_close(struct run *run)
 void run_frame(struct run *run, const struct rg_frame *frame)
 {
     assert_int_equal(rg_exec_begin(run->exec, &run->slot), VK_SUCCESS);
-    assert_int_equal(rg_exec_submit(run->exec, frame), VK_SUCCESS);
+    VkResult result = VK_NOT_READY;
+    while (run->params.is_in_parts && result == VK_NOT_READY)
+        result = rg_exec_submit_part(run->exec, frame, 0.0);
+    if (!run->params.is_in_parts)
+        result = rg_exec_submit(run->exec, frame);
+    assert_int_equal(result, VK_SUCCESS);
     assert_int_equal(rg_exec_wait(run->exec, run->slot), VK_SUCCESS);
 }
 
@@ -177,8 +182,9 @@ struct run_params run_variant(const struct run_params *params, unsigned variant)
 void run_variants(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
                   void (*check)(struct run *run))
 {
-    for (unsigned variant = 0; variant < RUN_VARIANT_COUNT; variant++) {
-        const struct run_params changed = run_variant(params, variant);
+    for (unsigned variant = 0; variant < 2 * RUN_VARIANT_COUNT; variant++) {
+        struct run_params changed = run_variant(params, variant);
+        changed.is_in_parts = variant >= RUN_VARIANT_COUNT;
         struct run run;
         run_open(&run, gpu, &changed);
         run_frame(&run, frame);

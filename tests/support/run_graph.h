@@ -30,6 +30,7 @@ struct run_params {
     bool no_device; /* compile without a device */
     struct rg_measure measure;
     const VkSpecializationInfo *constants;
+    bool is_in_parts; /* run_frame() submits the smallest parts */
 };
 
 struct run {
@@ -85,8 +86,9 @@ enum {
 struct run_params run_variant(const struct run_params *params, unsigned variant);
 
 /*
- * Runs a frame and checks it in four variants that must give equal results: dynamic rendering or
- * VkRenderPass objects, with or without memory aliasing of transient resources.
+ * Runs a frame and checks it in eight variants that must give equal results: dynamic rendering or
+ * VkRenderPass objects, with or without memory aliasing of transient resources, as a whole or in
+ * parts.
  */
 void run_variants(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
                   void (*check)(struct run *run));
