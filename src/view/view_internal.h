@@ -177,6 +177,9 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
+/* Loads the scene's file anew with one material for all of its nodes, as --material does. */
+void view_replace_materials(struct view *view, const struct material_choice *choice);
+
 /* Copies a session's scene, settings and refraction model to `state`, which borrows the strings.
  * The caller shows `state`; then view_resume_session() restores camera, time and side B. */
 void view_apply_session(const struct session_file *session, struct setup_image *state);

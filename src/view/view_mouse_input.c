@@ -112,6 +112,8 @@ static void use_request(struct view *v, const struct ui_request *request)
         view_seek(v, request->time);
     if (request->open)
         view_open(v, request->open);
+    if (request->material.preset)
+        view_replace_materials(v, &request->material);
     if (request->screenshot_size.width) {
         v->wants_screenshot = v->changed = true;
         v->screenshot_size = request->screenshot_size;

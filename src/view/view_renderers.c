@@ -34,8 +34,10 @@ enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
     p->state = *state;
     p->state.scene.name = p->scene_name = copy(state->scene.name);
     p->state.scene.environment = p->environment_name = copy(state->scene.environment);
+    p->state.scene.material = p->material_name = copy(state->scene.material);
     enum status status = STATUS_OK;
-    if (!p->scene_name != !state->scene.name || !p->environment_name != !state->scene.environment)
+    if (!p->scene_name != !state->scene.name || !p->environment_name != !state->scene.environment ||
+        !p->material_name != !state->scene.material)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
         status = setup_load_exposed(&p->scene, &p->camera, &p->state);
@@ -96,6 +98,7 @@ void viewport_destroy(struct viewport *p)
     scene_finish(&p->scene);
     free(p->scene_name);
     free(p->environment_name);
+    free(p->material_name);
     free(p);
 }
 
@@ -601,6 +604,7 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
         state.scene.name = path;
         state.scene.quiet = (*viewport)->quiet;
         /* these belonged to the previous object */
+        state.scene.material = NULL;
         state.camera = NULL;
         state.scene.animation = NULL;
         state.scene.material_override_count = 0;
@@ -611,6 +615,17 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
     const enum status status = replace(viewport, &state, environment);
     *remade = status == STATUS_OK;
     return status;
+}
+
+enum status viewport_replace_materials(struct viewport **viewport, const char *material)
+{
+    struct setup_image state = (*viewport)->state;
+    state.scene.settings = state.scene.user_settings;
+    state.scene.exposure.is_chosen = false;
+    state.scene.material = material;
+    state.scene.material_override_count = 0;
+    state.scene.quiet = (*viewport)->quiet;
+    return replace(viewport, &state, true);
 }
 
 void viewport_camera_range(const struct viewport *p, float *nearest, float *farthest)

@@ -28,6 +28,7 @@ struct viewport {
     struct setup_image state; /* current options and renderer size */
     char *scene_name;         /* string of `state`, owned */
     char *environment_name;   /* string of `state`, owned, or NULL */
+    char *material_name;      /* string of `state`, owned, or NULL */
     struct scene scene;
     struct uploaded_scene uploaded;
     struct shader_reload *shader_reload; /* shader hot reload; may be NULL */
@@ -73,6 +74,9 @@ MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
  * *remade to true; images from renderer_display_image() are then invalid. */
 MUST_USE enum status viewport_change(struct viewport **viewport, const struct setup_scene *scene,
                                      const struct technique *refraction, bool *remade);
+
+/* Loads the scene anew with a material (--material) for all nodes. Keeps the camera. */
+MUST_USE enum status viewport_replace_materials(struct viewport **viewport, const char *material);
 
 /* Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.
  * On success *viewport is replaced by one of the same size and *remade is true; on failure it

@@ -358,19 +358,21 @@ static enum status run_frame(struct view *v)
     return v->frame_stats.frame_count == 1 ? view_progressive_begin(v) : STATUS_OK;
 }
 
-/* Prepares the first frame on the worker thread, because this is slow. Creates the renderers and
- * draws once to compile the shaders. */
+/* Prepares the first frame on the worker thread, because this is slow. Creates the renderers, and
+ * those of drafts, which compile their shaders; else draws once for that. */
 static enum status warm_up(void *user)
 {
     struct view *v = user;
     bool ready;
     const struct renderer_shot shot = shot_now(v);
     enum status status = fit(v, v->initial_size, &ready);
-    if (status == STATUS_OK && ready)
+    if (status != STATUS_OK || !ready)
+        return status;
+    if (viewport_wants_draft(v->viewport))
+        status = viewport_create_draft(v->viewport, &shot);
+    if (status == STATUS_OK && !v->viewport->draft.left)
         status = viewport_draw(v->viewport, &shot);
-    if (status == STATUS_OK && ready)
-        status = viewport_wait(v->viewport);
-    return status;
+    return status == STATUS_OK ? viewport_wait(v->viewport) : status;
 }
 
 /* Opens the device, loads the scene and creates the user interface, while the window is open. */

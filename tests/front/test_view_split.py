@@ -7,6 +7,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import DATA, PLAIN, USAGE, Case, long, main, unsanitized  # noqa: E402
 from desktop import wait_until  # noqa: E402
+from gltf_file import boxes  # noqa: E402
 from test_view import SIZE, TRIANGLES, WindowCase, png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
 
@@ -260,6 +261,26 @@ class FirstMinutes(PanelsCase):
         self.do('next model', 1, [key('Next')],
                 lambda: self.desktop.ask('xdotool', 'search', '--name', 'shape2.obj'))
         self.press_to_end(window, 'ctrl+q')
+
+
+class Materials(PanelsCase):
+    @long
+    def test_an_opaque_model_becomes_glass(self):
+        """What --material does, by clicks; undo brings back the materials of the file."""
+        model = self.folder / 'stone.gltf'
+        model.write_text(boxes(({'pbrMetallicRoughness': {'metallicFactor': 0}}, [0, 0, 0], 1)))
+        window = self.start_with_panels('--size', '480x400', scene='stone.gltf', plain=PLAIN)
+        self.assertNotIn('--material', self.command(window))
+
+        self.choose(window, 'Kind', 'glass')
+        command = self.wait_for_command(window, ' --material glass ',
+                                        act=lambda: self.click(window, 'glass'))
+        shown = self.shoot(window, 1)
+        self.succeed(*shlex.split(command)[1:])
+        self.assertEqual(png_pixels(self.folder / 'firn.png'), png_pixels(shown))
+        self.wait_for_command(window, without='--material',
+                              act=lambda: self.press(window, 'ctrl+z'))
+        self.close(window)
 
 
 class Words(Case):

@@ -4,6 +4,7 @@
 #ifndef FIRN_VIEW_PANELS_UI_H
 #define FIRN_VIEW_PANELS_UI_H
 
+#include "src/scene/material_presets.h"
 #include "src/view/panels/theme.h"
 #include "src/view/panels/ui_choice_thumbnails.h"
 #include "src/view/panels/ui_frame_bottleneck.h"
@@ -86,9 +87,10 @@ struct ui_request {
     float time;
     VkExtent2D screenshot_size; /* 0x0 to save no image */
     struct pixel_inspector_choice inspector_choice;
-    bool inspects;                 /* the inspector panel is open */
-    enum view_side_b side_b;       /* side B, changed independently of `changed` */
-    const struct technique *split; /* model of side B, or NULL */
+    bool inspects;                   /* the inspector panel is open */
+    enum view_side_b side_b;         /* side B, changed independently of `changed` */
+    const struct technique *split;   /* model of side B, or NULL */
+    struct material_choice material; /* replaces all materials of the model; preset NULL: none */
 };
 
 /* Shows or hides the panel that belongs to an action. Returns true if the panel is now shown. */

@@ -6,6 +6,7 @@
 #include "src/render/frame/pass_list.h"
 #include "src/settings/quality.h"
 #include "src/setup/setup_material.h"
+#include "src/tech/frame_media.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/trace/refract_trace.h"
 #include "src/view/panels/ui_internal.h"
@@ -140,10 +141,17 @@ static float absorption_scale(const struct ui_view *view)
     return setup_absorption_scale(view->viewport->state.scene.name, &view->viewport->scene);
 }
 
-/* Sets a preset and a finish. A rough finish selects refraction model `trace`, which draws it. */
+/* Chooses a preset and a finish: for objects whose material the settings define, by these, else
+ * instead of the model's own materials. A rough finish selects refraction model `trace`, which
+ * draws it. */
 static void choose_material(const struct ui_view *view, struct ui_request *request,
                             const struct material_choice *choice)
 {
+    const struct scene *scene = &view->viewport->scene;
+    if (!scene->model.object.index_count || !frame_media_are_from_settings(scene)) {
+        request->material = *choice;
+        return;
+    }
     setup_set_material(&request->settings, choice, absorption_scale(view));
     if (choice->finish && !request->refraction->refraction.traces_bvh)
         request->refraction = &refract_trace;

@@ -8,12 +8,14 @@ static void finish(struct undo_scene *one)
 {
     free(one->name);
     free(one->environment);
+    free(one->material);
     free(one);
 }
 
 static bool has_names(const struct undo_scene *one, const struct setup_scene *scene)
 {
-    return one->name && !one->environment == !scene->environment;
+    return one->name && !one->environment == !scene->environment &&
+           !one->material == !scene->material;
 }
 
 static void forget(struct undo_scene **list, uint32_t number)
@@ -39,6 +41,8 @@ enum status undo_scenes_add(struct undo_scene **list, uint32_t number, const str
     one->state.scene.name = one->name = strdup(scene->name);
     one->environment = scene->environment ? strdup(scene->environment) : NULL;
     one->state.scene.environment = one->environment;
+    one->material = scene->material ? strdup(scene->material) : NULL;
+    one->state.scene.material = one->material;
     if (!has_names(one, scene)) {
         finish(one);
         return log_out_of_memory(NULL);

@@ -12,7 +12,7 @@ struct undo_scene {
     uint32_t number;          /* scene number in struct view_state */
     struct setup_image state; /* options of the scene; settings unused */
     struct camera camera;
-    char *name, *environment; /* strings of `state`, owned */
+    char *name, *environment, *material; /* strings of `state`, owned */
 };
 
 /* Saves the viewport's scene under `number`. Replaces any older scene with this number. If out of

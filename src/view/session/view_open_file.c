@@ -9,6 +9,7 @@
 struct opening {
     struct view *view;
     const char *path;
+    const char *material; /* for the file that is open; NULL to open another file */
     enum file_kind kind;
 };
 
@@ -22,14 +23,29 @@ static enum status detect_kind(void *user)
 static enum status open_file(void *user)
 {
     const struct opening *opening = user;
+    struct viewport **viewport = &opening->view->viewport;
     bool remade;
-    return viewport_load(&opening->view->viewport, opening->path, &remade);
+    return opening->material ? viewport_replace_materials(viewport, opening->material)
+                             : viewport_load(viewport, opening->path, &remade);
+}
+
+/* Writes what was done to the status bar. */
+static void describe(const struct view *v, const struct opening *opening, double seconds)
+{
+    char words[200];
+    if (opening->material)
+        snprintf(words, sizeof(words), "all materials replaced by %s (scene loaded in %.0f ms)",
+                 opening->material, seconds * 1e3);
+    else
+        snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
+                 opening->kind == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
+                 opening->path, seconds * 1e3);
+    ui_show_message(v->ui, words);
 }
 
 static void load(struct view *v, struct opening *opening)
 {
     const double start = clock_seconds();
-    char words[200];
     const struct view_state before = view_state_now(v);
     view_set_title(v, "loading");
     presenter_disconnect(&v->presenter);
@@ -37,14 +53,12 @@ static void load(struct view *v, struct opening *opening)
     view_clear_errors(v);
     if (undo_scenes_add(&v->undo_scenes, v->scene, v->viewport) != STATUS_OK ||
         worker_run(&v->window, open_file, opening) != STATUS_OK) {
-        view_fail(v, "the file was not opened");
+        view_fail(v, opening->material ? "no material was replaced" : "the file was not opened");
     } else {
         view_enter_scene(v, &before);
-        snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
-                 opening->kind == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
-                 opening->path, (clock_seconds() - start) * 1e3);
-        ui_show_message(v->ui, words);
-        recent_files_add(opening->path);
+        describe(v, opening, clock_seconds() - start);
+        if (!opening->material)
+            recent_files_add(opening->path);
     }
     v->changed = true;
     view_show_name(v);
@@ -73,4 +87,17 @@ void view_open(struct view *v, const char *path)
         view_compare_open(v, path);
     else
         load(v, &opening);
+}
+
+void view_replace_materials(struct view *v, const struct material_choice *choice)
+{
+    const struct setup_scene *scene = &v->viewport->state.scene;
+    char material[64];
+    if (scene_find_builtin(scene->name)) {
+        ui_show_message(v->ui, "the materials of this scene cannot be replaced");
+        return;
+    }
+    snprintf(material, sizeof(material), "%s%s%s", choice->preset->name, choice->finish ? ":" : "",
+             choice->finish ? choice->finish->name : "");
+    load(v, &(struct opening){ .view = v, .material = material });
 }
