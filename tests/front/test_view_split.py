@@ -212,9 +212,6 @@ class FirstMinutes(PanelsCase):
         def click(label):
             return lambda: self.click(window, label)
 
-        def choose_kind(kind):  # two clicks
-            return lambda: self.choose(window, 'Kind', kind)
-
         def drag(*places):
             return lambda: self.move(window, *places)
 
@@ -226,7 +223,7 @@ class FirstMinutes(PanelsCase):
             self.move(window, self.BESIDE, (130, 200), (160, 210))
             self.desktop.do('keyup', 'ctrl')
         self.do('turn it', 1, [drag(self.BESIDE, (130, 210), (160, 220))], other)
-        self.do('make it glass', 3, [choose_kind('glass'), click('glass')],
+        self.do('make it glass', 3, [lambda: self.choose(window, 'Kind', 'glass'), click('glass')],
                 lambda: self.label('Refractive index '))
         self.do('undo', 1, [key('ctrl+z')], lambda: self.label('undo: Refractive index '))
         self.do('rotate the light', 1, [light], lambda: self.label('Sun azimuth '))
