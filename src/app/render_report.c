@@ -84,6 +84,10 @@ char *render_report_json(const struct report *report, const struct sequence *seq
     }
     json_t *json = json_pack("{s:s, s:o, s:i, s:o}", "version", FIRN_VERSION, "scene",
                              json_text_string(o->image.scene.name), "code", code, "frames", frames);
+    char ground[SETUP_GROUND_NAME_SIZE];
+    const struct stage_params *stage = &o->image.scene.stage;
+    if (json && stage->ground != STAGE_AUTO)
+        (void)json_object_set_new(json, "ground", json_string(setup_ground_name(stage, ground)));
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);
     *size = text ? strlen(text) + 1 : 0;

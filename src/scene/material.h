@@ -26,7 +26,9 @@ enum {
     MATERIAL_IS_WATER_LAYER = 256, /* opaque base with colour and normal map, under a water layer */
     /* an object has this material and others, so surface parameters are looked up per triangle */
     MATERIAL_IS_PARTIAL = 512,
-    MATERIAL_FLAGS = 1023,
+    /* shows the environment behind it, darkened by shadows and brightened by caustics */
+    MATERIAL_IS_SHADOW_CATCHER = 1024,
+    MATERIAL_FLAGS = 1023, /* flags that a model file can set */
 };
 
 /* Returns true if textures of this use hold sRGB colours. Other textures are linear. */
