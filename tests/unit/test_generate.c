@@ -469,9 +469,9 @@ static void test_stage(void **state)
         const float distance = glms_vec3_distance(v->position, stage.foot);
         CHECK_NEAR(v->position.y, 2, 0);
         CHECK_NEAR(v->uv.x, 0.25F * (v->position.x - 1), 1e-3);
-        if (distance <= 4)
+        if (distance <= 3)
             CHECK_NEAR(v->color.x, 0.2F, 1e-6);
-        if (distance >= 34.1F)
+        if (distance >= 26.1F)
             CHECK_NEAR(v->color.x, stage.far_colors[i % GENERATE_STAGE_SIDES].x, 1e-6);
     }
     CHECK_NEAR(generate_stage_fade(0), 0, 0);

@@ -62,7 +62,7 @@ struct generate_stage {
 };
 
 /* Generates a round level floor that faces up, of concentric rings. Its vertex colours fade from
- * near_color to far_colors between 2 and 17 radii. Ring i, from the centre, has material i. */
+ * near_color to far_colors between 1.5 and 13 radii. Ring i, from the centre, has material i. */
 bool generate_stage(struct mesh *mesh, const struct generate_stage *stage);
 
 /* Returns the mean fraction of far_colors in a ring. */

@@ -4,8 +4,8 @@
 #include "src/scene/generate/generate.h"
 
 /* Radii of the floor, in radii of the object. The colour fades between the first two. */
-#define FADE_START 2.0f
-#define FADE_END   17.0f
+#define FADE_START 1.5f
+#define FADE_END   13.0f
 #define EDGE       300.0f
 
 enum {
@@ -48,7 +48,24 @@ static struct mesh_vertex vertex_at(const struct generate_stage *stage, float ra
     };
 }
 
-/* Adds a ring between two circles of vertices. The inner circle of ring 0 is a point. */
+static void add_triangle(struct mesh *mesh, uint32_t a, uint32_t b, uint32_t c)
+{
+    mesh->indices[mesh->index_count++] = a;
+    mesh->indices[mesh->index_count++] = b;
+    mesh->indices[mesh->index_count++] = c;
+}
+
+/* Adds the polygon of a circle's vertices. Its triangles are as large as possible: those of a fan
+ * would be thin and share a point below the object, where rays would be slow. */
+static void add_disc(struct mesh *mesh, uint32_t first)
+{
+    for (uint32_t step = 1; step < SIDES / 2; step *= 2) {
+        for (uint32_t i = 0; i < SIDES; i += 2 * step)
+            add_triangle(mesh, first + i, first + (i + 2 * step) % SIDES, first + i + step);
+    }
+}
+
+/* Adds a ring between two circles of vertices. */
 static void add_ring(struct mesh *mesh, const struct generate_stage *stage, uint32_t ring)
 {
     const uint32_t inner = 2 * SIDES * ring, outer = inner + SIDES;
@@ -57,18 +74,18 @@ static void add_ring(struct mesh *mesh, const struct generate_stage *stage, uint
         *vertex = vertex_at(stage, inner_radius(ring + i / SIDES), i % SIDES);
         vertex->material = (ring + 1) << MESH_SURFACE_SHIFT;
     }
-    for (uint32_t side = 0; side < SIDES; side++) {
+    for (uint32_t side = 0; side < SIDES && ring; side++) {
         const uint32_t next = (side + 1) % SIDES;
-        const uint32_t corners[6] = { inner + side, outer + next, outer + side,
-                                      inner + side, inner + next, outer + next };
-        for (uint32_t i = 0; i < (ring ? 6u : 3u); i++)
-            mesh->indices[mesh->index_count++] = corners[i];
+        add_triangle(mesh, inner + side, outer + next, outer + side);
+        add_triangle(mesh, inner + side, inner + next, outer + next);
     }
+    if (!ring)
+        add_disc(mesh, outer);
 }
 
 bool generate_stage(struct mesh *mesh, const struct generate_stage *stage)
 {
-    if (!mesh_init(mesh, 2 * RINGS * SIDES, 3 * SIDES * (2 * RINGS - 1)))
+    if (!mesh_init(mesh, 2 * RINGS * SIDES, 6 * SIDES * RINGS))
         return false;
     mesh->index_count = 0; /* grows as rings are added */
     for (uint32_t ring = 0; ring < RINGS; ring++)

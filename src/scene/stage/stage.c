@@ -69,6 +69,23 @@ static bool is_wider(struct box outer, struct box inner, float margin)
            outer.min.z <= inner.min.z - room.z && outer.max.z >= inner.max.z + room.z;
 }
 
+/* Returns true if a mesh is a room: its faces, weighted by area, look at the centre of its box. */
+static bool is_hollow(const struct mesh *mesh)
+{
+    const vec3s center = box_center(mesh_box(mesh));
+    double inwards = 0.0, area = 0.0;
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        vec3s p[3];
+        for (uint32_t k = 0; k < 3; k++)
+            p[k] = glms_vec3_sub(mesh->vertices[mesh->indices[i + k]].position, center);
+        const vec3s n = glms_vec3_cross(glms_vec3_sub(p[1], p[0]), glms_vec3_sub(p[2], p[0]));
+        const vec3s middle = glms_vec3_add(glms_vec3_add(p[0], p[1]), p[2]);
+        inwards -= (double)glms_vec3_dot(n, glms_vec3_normalize(middle));
+        area += (double)glms_vec3_norm(n);
+    }
+    return inwards > 0.2 * area;
+}
+
 bool stage_has_own_surroundings(const struct model *model)
 {
     const struct box objects = mesh_box(&model->object);
@@ -76,7 +93,7 @@ bool stage_has_own_surroundings(const struct model *model)
     const float height = objects.max.y - objects.min.y;
     bool is_empty;
     if (!model->object.index_count)
-        return true;
+        return is_hollow(&model->surroundings);
     if (!model->surroundings.index_count)
         return false;
     const struct box table =
@@ -150,7 +167,7 @@ struct look {
 
 static const struct look looks[STAGE_GROUND_COUNT] = {
     [STAGE_SHADOW] = { { { 1.0f, 1.0f, 1.0f } }, 1.0f, 0.0f, 0.0f, 1.0f, false },
-    [STAGE_STUDIO] = { { { 0.2f, 0.2f, 0.205f } }, 0.3f, 0.8f, 0.0f, 1.0f, false },
+    [STAGE_STUDIO] = { { { 0.155f, 0.18f, 0.21f } }, 0.22f, 1.0f, 0.0f, 1.0f, false },
     [STAGE_SLATE] = { { { 1.0f, 1.0f, 1.0f } }, 0.42f, 1.0f, 1.0f, 0.25f, true },
     [STAGE_WOOD] = { { { 1.0f, 1.0f, 1.0f } }, 0.42f, 1.0f, 1.0f, 0.25f, true },
     [STAGE_COLOR] = { { { 1.0f, 1.0f, 1.0f } }, 1.0f, 0.0f, 0.0f, 1.0f, false },

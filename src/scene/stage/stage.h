@@ -36,8 +36,8 @@ static inline bool stage_has_floor(const struct stage_params *stage)
 struct box stage_subject_box(const struct model *model);
 
 /* Returns true if a model has surroundings of its own: a surface below the refractive objects that
- * is wider than these, or surroundings on all sides. Also true for a model without refractive
- * objects. */
+ * is wider than these, or surroundings on all sides. A model without refractive objects has them if
+ * it is a room seen from inside. */
 bool stage_has_own_surroundings(const struct model *model);
 
 /* Appends the floor to the surroundings of a model. `subject` stands on it. With distance, the
