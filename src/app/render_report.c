@@ -97,6 +97,8 @@ char *render_report_json(const struct report *report, const struct sequence *seq
     const struct stage_params *stage = &o->image.scene.stage;
     if (json && stage->ground != STAGE_AUTO)
         (void)json_object_set_new(json, "ground", json_string(setup_ground_name(stage, ground)));
+    if (json && o->image.scene.environment)
+        (void)json_object_set_new(json, "env", json_text_string(o->image.scene.environment));
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);
     *size = text ? strlen(text) + 1 : 0;

@@ -10,7 +10,7 @@
 #include "src/tech/water/caustics.h"
 
 /* Angular diameter of the stage's key light, degrees. */
-#define STAGE_LIGHT_DEG 5.0
+#define STAGE_LIGHT_DEG 3.0
 
 static const char stage_environment[] = "stage";
 

@@ -1,5 +1,7 @@
 """test_stage.py: the floor below a model file (--ground). Usage: see case.py."""
+import base64
 import json
+import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -45,9 +47,15 @@ class Ground(Case):
         self.write('room', wall, (glass(), [0, 4, 0], 1))
         self.write('pole', (OPAQUE, [0, 2.5, 0], 0.5), (glass(), [0, 4, 0], 1))
         self.write('stone', floor)
+        hall = json.loads(boxes(floor))
+        data = base64.b64decode(hall['buffers'][0]['uri'].split(',')[1])
+        indices = struct.unpack('<36H', data[96:])[::-1]  # wound inwards
+        data = base64.b64encode(data[:96] + struct.pack('<36H', *indices)).decode()
+        hall['buffers'][0]['uri'] = f'data:application/octet-stream;base64,{data}'
+        (self.folder / 'hall.gltf').write_text(json.dumps(hall))
         for words, expected in ((['box.gltf'], 'studio'), (['pole.gltf'], 'studio'),
                                 (['table.gltf'], 'none'), (['room.gltf'], 'none'),
-                                (['stone.gltf'], 'none'), (['sphere'], 'none'),
+                                (['stone.gltf'], 'studio'), (['hall.gltf'], 'none'), (['sphere'], 'none'),
                                 (['amber'], 'none'), (['box.gltf', '--ground', 'none'], 'none'),
                                 (['table.gltf', '--ground', 'slate'], 'slate'),
                                 (['box.gltf', '--ground', '.1,.2,1'], '0.1,0.2,1')):

@@ -7,7 +7,7 @@
 
 /* Kinds of ground, in the order of stage_ground_names. */
 enum stage_ground {
-    STAGE_AUTO, /* not yet chosen */
+    STAGE_AUTO, /* not chosen */
     STAGE_NONE,
     STAGE_SHADOW, /* shows the environment, with shadows and caustics */
     STAGE_STUDIO,
