@@ -11,14 +11,14 @@ FACING = -30  # azimuth to the right of -Z that the default camera looks at, deg
 # Lights as in studio.py, but their azimuths are counted from FACING
 BOXES = (
     (-62, 42, 0.36, 0.36, 5.0, 0.5, (1.0, 0.95, 0.88)),  # key light, left, behind
-    (70, 26, 0.13, 0.70, 7.0, 0.5, (0.88, 0.95, 1.0)),  # strip light, right, behind
-    (-116, 24, 0.09, 0.60, 4.0, 0.5, (0.92, 0.97, 1.0)),  # strip light, left
+    (70, 33, 0.13, 0.50, 7.0, 0.5, (0.88, 0.95, 1.0)),  # strip light, right, behind
+    (-116, 31, 0.09, 0.45, 4.0, 0.5, (0.92, 0.97, 1.0)),  # strip light, left
     (10, 78, 0.55, 0.35, 2.0, 0.6, (1.0, 1.0, 1.0)),  # above
     (148, 30, 0.45, 0.36, 0.9, 0.6, (1.0, 0.97, 0.93)),  # fill light, right of the camera
 )
 # Black cards: azimuth from FACING, half width, lowest and highest elevation, degrees
 CARDS = ((42, 8, 2, 62), (98, 15, 2, 60), (-40, 7, 2, 62), (-92, 11, 2, 62), (-150, 22, 4, 50))
-SUN = (-62, 42, 0.70, 0.675, 0.645)  # azimuth and elevation, radiance of a white surface
+SUN = (-62, 42, 1.65, 1.57, 1.47)  # azimuth and elevation, radiance of a white surface
 
 
 def backdrop():

@@ -84,7 +84,9 @@ class Ground(Case):
 
     @unsanitized
     def test_contact(self):
-        """The floor is dark where the box stands, whatever draws it."""
+        """The floor is dark where a box of dark glass stands, whatever draws it. The faces of a clear
+        one are windows, through which the sun shines at its foot."""
+        self.write('box', (glass(color=(.1, .1, .1)), [0, 4, 0], 1))
         for model in ('paper', 'bounce', 'trace', 'reference'):
             planes = self.draw('box.gltf', '--samples', 2, '-r', model, '--set',
                                'reference.photons=20000')
