@@ -6,11 +6,15 @@
 #include "src/scene/bundled_assets.h"
 #include "src/settings/scene_settings.h"
 #include "src/setup/setup.h"
+#include "src/tech/refract/cpu_reference_settings.h"
 #include "src/tech/trace/trace_settings.h"
 #include "src/tech/water/caustics.h"
 
 /* Angular diameter of the stage's key light, degrees. */
 #define STAGE_LIGHT_DEG 3.0
+
+/* Photons of the reference; the default number takes longer than a small image. */
+#define STAGE_PHOTONS 500000.0
 
 static const char stage_environment[] = "stage";
 
@@ -99,8 +103,11 @@ void setup_choose_stage_settings(struct setup_scene *options)
         settings_row(&caustics_settings, offsetof(struct caustics_params, sun));
     const struct setting *hits =
         settings_row(&trace_settings, offsetof(struct trace_params, surroundings));
+    const struct setting *photons =
+        settings_row(&reference_settings, offsetof(struct reference_params, photons));
     if (!stage_has_floor(&options->stage))
         return;
+    settings_put(&options->settings, photons, STAGE_PHOTONS, SETTING_SCENE);
     if (options->has_default_environment)
         settings_put(&options->settings, sun, STAGE_LIGHT_DEG, SETTING_SCENE);
     if (options->is_stage_bare)
