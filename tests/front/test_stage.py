@@ -55,8 +55,9 @@ class Ground(Case):
         (self.folder / 'hall.gltf').write_text(json.dumps(hall))
         for words, expected in ((['box.gltf'], 'studio'), (['pole.gltf'], 'studio'),
                                 (['table.gltf'], 'none'), (['room.gltf'], 'none'),
-                                (['stone.gltf'], 'studio'), (['hall.gltf'], 'none'), (['sphere'], 'none'),
-                                (['amber'], 'none'), (['box.gltf', '--ground', 'none'], 'none'),
+                                (['stone.gltf'], 'studio'), (['hall.gltf'], 'none'),
+                                (['sphere'], 'none'), (['amber'], 'none'),
+                                (['box.gltf', '--ground', 'none'], 'none'),
                                 (['table.gltf', '--ground', 'slate'], 'slate'),
                                 (['box.gltf', '--ground', '.1,.2,1'], '0.1,0.2,1')):
             found = self.ground(*words)
@@ -84,8 +85,8 @@ class Ground(Case):
 
     @unsanitized
     def test_contact(self):
-        """The floor is dark where a box of dark glass stands, whatever draws it. The faces of a clear
-        one are windows, through which the sun shines at its foot."""
+        """The floor is dark where a box of dark glass stands, whatever draws it. The faces of a
+        clear one are windows, through which the sun shines at its foot."""
         self.write('box', (glass(color=(.1, .1, .1)), [0, 4, 0], 1))
         for model in ('paper', 'bounce', 'trace', 'reference'):
             planes = self.draw('box.gltf', '--samples', 2, '-r', model, '--set',

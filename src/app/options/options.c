@@ -190,7 +190,7 @@ static const struct option options[] = {
     { "Rendering", "quality", 0, "LEVEL", IMAGES, IMAGE(option_quality),
       "quality level: draft, normal or high (default: normal; high in firn render)" },
     { "Rendering", "material", 'm', "NAME", IMAGES, SCENE(option_material),
-      "material, such as ruby:rough, or NODE=glass[,ior=1.5,...]; see firn list materials" },
+      "material, such as ruby:rough or NODE=glass[,ior=1.5,...]; see firn list materials" },
     { "Rendering", "plain", 0, NULL, IMAGES, FLAG(image.scene.plain),
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
