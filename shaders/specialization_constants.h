@@ -10,9 +10,10 @@
 #define SHADERS_SPECIALIZATION_CONSTANTS_H
 
 /* Bits of CONSTANT_TEXTURED, in addition to 1 << MATERIAL_... for the textures in use. */
-#define CONSTANT_TEXTURED_ANY   0x80000000u /* some surroundings have textures */
-#define CONSTANT_TEXTURED_HOLES 0x40000000u /* some material is alpha-tested or blended */
-#define CONSTANT_TEXTURED_COAT  0x20000000u /* some opaque material has a clear coat */
+#define CONSTANT_TEXTURED_ANY     0x80000000u /* some surroundings have textures */
+#define CONSTANT_TEXTURED_HOLES   0x40000000u /* some material is alpha-tested or blended */
+#define CONSTANT_TEXTURED_COAT    0x20000000u /* some opaque material has a clear coat */
+#define CONSTANT_TEXTURED_CATCHER 0x10000000u /* some material is a shadow catcher */
 
 #define CONSTANT_BACKGROUND      0  /* background mode: GLOBALS_SKY ... */
 #define CONSTANT_TEXTURED        1  /* CONSTANT_TEXTURED_ bits; 0 without textures */

@@ -374,7 +374,7 @@ class Panels(PanelsCase):
                                            'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n')
         window = self.start_with_panels('--quiet', scene='a.obj', plain=PAPER)
         said = re.search(r'exposure=(\S+) ', self.command(window))
-        self.assertGreater(float(said[1]), 0)
+        self.assertNotEqual(float(said[1]), 0)
         self.wait_for_command(window, f'exposure={float(said[1]) + 0.5:.4g} ',
                               act=lambda: self.press(window, 'e'))
         self.find_row(window, 'tonemap.exposure')

@@ -184,6 +184,9 @@ static void print(FILE *out, const struct ui_render_command *c)
     print_number(out, "env-rotate", p->scene.env_rotate);
     print_number(out, "env-exposure", p->scene.env_exposure);
     print_name(out, "surroundings", p->scene.surroundings);
+    char ground[SETUP_GROUND_NAME_SIZE];
+    if (stage_has_floor(&p->scene.stage))
+        print_name(out, "ground", setup_ground_name(&p->scene.stage, ground));
     print_name(out, "cracks", p->scene.cracks);
     print_name(out, "bump", p->scene.bump);
     print_name(out, "bump-mask", p->scene.bump_mask);
