@@ -35,6 +35,7 @@ layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' r
 #define REFRACT_MARCH params.march
 #include "refract/refract_march_path.glsl"
 
+#include "refract/refract_bubbles.glsl"
 #include "refract/refract_cracks.glsl"
 
 /* Maximum number of false exits of a ray, where depth maps show an exit but there is no face. */
@@ -51,6 +52,23 @@ const float exits_same_crack = 0.9;
  * internal reflection, as in cubes, because a whole SIMD unit would wait for them. */
 const float exits_weak_throughput = 0.1;
 
+/* Maximum number of bubbles that split a path between two faces. */
+const uint exits_bubbles_max = 4u;
+
+/* Radius of a bubble, in footprints, from which paths are followed beyond the bubble. The light of
+ * smaller bubbles, which show all surroundings within a few pixels, is looked up blurred. */
+const float exits_followed_radius = 3.0;
+
+/* Radii between which a bubble changes from a part of the scattering medium to a refracting
+ * surface, in footprints. */
+const vec2 exits_medium_radii = vec2(0.7, 1.4);
+
+/* Radius of the blur of light that a bubble of the scattering medium deflects, about 40 degrees. */
+const float exits_medium_blur = 0.7;
+
+/* Henyey-Greenstein g of a bubble, averaged over its disc. */
+const float bubble_g = 0.71;
+
 /* State of a path inside the object. */
 struct exits_ray {
     vec3 weight;       /* path throughput, relative to the pixel */
@@ -60,6 +78,8 @@ struct exits_ray {
     vec3 n;            /* next face's outward normal, or 0 */
     float reflectance; /* Fresnel reflectance of the face */
     uint faces;        /* number of internal reflections so far */
+    float width;       /* width of the footprint, metres */
+    uint bubble;       /* node of the bubble that the segment starts on, or bubbles_none */
 #ifdef REFRACT_MEDIUM
     float transmittance; /* transmittance of the scattering medium */
 #endif
@@ -104,8 +124,104 @@ void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel p
     ray.crack = is_reflected ? hit.t : inclusion_none;
 }
 
+/* Returns the width of a pixel at a point. */
+float exits_pixel_width(vec3 point)
+{
+    mat4 m = refract_frame.clip_from_world;
+    float height = float(textureSize(shading, 0).y);
+    float w = (m * vec4(point, 1.0)).w;
+    return 2.0 * w / (height * length(vec3(m[0].y, m[1].y, m[2].y)));
+}
+
+/* Returns the environment's radiance from around `dir`, by four lookups at an angle whose tangent
+ * is `blur`. */
+vec3 exits_blurred(vec3 dir, float blur)
+{
+    vec3 right = normalize(cross(dir, abs(dir.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
+    vec3 up = cross(right, dir);
+    vec3 sum = textureLod(env_cube, dir + blur * right, 0.0).rgb;
+    sum += textureLod(env_cube, dir - blur * right, 0.0).rgb;
+    sum += textureLod(env_cube, dir + blur * up, 0.0).rgb;
+    sum += textureLod(env_cube, dir - blur * up, 0.0).rgb;
+    return 0.25 * sum;
+}
+
+/* Refraction of a path at a bubble. */
+struct exits_bubble {
+    vec3 enter, leave; /* points relative to the centre, where the path enters and leaves */
+    vec3 n;            /* outward normal where the path enters */
+    vec3 transmitted;  /* direction behind the bubble */
+    float reflectance;
+};
+
+exits_bubble exits_cross_bubble(bubbles_node node, vec3 from, vec3 dir, float t)
+{
+    bool is_capsule = node.kind == BUBBLES_NODE_CAPSULE;
+    float eta = frame.outside_in_air / refract_frame.eta; /* relative index, ice to air */
+    vec3 axis = node.axis;
+    vec2 at = bubble_intersect(from, dir, axis, node.stretch, node.radius, is_capsule);
+    exits_bubble crossed;
+    crossed.enter = from + (at.x <= at.y ? at.x : t) * dir; /* the closest point if it misses */
+    crossed.n = bubble_normal(crossed.enter, axis, node.stretch, node.radius, is_capsule);
+    crossed.n = dot(crossed.n, dir) < 0.0 ? crossed.n : normalize(crossed.n - dot(crossed.n, dir) * dir);
+    crossed.reflectance = optics_fresnel(dir, crossed.n, eta);
+    crossed.leave = crossed.enter;
+    crossed.transmitted = dir;
+    if (crossed.reflectance < 1.0) {
+        vec3 inside = refract(dir, crossed.n, eta);
+        vec2 through = bubble_intersect(crossed.enter, inside, axis, node.stretch, node.radius,
+                                        is_capsule);
+        crossed.leave += max(through.y, 0.0) * inside;
+        vec3 last = bubble_normal(crossed.leave, axis, node.stretch, node.radius, is_capsule);
+        crossed.transmitted = refract(inside, -last, 1.0 / eta);
+    }
+    return crossed;
+}
+
+/* Returns the light that a bubble sends along a ray, looked up in the environment. `radius` is in
+ * footprints. */
+vec3 exits_bubble_light(exits_bubble crossed, vec3 dir, float radius)
+{
+    float sharp = smoothstep(exits_medium_radii.x, exits_medium_radii.y, radius);
+    float blur = min(1.0 / radius, exits_medium_blur);
+    vec3 light = vec3(0.0);
+    if (sharp > 0.0)
+        light = mix(exits_blurred(crossed.transmitted, blur),
+                    exits_blurred(reflect(dir, crossed.n), blur), crossed.reflectance);
+    if (sharp < 1.0)
+        light = mix(mix(mean, exits_blurred(dir, exits_medium_blur), bubble_g), light, sharp);
+    return light;
+}
+
+/* Splits a path at the bubbles in front of the distance `t`. Returns true if the path follows the
+ * light that a bubble deflects. Then moves the path there and sets `t` to the distance. */
+bool exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, inout float t)
+{
+    float from_t = 0.0;
+    for (uint i = 0u; i < exits_bubbles_max && exits_mean(ray.weight) > 0.01; i++) {
+        bubbles_hit hit =
+            bubbles_find(ray.path.point, ray.path.dir, ray.width, vec2(from_t, t), ray.bubble);
+        if (hit.cover <= 0.0)
+            break;
+        bubbles_node node = bubble_nodes[hit.index];
+        exits_bubble crossed =
+            exits_cross_bubble(node, ray.path.point - node.center, ray.path.dir, hit.t);
+        float radius = node.radius / ray.width;
+        vec3 light = exits_bubble_light(crossed, ray.path.dir, radius);
+        vec3 covered = hit.cover * ray.weight * exp(-refract_frame.absorb * (ray.path.path + hit.t));
+#ifdef REFRACT_MEDIUM
+        covered *= ray.transmittance;
+#endif
+        pixel.light += covered * light;
+        ray.weight *= 1.0 - hit.cover;
+        from_t = hit.t;
+    }
+    return false;
+}
+
 void exits_reflect(inout exits_ray ray, vec3 n)
 {
+    ray.bubble = bubbles_none;
     ray.faces++;
     ray.path.dir = reflect(ray.path.dir, n);
     ray.crack_n = vec3(0.0);
@@ -141,6 +257,8 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout
         float t = march_find_exit(space, ray.path.point, ray.path.dir, hidden, near_front, jumps);
         bool is_reflected = ray.crack < t;
         t = min(t, ray.crack);
+        if (constant_bubbles_traced != 0u)
+            exits_hit_bubbles(ray, pixel, t);
 #ifdef REFRACT_MEDIUM
         pixel.light +=
             ray.weight * exp(-refract_frame.absorb * ray.path.path) *
@@ -190,6 +308,8 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     ray.crack_n = vec3(0.0);
     ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
+    ray.width = exits_pixel_width(ray.path.point);
+    ray.bubble = bubbles_none;
 #ifdef REFRACT_MEDIUM
     ray.transmittance = 1.0;
 #endif

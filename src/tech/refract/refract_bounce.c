@@ -19,6 +19,7 @@
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/ice/ice_nested.h"
+#include "src/tech/inclusions/bubbles.h"
 #include "src/tech/inclusions/cracks.h"
 #include "src/tech/refract/refract.h"
 
@@ -33,6 +34,7 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT_MAP),
     FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -43,6 +45,7 @@ static const struct rg_use wide_uses[] = {
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT_MAP),
     FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -191,7 +194,7 @@ static const struct setting rows[] = {
                       inclusions),
         .renamed_from = "refract_bounce.bent",
         .label = "Inclusions along refracted rays",
-        .initial = REFRACT_BOUNCE_INCLUSIONS_CRACKS,
+        .initial = REFRACT_BOUNCE_INCLUSIONS_ALL,
         .max = REFRACT_BOUNCE_INCLUSIONS_ALL,
         .choices = bent_choices,
         .affects = SETTING_AFFECTS_PLAN,
