@@ -38,6 +38,5 @@ void main()
     vec3 reflected = bubble_rotate(e, outward, bubble_reflected(b));
     vec3 transmitted = bubble_rotate(e, outward, bubble_transmitted(b, eta));
     float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_opacity(b, eta) : 0.0;
-    bubble =
-        vec4(bubble_light(reflected, reflectance, transmitted, cover), reflectance + cover);
+    bubble = vec4(bubble_light(reflected, reflectance, transmitted, cover), reflectance + cover);
 }

@@ -14,8 +14,6 @@ layout(set = 0, binding = REFRACT_BUBBLES, scalar) readonly buffer Bubbles
     bubbles_node bubble_nodes[];
 };
 
-const uint bubbles_none = 0xffffffffu;
-
 struct bubbles_hit {
     float t;     /* distance to the ray's closest approach to the bubble's centre or axis */
     float cover; /* fraction of the ray's footprint that the bubble covers; 0 without hit */
@@ -59,12 +57,11 @@ bool bubbles_enters(bubbles_node node, vec3 from, vec3 inverse_dir, float margin
            min(min(leave.x, leave.y), min(leave.z, range.y));
 }
 
-/* Returns the first bubble that covers a ray of footprint `width` between the distances `range`,
- * except for the bubble of node `skipped`, from which the ray comes. */
-bubbles_hit bubbles_find(vec3 from, vec3 dir, float width, vec2 range, uint skipped)
+/* Returns the first bubble that covers a ray of footprint `width` between the distances `range`. */
+bubbles_hit bubbles_find(vec3 from, vec3 dir, float width, vec2 range)
 {
     vec3 inverse_dir = 1.0 / mix(dir, vec3(1e-9), lessThan(abs(dir), vec3(1e-9)));
-    bubbles_hit hit = bubbles_hit(range.y, 0.0, bubbles_none);
+    bubbles_hit hit = bubbles_hit(range.y, 0.0, 0u);
     uint count = bubble_nodes[0].skip;
     for (uint i = 0u; i < count;) {
         bubbles_node node = bubble_nodes[i];
@@ -72,7 +69,7 @@ bubbles_hit bubbles_find(vec3 from, vec3 dir, float width, vec2 range, uint skip
         if (node.kind == BUBBLES_NODE_BOX) {
             if (!bubbles_enters(node, from, inverse_dir, 0.5 * width, vec2(range.x, hit.t)))
                 next = node.skip;
-        } else if (i != skipped) {
+        } else {
             float t;
             float cover = bubbles_cover(node, from, dir, width, t);
             if (cover > 0.0 && t > range.x && t < hit.t)

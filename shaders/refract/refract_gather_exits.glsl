@@ -10,6 +10,10 @@
  * every face. There paths do branch: the stronger branch is followed, and once per pixel the weaker
  * one, to a single exit, if its throughput exceeds params.branch. Others look up the environment.
  *
+ * The light that bubbles deflect is looked up in the environment along its refracted direction,
+ * without refraction at the surface, and blurred by the inverse of the bubble's radius in pixels,
+ * because a bubble shows all surroundings in its disc.
+ *
  * Both loops test their limit at the beginning and have another exit at the end. With a single exit
  * at the end, lavapipe gives finished rays values of later iterations (Mesa 22.3).
  */
@@ -55,10 +59,6 @@ const float exits_weak_throughput = 0.1;
 /* Maximum number of bubbles that split a path between two faces. */
 const uint exits_bubbles_max = 4u;
 
-/* Radius of a bubble, in footprints, from which paths are followed beyond the bubble. The light of
- * smaller bubbles, which show all surroundings within a few pixels, is looked up blurred. */
-const float exits_followed_radius = 3.0;
-
 /* Radii between which a bubble changes from a part of the scattering medium to a refracting
  * surface, in footprints. */
 const vec2 exits_medium_radii = vec2(0.7, 1.4);
@@ -79,7 +79,6 @@ struct exits_ray {
     float reflectance; /* Fresnel reflectance of the face */
     uint faces;        /* number of internal reflections so far */
     float width;       /* width of the footprint, metres */
-    uint bubble;       /* node of the bubble that the segment starts on, or bubbles_none */
 #ifdef REFRACT_MEDIUM
     float transmittance; /* transmittance of the scattering medium */
 #endif
@@ -148,12 +147,12 @@ vec3 exits_blurred(vec3 dir, float blur)
 
 /* Refraction of a path at a bubble. */
 struct exits_bubble {
-    vec3 enter, leave; /* points relative to the centre, where the path enters and leaves */
-    vec3 n;            /* outward normal where the path enters */
-    vec3 transmitted;  /* direction behind the bubble */
+    vec3 n;           /* outward normal where the path enters */
+    vec3 transmitted; /* direction behind the bubble */
     float reflectance;
 };
 
+/* Refracts a ray at a bubble. `from` is relative to its centre, `t` the closest approach. */
 exits_bubble exits_cross_bubble(bubbles_node node, vec3 from, vec3 dir, float t)
 {
     bool is_capsule = node.kind == BUBBLES_NODE_CAPSULE;
@@ -161,18 +160,17 @@ exits_bubble exits_cross_bubble(bubbles_node node, vec3 from, vec3 dir, float t)
     vec3 axis = node.axis;
     vec2 at = bubble_intersect(from, dir, axis, node.stretch, node.radius, is_capsule);
     exits_bubble crossed;
-    crossed.enter = from + (at.x <= at.y ? at.x : t) * dir; /* the closest point if it misses */
-    crossed.n = bubble_normal(crossed.enter, axis, node.stretch, node.radius, is_capsule);
-    crossed.n = dot(crossed.n, dir) < 0.0 ? crossed.n : normalize(crossed.n - dot(crossed.n, dir) * dir);
+    vec3 enter = from + (at.x <= at.y ? at.x : t) * dir; /* the closest point if it misses */
+    crossed.n = bubble_normal(enter, axis, node.stretch, node.radius, is_capsule);
+    float along = max(dot(crossed.n, dir), 0.0);
+    crossed.n = normalize(crossed.n - along * dir); /* the nearest normal that faces the ray */
     crossed.reflectance = optics_fresnel(dir, crossed.n, eta);
-    crossed.leave = crossed.enter;
     crossed.transmitted = dir;
     if (crossed.reflectance < 1.0) {
         vec3 inside = refract(dir, crossed.n, eta);
-        vec2 through = bubble_intersect(crossed.enter, inside, axis, node.stretch, node.radius,
-                                        is_capsule);
-        crossed.leave += max(through.y, 0.0) * inside;
-        vec3 last = bubble_normal(crossed.leave, axis, node.stretch, node.radius, is_capsule);
+        vec2 through = bubble_intersect(enter, inside, axis, node.stretch, node.radius, is_capsule);
+        vec3 leave = enter + max(through.y, 0.0) * inside;
+        vec3 last = bubble_normal(leave, axis, node.stretch, node.radius, is_capsule);
         crossed.transmitted = refract(inside, -last, 1.0 / eta);
     }
     return crossed;
@@ -193,14 +191,13 @@ vec3 exits_bubble_light(exits_bubble crossed, vec3 dir, float radius)
     return light;
 }
 
-/* Splits a path at the bubbles in front of the distance `t`. Returns true if the path follows the
- * light that a bubble deflects. Then moves the path there and sets `t` to the distance. */
-bool exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, inout float t)
+/* Adds the light of the bubbles in front of the distance `t`. The path keeps its direction and
+ * loses the throughput that they cover. */
+void exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, float t)
 {
     float from_t = 0.0;
     for (uint i = 0u; i < exits_bubbles_max && exits_mean(ray.weight) > 0.01; i++) {
-        bubbles_hit hit =
-            bubbles_find(ray.path.point, ray.path.dir, ray.width, vec2(from_t, t), ray.bubble);
+        bubbles_hit hit = bubbles_find(ray.path.point, ray.path.dir, ray.width, vec2(from_t, t));
         if (hit.cover <= 0.0)
             break;
         bubbles_node node = bubble_nodes[hit.index];
@@ -208,7 +205,8 @@ bool exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, inout float
             exits_cross_bubble(node, ray.path.point - node.center, ray.path.dir, hit.t);
         float radius = node.radius / ray.width;
         vec3 light = exits_bubble_light(crossed, ray.path.dir, radius);
-        vec3 covered = hit.cover * ray.weight * exp(-refract_frame.absorb * (ray.path.path + hit.t));
+        vec3 covered =
+            hit.cover * ray.weight * exp(-refract_frame.absorb * (ray.path.path + hit.t));
 #ifdef REFRACT_MEDIUM
         covered *= ray.transmittance;
 #endif
@@ -216,12 +214,10 @@ bool exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, inout float
         ray.weight *= 1.0 - hit.cover;
         from_t = hit.t;
     }
-    return false;
 }
 
 void exits_reflect(inout exits_ray ray, vec3 n)
 {
-    ray.bubble = bubbles_none;
     ray.faces++;
     ray.path.dir = reflect(ray.path.dir, n);
     ray.crack_n = vec3(0.0);
@@ -309,7 +305,6 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
     ray.width = exits_pixel_width(ray.path.point);
-    ray.bubble = bubbles_none;
 #ifdef REFRACT_MEDIUM
     ray.transmittance = 1.0;
 #endif

@@ -11,7 +11,7 @@ enum {
 };
 
 const struct quality qualities[QUALITY_COUNT] = {
-    [DRAFT] = { "draft", "coarse surroundings, treated as infinitely distant, and few reflections",
+    [DRAFT] = { "draft", "coarse surroundings and few reflections",
                 1 },
     [NORMAL] = { "normal", "default values of all settings", 1 },
     [HIGH] = { "high", "5 samples per pixel, all internal reflections, ray-traced soft shadows", 5,
@@ -21,11 +21,10 @@ const struct quality qualities[QUALITY_COUNT] = {
 const struct quality_row quality_rows[] = {
     { "env_cube.size", { [DRAFT] = "256" } },
     { "texture.anisotropy", { [DRAFT] = "1", [HIGH] = "16" } },
-    { "refract.lookup", { [DRAFT] = "infinite" } },
     { "refract.steps", { [HIGH] = "12" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
     { "air.steps", { [DRAFT] = "2", [HIGH] = "8" } },
-    { "ssr.steps", { [DRAFT] = "0", [HIGH] = "16" } },
+    { "ssr.steps", { [DRAFT] = "4", [HIGH] = "16" } },
     { "trace.min_branch", { [DRAFT] = "0.1" } },
     { "trace.footprint", { [HIGH] = "on" } },
     { "ground.light", { [HIGH] = "traced" } },

@@ -6,7 +6,7 @@
 
 enum {
     QUALITY_COUNT = 3,
-    QUALITY_RENDER_DEFAULT = 2, /* default level of firn render */
+    QUALITY_RENDER_DEFAULT = 2, /* default level of firn render and firn view */
 };
 
 struct quality {

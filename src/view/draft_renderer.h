@@ -2,10 +2,10 @@
  * draft_renderer.h: draft renderers, which draw the image while something moves.
  *
  * They use the scene's refraction models with the settings of --quality draft and further limits
- * (draft_renderer_settings()). If that is too slow at half the size, meshes are coarser, then
- * cracks, air and bubbles are left out, then bumps. They are created after the first image or when
- * it stands still, so that the first interaction finds them, and follow later changes of settings,
- * size and models. An image that is fast enough needs none; animated models have none, as each pose
+ * (draft_renderer_settings()). If that is too slow at half the size, meshes are coarser. No
+ * inclusions are left out, so that the image shows the same ice in motion. They are created after
+ * the first image or when it stands still, so that the first interaction finds them, and follow
+ * later changes of settings, size and models. An image that is fast enough needs none; animated models have none, as each pose
  * is another scene.
  *
  * Errors: logged once where found.
@@ -24,10 +24,8 @@ struct draft_renderer_params {
 
 /* Simplifications of a draft. Each level includes the simplifications of all levels before it. */
 enum draft_renderer_level {
-    DRAFT_RENDERER_FULL,          /* nothing that is easily noticed */
-    DRAFT_RENDERER_COARSE_MESH,   /* uses coarser meshes */
-    DRAFT_RENDERER_NO_INCLUSIONS, /* leaves out cracks, air and bubbles */
-    DRAFT_RENDERER_NO_BUMPS,      /* leaves out bumps as well */
+    DRAFT_RENDERER_FULL,        /* nothing that is easily noticed */
+    DRAFT_RENDERER_COARSE_MESH, /* uses coarser meshes */
 };
 
 struct draft_renderer {

@@ -34,7 +34,7 @@
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
 
-static rg_record_fn record_bubbles, record_traced;
+static rg_record_fn record_bubbles;
 
 const struct rg_image bubbles_color = {
     .name = "bubbles.color",
@@ -257,7 +257,8 @@ static uint32_t append_nodes(struct bubbles_node *nodes, uint32_t used, struct b
     struct box box = box_of(&all[0]);
     for (uint32_t i = 1; i < count; i++) {
         const struct box other = box_of(&all[i]);
-        box = (struct box){ glms_vec3_minv(box.min, other.min), glms_vec3_maxv(box.max, other.max) };
+        box =
+            (struct box){ glms_vec3_minv(box.min, other.min), glms_vec3_maxv(box.max, other.max) };
     }
     const vec3s half = glms_vec3_scale(glms_vec3_sub(box.max, box.min), 0.5f);
     struct bubbles_node *node = &nodes[used++];

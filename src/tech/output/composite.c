@@ -56,7 +56,9 @@ static uint32_t layers_of(const struct technique_config *config)
                     !((uses_bvh || refract_has_medium(config)) && air_is_medium(settings))
                 ? COMPOSITE_HAS_AIR
                 : 0u) |
-           (bubbles.is_on(settings) && !uses_bvh && !bubbles_are_traced(config) ? COMPOSITE_HAS_BUBBLES : 0u) |
+           (bubbles.is_on(settings) && !uses_bvh && !bubbles_are_traced(config)
+                ? COMPOSITE_HAS_BUBBLES
+                : 0u) |
            (cracks_are_in_ice(settings) && !uses_bvh && !is_without_cracks ? COMPOSITE_HAS_CRACKS
                                                                            : 0u) |
            (target->scale < 1.0f ? COMPOSITE_IS_LOW_RES : 0u);
