@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "src/settings/quality.h"
 #include "tests/support/assertions.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
@@ -23,7 +24,7 @@ static struct scene open_scene(const struct bubble *spheres, uint32_t count)
     const vec3s center = { { 0, 0, 0 } };
     struct scene scene = picture_sphere_scene(center, 4000);
     picture_use_directions(&scene, 1024);
-    scene.inclusions.bubbles.all = calloc(count, sizeof(*scene.inclusions.bubbles.all));
+    scene.inclusions.bubbles.all = calloc(count + 1, sizeof(*scene.inclusions.bubbles.all));
     assert_non_null(scene.inclusions.bubbles.all);
     for (uint32_t i = 0; i < count; i++)
         scene.inclusions.bubbles.all[i] = spheres[i];
@@ -430,6 +431,44 @@ static void over_the_ice(void **state)
     scene_finish(&scene);
 }
 
+/* Bubbles off the axis are in the same places at all quality levels. */
+static void levels_agree(void **state)
+{
+    static const struct bubble spheres[2] = { { { { 0.5F, 0.1F, 0.3F } }, 0.2F },
+                                              { { { -0.4F, -0.3F, 0.2F } }, 0.15F } };
+    struct scene with = open_scene(spheres, 2), without = open_scene(spheres, 0);
+    struct render_result results[QUALITY_COUNT + 1];
+    for (uint32_t i = 0; i <= QUALITY_COUNT; i++) {
+        struct picture_request request = request_of(i < QUALITY_COUNT ? &with : &without, 0, 4, 40);
+        struct settings settings = picture_settings("bubbles.count=2");
+        quality_apply(&settings, i % QUALITY_COUNT, SETTING_QUALITY);
+        request.settings = &settings;
+        request.refraction = "bounce";
+        results[i] = picture_render(*state, &request);
+    }
+    const uint32_t high = QUALITY_COUNT - 1;
+    const struct picture_layer top = picture_layer(&results[high].image, "");
+    const struct picture_layer empty = picture_layer(&results[QUALITY_COUNT].image, "");
+    for (uint32_t level = 0; level < high; level++) {
+        const struct picture_layer seen = picture_layer(&results[level].image, "");
+        double sum = 0;
+        size_t count = 0;
+        for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
+            if (vec_difference(picture_at(top, i), picture_at(empty, i)) < 0.05)
+                continue;
+            sum += vec_difference(picture_at(seen, i), picture_at(top, i));
+            count++;
+        }
+        print_message("level %u: %.4f on %zu pixels\n", level, sum / (double)count, count);
+        assert_true(count > 500);
+        CHECK_NEAR(sum / (double)count, 0, 0.02);
+    }
+    for (uint32_t i = 0; i <= QUALITY_COUNT; i++)
+        render_result_finish(&results[i]);
+    scene_finish(&with);
+    scene_finish(&without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -439,6 +478,7 @@ int main(void)
         cmocka_unit_test(clipped_to_the_ice),
         cmocka_unit_test(close_up),
         cmocka_unit_test(extremes),
+        cmocka_unit_test(levels_agree),
         cmocka_unit_test(in_even_light),
         cmocka_unit_test(spheres_as_shapes),
         cmocka_unit_test(long_ones),
