@@ -8,9 +8,11 @@
  * squared distance of the centre less the squared radius. This order is exact for spheres, and for
  * other shapes whose bounding spheres do not overlap.
  *
- * Limits: unless bubbles_are_refracted(), bubbles reflect and transmit the environment cube: the
- * ice's surface refracts neither the ray from the bubble nor the primary ray, and scattering media
- * are left out. In hollow objects only the primary ray is refracted. Because the image behind is
+ * If bubbles_are_traced(), the refraction model intersects its rays with the BVH of the bubbles
+ * (shaders/refract/refract_bubbles.glsl), and the billboards are just the layer `bubbles`.
+ *
+ * Limits of billboards: they reflect and transmit the environment cube: the ice's surface refracts
+ * neither the ray from the bubble nor the primary ray, and scattering media are left out. Because the image behind is
  * already refracted, transmitted light is weighted by the squared sine of its angle inside
  * (bubble_opacity): the middle of a bubble shows the image behind it, which a real bubble would
  * show reduced. Light that is internally reflected in a bubble is treated as transmitted. A bubble
