@@ -233,21 +233,19 @@ void exits_reflect(inout exits_ray ray, vec3 n)
 void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout exits_pixel pixel)
 {
     const bool is_weak = exits_mean(ray.weight) < exits_weak_throughput;
-    const uint bounces = space.march.bounces;
-    const uint last = is_weak ? min(ray.faces + 1u, bounces) : bounces;
+    const uint last = is_weak ? min(ray.faces + 1u, space.march.bounces) : space.march.bounces;
     const bool hits_cracks = constant_cracks_traced != 0u && !is_weak;
     const bool hits_all = params.inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
     const uint segments_max =
         space.march.bounces + exits_false_max + exits_crack_reflections * constant_cracks_traced;
     uint false_exits = 0u;
-    bool hidden = false;
+    bool hidden = false, near_front, jumps;
     ray.reflectance = 0.0;
 #ifdef REFRACT_MATERIAL
     ray.tint = vec3(1.0);
 #endif
     ray.n = vec3(0.0);
     for (uint i = 0u; ray.faces <= last && i <= segments_max; i++) {
-        bool near_front, jumps;
         if (hits_cracks && !hidden && (hits_all || ray.faces == 0u))
             exits_hit_crack(space, ray, pixel);
         float t = march_find_exit(space, ray.path.point, ray.path.dir, hidden, near_front, jumps);

@@ -54,12 +54,6 @@ const struct rg_buffer bubbles_all = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-const struct rg_buffer bubbles_bvh = {
-    .name = "bubbles.bvh",
-    .size = BUBBLES_NODES_MAX * sizeof(struct bubbles_node),
-    .memory = RG_MEMORY_UPLOAD,
-};
-
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .same_texel = true),

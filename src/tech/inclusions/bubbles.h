@@ -8,10 +8,7 @@ extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without b
 /* Returns true if the refraction model intersects bubbles along refracted rays. */
 bool bubbles_are_traced(const struct technique_config *config);
 
-/* BVH of the bubbles, an array of struct bubbles_node in world space. */
-extern const struct rg_buffer bubbles_bvh;
-
-/* Fills bubbles_bvh. */
+/* Fills bubbles_bvh (refract_bounce.h). */
 void bubbles_write_bvh(void *memory, const struct frame_view *view, const struct globals *globals);
 
 /* Array of struct bubbles_drawn in world space; the first scene->bubbles.count are valid. */

@@ -14,16 +14,22 @@
 #include "src/tech/refract/refract_bounce.h"
 #include <math.h>
 #include "shaders/embedded.h"
+#include "shaders/inclusions/bubbles.h"
 #include "shaders/refract/refract_bounce.h"
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_gbuffer.h"
 #include "src/tech/ice/ice_nested.h"
-#include "src/tech/inclusions/bubbles.h"
 #include "src/tech/inclusions/cracks.h"
 #include "src/tech/refract/refract.h"
 
 static rg_record_fn record_screen;
+
+const struct rg_buffer bubbles_bvh = {
+    .name = "bubbles.bvh",
+    .size = BUBBLES_NODES_MAX * sizeof(struct bubbles_node),
+    .memory = RG_MEMORY_UPLOAD,
+};
 
 static const struct rg_fallback no_cracks = { { 0 } };
 
