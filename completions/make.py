@@ -17,7 +17,7 @@ NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'mater
 LISTED = {'rungs': 'refractions', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'),
          'present': ('fifo', 'mailbox', 'immediate'),
-         'curve': ('aces', 'hable', 'reinhard'),
+         'exposure': ('auto',), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),
          'samples': ('auto',), 'up': ('y', 'z')}

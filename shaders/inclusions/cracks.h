@@ -14,9 +14,10 @@
 #define CRACKS_POSITION     0 /* in radii of the bounding sphere */
 #define CRACKS_NORMAL       1
 #define CRACKS_EYE_TO_POINT 2
-#define CRACKS_OPEN         3 /* CRACKS_SQUARED_GAP of the vertex */
-#define CRACKS_LIGHTS       4 /* vectors to lights; w: highlight strength */
-#define CRACKS_SHADING      8 /* struct cracks_shading */
+#define CRACKS_OPEN         3  /* CRACKS_SQUARED_GAP of the vertex */
+#define CRACKS_LIGHTS       4  /* vectors to lights; w: highlight strength */
+#define CRACKS_SHADING      8  /* struct cracks_shading */
+#define CRACKS_ETA          13 /* relative index, ice to gap, or 0 without Fresnel's factor */
 
 /* Reflectance threshold of the image cracks.hits. Cracks above the threshold hide cracks below the
  * threshold, even nearer ones. */

@@ -20,6 +20,7 @@ layout(location = CRACKS_EYE_TO_POINT) out vec3 out_eye_to_point;
 layout(location = CRACKS_OPEN) out float out_open;
 layout(location = CRACKS_LIGHTS) flat out vec4 out_lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_SHADING) flat out cracks_shading out_shading;
+layout(location = CRACKS_ETA) flat out float out_eta;
 
 void main()
 {
@@ -37,4 +38,5 @@ void main()
     for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
         out_lights[i] = vec4(pose_to_object(frame.lights[i].xyz) - eye, frame.lights[i].w);
     out_shading = shading;
+    out_eta = frame.highlight.fresnel != 0u ? frame.outside_in_air / frame.eta : 0.0;
 }

@@ -6,6 +6,7 @@
 #include "inclusions/cracks_noise.h"
 #include "inclusions/cracks_reflectance.h"
 #include "lib/object_pose.glsl"
+#include "lib/optics.glsl"
 #include "lib/specialization_constants.glsl"
 
 layout(location = CRACKS_POSITION) in vec3 position;
@@ -14,6 +15,7 @@ layout(location = CRACKS_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = CRACKS_OPEN) in float open;
 layout(location = CRACKS_LIGHTS) flat in vec4 lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_SHADING) flat in cracks_shading shading;
+layout(location = CRACKS_ETA) flat in float eta;
 
 const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour with cracks_shading.surface */
 
@@ -53,8 +55,10 @@ float crack_highlight(crack_point c)
     float sum = 0.0;
     for (uint i = 0u; i < constant_lights; i++) {
         vec3 l = normalize(lights[i].xyz - eye_to_point);
-        float lobe = pow(max(dot(c.n, normalize(l - c.e)), 0.0), shading.shininess);
-        sum += dot(c.n, l) > 0.0 ? lights[i].w * lobe : 0.0;
+        vec3 half_dir = normalize(l - c.e);
+        float lobe = pow(max(dot(c.n, half_dir), 0.0), shading.shininess);
+        float reflectance = eta > 0.0 ? optics_gap(c.e, half_dir, eta) : 1.0;
+        sum += dot(c.n, l) > 0.0 ? reflectance * (lights[i].w * lobe) : 0.0;
     }
     return shading.strength * sum;
 }

@@ -4,8 +4,9 @@
 #include "abi.h"
 
 struct highlight_params {
-    float strength;  /* peak radiance of the highlight of a light with strength 1 */
-    float shininess; /* Blinn-Phong exponent */
+    float strength;   /* radiance of a light with strength 1 */
+    float shininess;  /* Blinn-Phong exponent */
+    uint32_t fresnel; /* 1: highlights have the factor of Fresnel's equations; 0: factor 1 */
 };
 
 #endif

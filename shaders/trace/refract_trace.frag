@@ -53,6 +53,8 @@ const int trace_segments_max = 256; /* maximum number of segments per path */
 const int trace_split_segments_max = 256;
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
+const float trace_expected_lod = 6.0;
+const float trace_expected_max = 4.0;
 const uint trace_split_seed = 60u;
 const uint trace_choice_seed = 61u;
 const uint trace_survival_seed = 62u;
@@ -364,23 +366,49 @@ bool trace_has_room()
     return has_room;
 }
 
-/* Decides by Russian roulette whether a branch is followed as a separate path. Branches above
- * trace.branch always are; the throughput of the others is raised to it. */
-bool trace_is_split(inout vec3 throughput)
+#include "trace/trace_participating_media.glsl"
+#ifdef TRACE_RAYS
+#include "trace/trace_diffuse_light.glsl"
+#endif
+
+/* Returns an estimate of the radiance that a path finds in a direction: the environment without
+ * occlusion. The sun is clamped, because a path that is refracted again misses it. */
+vec3 trace_expected_radiance(vec3 dir)
+{
+#ifdef TRACE_RAYS
+    vec3 found = environment_radiance(environment, dir, trace_expected_lod);
+#else
+    vec3 found = textureLod(env_cube, dir, 0.0).rgb;
+#endif
+    return min(found, vec3(trace_expected_max));
+}
+
+/* Decides by Russian roulette whether a path of this throughput is followed. If so, divides the
+ * throughput by the probability. The expected radiance is a control variate (Owen, "Monte Carlo
+ * theory, methods and examples", 8.9): the pixel gets it for what is not followed, and loses it
+ * for what is followed with too much weight. The mean is exact for any estimate. */
+bool trace_roulette(inout vec3 throughput, vec3 dir, float kind, float probability, uint salt)
+{
+    bool is_followed = trace_random(salt) < probability;
+    float weight = is_followed ? 1.0 / max(probability, 1e-30) : 0.0;
+    if (probability < 1.0)
+        trace_add((1.0 - weight) * throughput * trace_expected_radiance(dir), kind);
+    throughput *= weight;
+    return is_followed;
+}
+
+/* Returns true if a branch is followed as a separate path. Branches above trace.branch always are;
+ * Russian roulette decides on the others. */
+bool trace_is_split(inout vec3 throughput, vec3 dir)
 {
     float max_throughput = max(throughput.r, max(throughput.g, throughput.b));
     float min_throughput = max(trace.branch, trace_branch_min);
     if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray)
         min_throughput = max(min_throughput, trace_lighting_branch);
     float probability = is_first ? 1.0 : min(max_throughput / min_throughput, 1.0);
-    throughput /= max(probability, 1e-30);
-    return max_throughput > 0.0 && trace_random(trace_split_seed) < probability;
+    return max_throughput > 0.0 &&
+           trace_roulette(throughput, dir, path.kind, probability, trace_split_seed);
 }
-
-#include "trace/trace_participating_media.glsl"
-#ifdef TRACE_RAYS
-#include "trace/trace_diffuse_light.glsl"
-#endif
 
 /* Returns the surface parameters at a hit, with any textures applied. */
 object_material trace_material_at(trace_crossing c)
@@ -468,11 +496,9 @@ bool trace_survives()
 {
     float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
     float probability = min(max_throughput / max(trace.branch, trace_branch_min), 1.0);
-    if (!is_main) {
-        path.throughput /= max(probability, 1e-30);
-        max_throughput = trace_random(trace_survival_seed) < probability ? 1.0 : 0.0;
-    }
-    return max_throughput > 1e-5;
+    return is_main ? max_throughput > 1e-5
+                   : max_throughput > 0.0 && trace_roulette(path.throughput, path.dir, path.kind,
+                                                            probability, trace_survival_seed);
 }
 
 /* Continues the path at a surface by refraction, and pushes the reflected branch as a second path.
@@ -490,7 +516,7 @@ bool trace_scatter(trace_hit hit, trace_crossing c)
     trace_record(hit, c, p.fresnel, is_total);
     if (!is_total && trace_has_room()) {
         through *= 1.0 - reflectance;
-        if (trace_is_split(back)) {
+        if (trace_is_split(back, p.reflected)) {
             trace_path other = trace_continue(path, hit, c, p.reflected, false);
             other.throughput = back;
             other.kind = is_first ? 1.0 : path.kind;

@@ -9,7 +9,7 @@
 #include "src/gpu/gpu.h"
 #include "src/lab/reference/reference.h"
 #include "src/scene/bundled_assets.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/settings/quality.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 #include "src/version.h"
@@ -63,13 +63,43 @@ static json_t *refraction_models(void)
     return json_text_append(all, refraction_of(&cpu_reference_settings, reference_is_built()));
 }
 
+static json_t *rgb(vec3s color)
+{
+    return json_pack("[f, f, f]", json_text_float(color.x), json_text_float(color.y),
+                     json_text_float(color.z));
+}
+
+static json_t *material_of(const struct material_preset *m)
+{
+    return json_pack("{s:s, s:s, s:f, s:f, s:o, s:o, s:f, s:s, s:s}", "name", m->name, "kind",
+                     material_kind_names[m->kind], "ior", json_text_float(m->ior), "abbe",
+                     json_text_float(m->abbe), "absorption", rgb(m->absorption), "color_after_1_cm",
+                     rgb(material_preset_color(m)), "optical_depth",
+                     json_text_float(m->optical_depth), "help", m->help, "source", m->source);
+}
+
 static json_t *materials(void)
 {
     json_t *all = json_array();
     for (const struct material_preset *m = material_presets; m->name && all; m++)
-        all = json_text_append(all, json_pack("{s:s, s:f, s:s}", "name", m->name, "ior",
-                                              json_text_float(m->ior), "help", m->help));
+        all = json_text_append(all, material_of(m));
     return all;
+}
+
+/* Prints each preset with its index, help, Abbe number, colour after 1 cm and sources. */
+static enum status print_materials(void)
+{
+    for (const struct material_preset *m = material_presets; m->name; m++) {
+        const vec3s color = material_preset_color(m);
+        printf("  %-15s %-7g %s", m->name, json_text_float(m->ior), m->help);
+        if (m->abbe > 0.0f)
+            printf("; Abbe number %g", json_text_float(m->abbe));
+        if (color.x < 0.995f || color.y < 0.995f || color.z < 0.995f)
+            printf("; after 1 cm %.2f %.2f %.2f", (double)color.x, (double)color.y,
+                   (double)color.z);
+        printf(" [%s]\n", m->source);
+    }
+    return STATUS_OK;
 }
 
 /* Returns the names of a layer's EXR channels. */
@@ -313,7 +343,7 @@ static const struct {
     { "scenes", scenes },
     { "environments", environments },
     { "refractions", refraction_models },
-    { "materials", materials },
+    { "materials", materials, print_materials },
     { "layers", layers },
     { "qualities", qualities_all },
     { "settings", settings, list_settings },

@@ -15,8 +15,8 @@
 #include "src/render/frame/pass_list.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
-#include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
+#include "src/setup/setup_material.h"
 
 enum {
     REPORT_COUNT = 3
@@ -89,14 +89,18 @@ static bool describe_settings(struct profile *p, const struct settings *settings
 }
 
 /* Writes the name of a material with the scene's refractive index, else the index itself. */
-static void describe_material(struct profile *p, const struct setup_scene *options)
+static void describe_material(struct profile *p, const struct setup_scene *options,
+                              const struct scene *scene)
 {
     const double ior = settings_get(&options->settings, settings_find("refract.ior"));
     const struct material_preset *named =
-        options->material ? material_preset_find(options->material) : &material_presets[0];
-    for (; named->name && fabs((double)named->ior - ior) > 1e-6; named++)
-        continue;
-    if (named->name)
+        setup_find_material(&options->settings, setup_absorption_scale(options->name, scene));
+    struct material_choice choice;
+    if (options->material && named &&
+        material_choice_parse(&choice, options->material, strlen(options->material)) &&
+        choice.preset->ior == named->ior)
+        snprintf(p->material, sizeof(p->material), "%s", options->material);
+    else if (named)
         snprintf(p->material, sizeof(p->material), "%s", named->name);
     else
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
@@ -110,7 +114,7 @@ static enum status describe(struct profile *p, const struct setup_image *image,
         frame_resolve_settings(&options->settings, scene, image->refraction, image->height);
     p->scene = strdup(options->name);
     p->command = shell_quote_join(args);
-    describe_material(p, options);
+    describe_material(p, options, scene);
     if (p->scene && p->command && describe_settings(p, &settings))
         return STATUS_OK;
     profile_finish(p);

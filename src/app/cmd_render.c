@@ -23,6 +23,7 @@
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
+#include "src/scene/world_position.h"
 #include "src/setup/aov_to_png.h"
 #include "src/setup/image_output.h"
 #include "src/setup/previous_pose.h"
@@ -136,16 +137,23 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
+static bool add_planes_of(const struct image *tile, struct image *image, const struct job *job)
+{
+    image_init(image, job->o.image.width, job->o.image.height);
+    for (uint32_t p = 0; p < tile->plane_count; p++) {
+        if (!image_add_plane(image, tile->planes[p].name, tile->planes[p].half))
+            return false;
+    }
+    return true;
+}
+
 /* Allocates the whole image, with the same planes as a tile. */
 static bool assemble_image(const struct job *job, const struct render_result *tile,
                            struct render_result *image)
 {
-    image_init(&image->image, job->o.image.width, job->o.image.height);
-    for (uint32_t p = 0; p < tile->image.plane_count; p++) {
-        const struct image_plane *plane = &tile->image.planes[p];
-        if (!image_add_plane(&image->image, plane->name, plane->half))
-            return false;
-    }
+    if (!add_planes_of(&tile->image, &image->image, job) ||
+        !add_planes_of(&tile->display, &image->display, job))
+        return false;
     if (tile->rgba)
         image->rgba = malloc((size_t)job->o.image.width * job->o.image.height * 4);
     return !tile->rgba || image->rgba;
@@ -168,6 +176,8 @@ static void copy_tile(const struct job *job, uint32_t index, const struct render
             const size_t to = (down * y + at.y) * tiling.width + across * x + at.x;
             for (uint32_t p = 0; p < image->image.plane_count; p++)
                 image->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
+            for (uint32_t p = 0; p < image->display.plane_count; p++)
+                image->display.planes[p].texels[to] = tile->display.planes[p].texels[from];
             if (image->rgba)
                 memcpy(&image->rgba[4 * to], &tile->rgba[4 * from], 4);
         }
@@ -259,8 +269,9 @@ static enum status draw_image(struct job *job, struct frame *frame)
 static bool make_png(const struct setup_image *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
-    return layer_image_show(&result->image, p->show, &p->scene.settings,
-                            is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL);
+    return layer_image_show(p->show ? &result->image : render_result_display(result), p->show,
+                            &p->scene.settings, is_16 ? NULL : &result->rgba,
+                            is_16 ? &result->rgba_16 : NULL);
 }
 
 static enum status draw(struct job *job, struct frame *frame)
@@ -297,6 +308,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .layers = params->layers,
         .linear = params->linear,
         .display = params->display,
+        .resolved = params->resolved,
     };
     char names[REFERENCE_NAMES_SIZE];
     if (!job->is_filled)
@@ -362,7 +374,8 @@ static enum status open_renderer(struct job *job)
     else if (p->layers && !job->is_opened)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_image_bit(p->show);
-    params.linear = params.linear || p->is_adaptive || (job->makes_png && !p->show);
+    params.linear = params.linear || p->is_adaptive;
+    params.resolved = job->makes_png && !p->show;
     if (p->refraction == &cpu_reference_settings)
         return open_reference(job, &params);
     enum status status = open_device(job);
@@ -518,10 +531,27 @@ static void write_last_report(void *user, int code)
         return; /* write_report() has logged why */
 }
 
+/* Returns the camera and the exposure in the report's form. */
+static struct render_report_view report_view(const struct job *job)
+{
+    const struct camera *camera = &job->camera;
+    const struct model *model = &job->scene.model;
+    struct render_report_view view = {
+        .fov_deg = camera->height > 0.0f ? 0.0 : (double)camera->fov_deg,
+        .exposure = settings_get(&job->o.image.scene.settings, settings_find("tonemap.exposure")),
+    };
+    for (int i = 0; i < 3; i++) {
+        view.eye[i] = world_position_axis(model, camera->eye, i);
+        view.target[i] = world_position_axis(model, camera->target, i);
+    }
+    return view;
+}
+
 static enum status begin_report(struct job *job)
 {
     struct report report;
     enum status status = render_report_init(&report, job->sequence.range.count);
+    report.view = report_view(job);
     signals_hold(&job->stop);
     job->report = report;
     signals_release(&job->stop);
@@ -554,6 +584,8 @@ static enum status run(struct job *job)
         status = setup_begin_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK)
         status = setup_camera(&job->camera, &job->scene, &job->o.image);
+    if (status == STATUS_OK)
+        status = setup_choose_exposure(&job->o.image, &job->scene, &job->camera);
     if (status == STATUS_OK)
         setup_choose_refraction(&job->o.image, &job->scene, &job->camera);
     if (status == STATUS_OK)

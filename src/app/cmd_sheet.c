@@ -13,7 +13,7 @@
 #include "src/lab/ladder/sheet_grid.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/settings/scene_settings.h"
 #include "src/version.h"
 
@@ -170,9 +170,8 @@ static enum status add_image(struct job *job, uint32_t point)
     struct render_result result = { 0 };
     enum status status = sweep_values_apply(&job->sweep, point, &job->o.image, &image);
     if (status == STATUS_OK)
-        status = setup_load_scene(&scene, &image.scene);
-    if (status == STATUS_OK)
-        status = setup_camera(&camera, &scene, &image);
+        status = setup_load_exposed(&scene, &camera, &image);
+    job->o.image.scene.exposure = image.scene.exposure; /* all images have that of the first */
     if (status == STATUS_OK)
         setup_choose_refraction(&image, &scene, &camera);
     if (status == STATUS_OK && !job->gpu.device)

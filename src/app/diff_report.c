@@ -74,10 +74,11 @@ static void print_number(double number, FILE *out)
 
 static void print_metrics(const struct diff_report *report, FILE *out)
 {
+    const struct comparison_layer *beauty;
     double rmse, relmse, mae;
     if (!comparison_metric(report->comparison, COMPARISON_RMSE, &rmse) ||
         !comparison_metric(report->comparison, COMPARISON_RELMSE, &relmse) ||
-        !comparison_metric(report->comparison, COMPARISON_MAE, &mae))
+        !(beauty = comparison_metric(report->comparison, COMPARISON_MAE, &mae)))
         return;
     print_flip(report, out);
     fputs("RMSE       ", out);
@@ -86,7 +87,9 @@ static void print_metrics(const struct diff_report *report, FILE *out)
     print_number(relmse, out);
     fputs("linear\nMAE        ", out);
     print_number(mae, out);
-    fputs("linear, clipped to 0 and 1\n\n", out);
+    fputs("linear, clipped to 0 and 1\nMAE        ", out);
+    print_number(difference_mae_unclipped(&beauty->difference), out);
+    fputs("linear, unclipped\n\n", out);
 }
 
 static void print_layers(const struct comparison *c, FILE *out)
@@ -185,10 +188,11 @@ static bool append_beauty(json_t *json, const struct diff_report *report)
 {
     const struct comparison *c = report->comparison;
     const struct app_diff *o = &report->options->diff;
+    const struct comparison_layer *beauty;
     double rmse, relmse, mae;
     if (!comparison_metric(c, COMPARISON_RMSE, &rmse) ||
         !comparison_metric(c, COMPARISON_RELMSE, &relmse) ||
-        !comparison_metric(c, COMPARISON_MAE, &mae))
+        !(beauty = comparison_metric(c, COMPARISON_MAE, &mae)))
         return true;
     json_t *flip = json_object();
     bool ok = append(json, "flip", flip) && append(flip, "mean", make_number(c->flip)) &&
@@ -202,7 +206,9 @@ static bool append_beauty(json_t *json, const struct diff_report *report)
     else
         ok = ok && append(flip, "exposure", make_number((double)o->exposure));
     return ok && append(json, "rmse", make_number(rmse)) &&
-           append(json, "relmse", make_number(relmse)) && append(json, "mae", make_number(mae));
+           append(json, "relmse", make_number(relmse)) && append(json, "mae", make_number(mae)) &&
+           append(json, "mae_unclipped",
+                  make_number(difference_mae_unclipped(&beauty->difference)));
 }
 
 static bool append_layers(json_t *json, const struct comparison *c)

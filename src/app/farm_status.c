@@ -151,6 +151,8 @@ static enum status check_frames(struct job *job)
     if (status == STATUS_OK)
         status = setup_camera(&job->camera, &job->scene, image);
     if (status == STATUS_OK)
+        status = setup_choose_exposure(image, &job->scene, &job->camera);
+    if (status == STATUS_OK)
         setup_choose_refraction(image, &job->scene, &job->camera);
     if (status == STATUS_OK)
         status = output_check_tiles(image, job->outputs);

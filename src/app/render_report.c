@@ -72,6 +72,11 @@ static json_t *frame_of(const struct render_report_frame *frame, int32_t number,
                      frame->hash[0] ? frame->hash : NULL, "files", files);
 }
 
+static json_t *position_of(const double position[3])
+{
+    return json_pack("[f, f, f]", position[0], position[1], position[2]);
+}
+
 char *render_report_json(const struct report *report, const struct sequence *sequence,
                          const struct app_options *o, int code, size_t *size)
 {
@@ -82,8 +87,12 @@ char *render_report_json(const struct report *report, const struct sequence *seq
             json_text_append(frames, frame_of(&report->frames[i], number,
                                               files_of(sequence, o->run.outputs.count, number)));
     }
-    json_t *json = json_pack("{s:s, s:o, s:i, s:o}", "version", FIRN_VERSION, "scene",
-                             json_text_string(o->image.scene.name), "code", code, "frames", frames);
+    const struct render_report_view *view = &report->view;
+    json_t *json =
+        json_pack("{s:s, s:o, s:i, s:{s:o, s:o, s:f}, s:f, s:o}", "version", FIRN_VERSION, "scene",
+                  json_text_string(o->image.scene.name), "code", code, "camera", "eye",
+                  position_of(view->eye), "target", position_of(view->target), "fov", view->fov_deg,
+                  "exposure", view->exposure, "frames", frames);
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);
     *size = text ? strlen(text) + 1 : 0;

@@ -21,9 +21,17 @@ struct render_report_frame {
     char hash[17]; /* render_report_hash(), or "" */
 };
 
+/* Camera and exposure that were chosen. Positions are in the coordinates of the model file. */
+struct render_report_view {
+    double eye[3], target[3];
+    double fov_deg;  /* 0 for an orthographic camera */
+    double exposure; /* stops */
+};
+
 struct report {
     struct render_report_frame *frames; /* in the order of the sequence */
     uint32_t count;
+    struct render_report_view view; /* at the time of frame 0 */
 };
 
 /* Sets all frames to RENDER_REPORT_NOT_STARTED. On failure logs and returns STATUS_TRY_AGAIN. */

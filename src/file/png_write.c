@@ -123,7 +123,8 @@ enum status png_encode(const struct png_image_source *picture, void **data, size
 
 /* ---- checking ---- */
 
-/* Reads a whole file, and checks all CRCs. Returns false if it is damaged. */
+/* Reads a whole file row by row, and checks all CRCs. Returns false if it is damaged, or larger
+ * than firn writes. */
 static bool read_image(png_structp png, png_infop info, FILE *file)
 {
     if (setjmp(png_jmpbuf(png)))
@@ -131,7 +132,15 @@ static bool read_image(png_structp png, png_infop info, FILE *file)
     png_init_io(png, file);
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_user_limits(png, IMAGE_MAX_SIDE, IMAGE_MAX_SIDE);
-    png_read_png(png, info, PNG_TRANSFORM_IDENTITY, NULL);
+    png_read_info(png, info);
+    const uint64_t height = png_get_image_height(png, info);
+    if (height * png_get_image_width(png, info) > IMAGE_MAX_TEXELS)
+        png_error(png, "too many pixels");
+    const uint64_t rows = height * (uint64_t)png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    for (uint64_t y = 0; y < rows; y++)
+        png_read_row(png, NULL, NULL);
+    png_read_end(png, info);
     return true;
 }
 

@@ -161,6 +161,14 @@ bool adaptive_next_round(struct adaptive *adaptive)
     return cover(a, (struct tile){ 0, 0, a->columns, a->rows }) > 0;
 }
 
+uint32_t adaptive_light_sample(uint32_t sample)
+{
+    uint32_t step = 1;
+    while (FIRST_END * step <= sample)
+        step *= 2;
+    return sample / step * step;
+}
+
 uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y)
 {
     return adaptive->counts[y / CELL * adaptive->columns + x / CELL];

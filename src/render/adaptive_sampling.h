@@ -52,6 +52,11 @@ bool adaptive_next_round(struct adaptive *adaptive);
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer);
 
+/* Returns the sample whose light maps a sample uses. They are redrawn by the first 4 samples, and
+ * then twice for each doubling of the samples, because redrawing them costs as much as a small
+ * image, and they need fewer samples than edges. */
+uint32_t adaptive_light_sample(uint32_t sample);
+
 /* Returns the number of samples drawn for a pixel. */
 uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y);
 

@@ -217,7 +217,7 @@ static void add(const struct denoiser *s, struct image *image, const struct imag
     }
 }
 
-bool denoise_light(struct image *image, const struct image *ground)
+bool denoise_light(struct image *image, struct image *display, const struct image *ground)
 {
     struct denoiser s = { 0 };
     const bool is_read = read_planes(&s, ground);
@@ -229,6 +229,7 @@ bool denoise_light(struct image *image, const struct image *ground)
         for (int i = -1; i < STEPS; i++)
             replace(&s, i);
         add(&s, image, ground);
+        add(&s, display, ground);
     }
     free(s.surfaces);
     free(s.lights);

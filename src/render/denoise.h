@@ -18,9 +18,9 @@ enum {
     DENOISE_SAMPLES_ENOUGH = 32 /* samples per pixel from which images are not denoised */
 };
 
-/* Adds the denoised lighting to the planes R, G and B of `image`, if present. `ground` must have
+/* Adds the denoised lighting to the planes R, G and B of two images, if present. `ground` must have
  * the averaged planes of frame_denoise_layers (src/tech/frame_resources.h). Its plane "samples"
  * must hold each pixel's sample count. If out of memory, returns false. */
-bool denoise_light(struct image *image, const struct image *ground);
+bool denoise_light(struct image *image, struct image *display, const struct image *ground);
 
 #endif

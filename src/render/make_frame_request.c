@@ -40,7 +40,7 @@ struct tiling renderer_tiling(const struct renderer_params *params)
 static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);
-    const bool is_read = params->linear || params->display;
+    const bool is_read = params->linear || params->resolved || params->display;
     const bool is_kept = params->keep || params->scales || params->refines;
     const bool is_few = params->is_adaptive || params->samples < DENOISE_SAMPLES_ENOUGH;
     return params->refraction && params->refraction->refraction.traces_bvh && ground->denoise &&
@@ -88,7 +88,8 @@ struct frame_request renderer_image_request(const struct renderer_params *params
         .view = { params->width, params->height },
         .layers = params->layers,
         .max_view = scales ? (VkExtent2D){ params->width, params->height } : (VkExtent2D){ 0 },
-        .beauty = params->linear || params->refines || (params->display && many),
+        .beauty =
+            params->linear || params->resolved || params->refines || (params->display && many),
         .display = params->display && !many,
         .keep_display = params->keep,
         .sharing = params->sharing,

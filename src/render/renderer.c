@@ -11,6 +11,7 @@
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
+#include "src/render/weighted_mean.h"
 
 /* ---- plans ---- */
 
@@ -29,6 +30,12 @@ bool renderer_wants_resolve(const struct renderer_params *params)
 {
     return params->refines ||
            (params->display && (params->samples > 1 || renderer_denoises(params)));
+}
+
+bool renderer_is_weighted(const struct renderer_params *params)
+{
+    const bool is_mean = params->samples > 1 && (params->display || params->resolved);
+    return (is_mean || params->refines) && weighted_mean_scale(params->settings) > 0.0f;
 }
 
 static VkImage find_import(const struct renderer *r, const struct rg_image *image)
@@ -189,6 +196,7 @@ void renderer_destroy(struct renderer *renderer)
     uploaded_scene_finish(&renderer->bvh, renderer->params.gpu);
     bvh_finish(&renderer->own_bvh);
     image_finish(&renderer->sums);
+    image_finish(&renderer->display_sums);
     image_finish(&renderer->lighting);
     free(renderer->meshes);
     free(renderer);
@@ -241,9 +249,10 @@ const char *renderer_pass_name(const struct renderer *r, const struct rg_pass *r
 }
 
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
-                                struct image *image, renderer_progress_fn *progress, void *user)
+                                struct render_result *result, renderer_progress_fn *progress,
+                                void *user)
 {
-    const struct tile pixels = { .width = image->width, .height = image->height };
+    const struct tile pixels = { .width = result->image.width, .height = result->image.height };
     enum status status = renderer_capture_cube(r, shot);
     r->skips_readback = false;
     /* The device draws one sample while the host accumulates the previous one. */
@@ -253,7 +262,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
             status = renderer_run(r, &r->image, shot, i, &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
-        status = renderer_read_sample(r, image, &pixels, i - 1, slot_before);
+        status = renderer_read_sample(r, result, &pixels, i - 1, slot_before);
         if (status == STATUS_OK && progress && !progress(user, i, r->params.samples))
             status = STATUS_FAILED;
     }
@@ -302,11 +311,17 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     return status;
 }
 
-static bool add_planes(struct renderer *r, struct image *image)
+static bool add_planes(struct renderer *r, struct render_result *result)
 {
     const bool many = r->params.samples > 1 || renderer_denoises(&r->params);
+    const bool is_weighted = renderer_is_weighted(&r->params);
+    const bool has_mean = r->params.resolved || (r->params.display && many);
+    struct image *image = &result->image;
     image_init(image, r->tile.width, r->tile.height);
-    if (r->params.linear || (r->params.display && many)) {
+    image_init(&result->display, r->tile.width, r->tile.height);
+    if (is_weighted && !weighted_mean_add_planes(&result->display))
+        return false;
+    if (r->params.linear || (has_mean && !is_weighted)) {
         if (!accumulate_add_planes(image, &frame_beauty))
             return false;
     }
@@ -317,15 +332,18 @@ static bool add_planes(struct renderer *r, struct image *image)
     return renderer_denoise_begin(r);
 }
 
-static enum status divide_sums(struct renderer *r, struct image *image)
+static enum status divide_sums(struct renderer *r, struct render_result *result)
 {
+    struct image *image = &result->image;
+    if (result->display.planes)
+        weighted_mean_divide(&result->display, r->params.samples);
     if (image_find(image, frame_beauty.planes[0]))
         accumulate_mean(image, &frame_beauty, r->params.samples);
     for (uint32_t i = 0; techniques_layer(i); i++) {
         if (renderer_wants_layer(r, i))
             accumulate_mean(image, techniques_layer(i), r->params.samples);
     }
-    return renderer_denoise_end(r, image);
+    return renderer_denoise_end(r, result);
 }
 
 enum status renderer_render(struct renderer *r, const struct renderer_shot *shot,
@@ -337,16 +355,16 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         r->tile = tile_at(&r->tiling, shot->tile);
     enum status status = STATUS_OK;
     result->samples = (float)r->params.samples;
-    if (!add_planes(r, &result->image))
+    if (!add_planes(r, result))
         status = log_out_of_memory(NULL);
     else if (r->params.is_adaptive)
         status = renderer_draw_adaptive(r, shot, result, progress, user);
     else
-        status = draw_samples(r, shot, &result->image, progress, user);
+        status = draw_samples(r, shot, result, progress, user);
     if (status == STATUS_OK)
-        status = divide_sums(r, &result->image);
+        status = divide_sums(r, result);
     if (status == STATUS_OK && r->resolve.exec) {
-        status = resolve_display(r, &result->image, &result->rgba);
+        status = resolve_display(r, render_result_display(result), &result->rgba);
     } else if (status == STATUS_OK && r->params.display) {
         result->rgba = copy_display(r, &r->image, r->last_slot, r->tile.width);
         status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
@@ -356,9 +374,15 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     return status;
 }
 
+const struct image *render_result_display(const struct render_result *result)
+{
+    return result->display.planes ? &result->display : &result->image;
+}
+
 void render_result_finish(struct render_result *result)
 {
     image_finish(&result->image);
+    image_finish(&result->display);
     free(result->rgba);
     free(result->rgba_16);
     *result = (struct render_result){ 0 };

@@ -26,10 +26,11 @@
 struct renderer;
 
 struct render_result {
-    struct image image; /* linear: beauty and layers */
-    uint16_t *rgba_16;  /* filled by callers; otherwise NULL */
-    uint8_t *rgba;      /* 8-bit sRGB; NULL if not requested */
-    float samples;      /* mean samples per pixel */
+    struct image image;   /* linear: beauty and layers */
+    struct image display; /* linear: weighted mean of the beauty; may be empty */
+    uint16_t *rgba_16;    /* filled by callers; otherwise NULL */
+    uint8_t *rgba;        /* 8-bit sRGB; NULL if not requested */
+    float samples;        /* mean samples per pixel */
 };
 
 /* Callback after every sample. If it returns false, rendering ends with STATUS_FAILED, unlogged. */
@@ -80,7 +81,8 @@ MUST_USE enum status renderer_draw(struct renderer *renderer, const struct rende
  * memory and no pipelines, but renderer_display_image() returns another image. renderer_refine()
  * draws a full-size sample, waits, and adds it to the sums; sample 0 restarts them.
  * renderer_resolve() tone-maps the mean of the samples with the current settings into
- * renderer_mean(): the pixels are those of renderer_render() with that many samples.
+ * renderer_mean(): the pixels are those of renderer_render() with that many samples. The exposure
+ * must be that of sample 0, on which the weights depend (weighted_mean.h).
  */
 MUST_USE enum status renderer_set_view(struct renderer *renderer, VkExtent2D view);
 MUST_USE enum status renderer_refine(struct renderer *renderer, const struct renderer_shot *shot,
@@ -90,6 +92,8 @@ VkImage renderer_mean(const struct renderer *renderer);
 /* Returns the sample sums, or an empty image before the first sample. */
 const struct image *renderer_sums(const struct renderer *renderer);
 uint32_t renderer_sum_count(const struct renderer *renderer); /* number of samples in the sums */
+/* Returns pixel `i` of the mean of all samples in the sums that is shown, in linear radiance. */
+void renderer_display_pixel(const struct renderer *renderer, size_t i, float rgba[static 4]);
 
 /* Waits for the frame submitted last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);
@@ -119,6 +123,9 @@ const struct rg_plan *renderer_frame(const struct renderer *renderer);
 const char *renderer_pass_name(const struct renderer *renderer, const struct rg_pass *row);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
+
+/* Returns the image that contains the beauty for display. */
+const struct image *render_result_display(const struct render_result *result);
 
 void render_result_finish(struct render_result *result);
 

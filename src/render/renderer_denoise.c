@@ -46,13 +46,13 @@ void renderer_denoise_rescale(struct renderer *r, const struct adaptive *adaptiv
                                            (uint32_t)(i / adaptive->width));
 }
 
-enum status renderer_denoise_end(struct renderer *r, struct image *image)
+enum status renderer_denoise_end(struct renderer *r, struct render_result *result)
 {
     if (!r->lighting.planes)
         return STATUS_OK;
     for (size_t i = 0; i < FRAME_DENOISE_COUNT; i++)
         accumulate_mean(&r->lighting, &frame_denoise_layers[i], r->params.samples);
-    const bool is_done = denoise_light(image, &r->lighting);
+    const bool is_done = denoise_light(&result->image, &result->display, &r->lighting);
     image_finish(&r->lighting);
     return is_done ? STATUS_OK : log_out_of_memory(NULL);
 }

@@ -30,15 +30,17 @@ struct renderer {
     struct frame_cube cube;        /* cube state of `image` */
     bool skips_readback;           /* the image is not read back */
     struct renderer_costs costs;
-    uint32_t last_slot;    /* `image` slot of the last sample */
-    uint32_t sum_count;    /* number of samples in `sums` */
-    struct image sums;     /* sums of the samples of renderer_refine() */
-    struct image lighting; /* samples to denoise; {0} if none */
+    uint32_t last_slot;        /* `image` slot of the last sample */
+    uint32_t sum_count;        /* number of samples in `sums` */
+    struct image sums;         /* sums of the samples of renderer_refine() */
+    struct image display_sums; /* their weighted sums; without planes if not weighted */
+    struct image lighting;     /* samples to denoise; {0} if none */
 };
 
 /* Returns true if params need a static environment cube. */
 bool renderer_wants_capture(const struct renderer_params *params);
 bool renderer_wants_resolve(const struct renderer_params *params); /* mean of samples */
+bool renderer_is_weighted(const struct renderer_params *params);   /* weighted mean of samples */
 bool renderer_uses_bvh(const struct renderer_params *params);
 
 /* Copies the params and fills in defaults. For interleaved tiles, reduces the size to one tile. */
@@ -68,8 +70,8 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct compiled_fra
 /* Returns true if params ask for layer `layer`. */
 bool renderer_wants_layer(const struct renderer *renderer, uint32_t layer);
 
-/* Waits for a sample and adds it to the rectangle `tile` of the image. */
-MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
+/* Waits for a sample and adds it to the rectangle `tile` of the result's sums. */
+MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct render_result *result,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);
 
 /* Clears the lighting sums if params ask for denoising. Returns false when out of memory. */
@@ -78,8 +80,8 @@ bool renderer_denoise_begin(struct renderer *renderer);
 void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
                                  uint32_t sample, uint32_t slot);
 void renderer_denoise_rescale(struct renderer *renderer, const struct adaptive *adaptive);
-/* Denoises the lighting and adds it to the image. */
-MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct image *image);
+/* Denoises the lighting and adds it to the result's means. */
+MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct render_result *result);
 
 /* Draws all samples if params.is_adaptive. Scales the sums to ADAPTIVE_SAMPLES samples. */
 MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,

@@ -30,6 +30,7 @@ struct renderer_params {
     uint32_t layers;         /* bit i: return techniques_layer(i), if enabled */
     bool linear;             /* return the beauty in render_result.image */
     bool display;            /* return the tone-mapped image in render_result.rgba */
+    bool resolved;           /* return the mean for display: render_result_display() */
     bool keep;               /* keep the last tone-mapped sample, for renderer_display_image() */
     bool scales;             /* with keep: renderer_set_view() may be called */
     bool refines;            /* with keep: allow renderer_refine(), too */

@@ -6,6 +6,7 @@
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
+#include "src/render/weighted_mean.h"
 
 enum status renderer_set_view(struct renderer *r, VkExtent2D view)
 {
@@ -29,8 +30,20 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
 static bool clear_sums(struct renderer *r)
 {
     image_finish(&r->sums);
+    image_finish(&r->display_sums);
     image_init(&r->sums, r->params.width, r->params.height);
-    return accumulate_add_planes(&r->sums, &frame_beauty);
+    image_init(&r->display_sums, r->params.width, r->params.height);
+    return accumulate_add_planes(&r->sums, &frame_beauty) &&
+           (!renderer_is_weighted(&r->params) || weighted_mean_add_planes(&r->display_sums));
+}
+
+static void add_sample(struct renderer *r, uint32_t sample)
+{
+    const struct tile all = { .width = r->params.width, .height = r->params.height };
+    const void *texels = renderer_read_back(&r->image, frame_beauty.image, r->last_slot);
+    accumulate_sample(&r->sums, &all, &frame_beauty, texels, sample);
+    if (r->display_sums.planes)
+        weighted_mean_add(&r->display_sums, &all, texels, weighted_mean_scale(r->params.settings));
 }
 
 enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot, uint32_t sample)
@@ -38,7 +51,6 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     const VkExtent2D whole = { r->params.width, r->params.height };
     if (sample == 0 && !clear_sums(r))
         return log_out_of_memory(NULL);
-    const struct tile all = { .width = whole.width, .height = whole.height };
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
@@ -48,21 +60,35 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     if (status == STATUS_OK)
         status = renderer_wait(r);
     if (status == STATUS_OK)
-        accumulate_sample(&r->sums, &all, &frame_beauty,
-                          renderer_read_back(&r->image, frame_beauty.image, r->last_slot), sample);
+        add_sample(r, sample);
     r->sum_count = sample + 1;
     return status;
 }
 
-/* Writes the mean of the samples as half floats. Unlike accumulate_mean(), keeps the sums. */
-static void write_mean(const struct image *sums, uint32_t sample_count, uint16_t *texels)
+/* Returns pixel `i` of the mean for display. Keeps the sums. */
+static void find_display(const struct renderer *r, size_t i, uint32_t sample_count, float rgba[4])
 {
-    const size_t count = (size_t)sums->width * sums->height;
-    for (size_t p = 0; p < 4; p++) {
-        const float *plane = image_find(sums, frame_beauty.planes[p]);
-        for (size_t i = 0; i < count; i++)
-            texels[i * 4 + p] =
-                half_from_float(sample_count > 1 ? plane[i] / (float)sample_count : plane[i]);
+    if (r->display_sums.planes && sample_count > 1) {
+        weighted_mean_pixel(&r->display_sums, i, sample_count, rgba);
+        return;
+    }
+    for (size_t p = 0; p < 4; p++)
+        rgba[p] = r->sums.planes[p].texels[i] / (float)sample_count;
+}
+
+void renderer_display_pixel(const struct renderer *r, size_t i, float rgba[static 4])
+{
+    find_display(r, i, r->sum_count, rgba);
+}
+
+/* Writes the mean of the samples for display as half floats. */
+static void write_mean(const struct renderer *r, uint32_t sample_count, uint16_t *texels)
+{
+    for (size_t i = 0; i < (size_t)r->sums.width * r->sums.height; i++) {
+        float rgba[4];
+        find_display(r, i, sample_count, rgba);
+        for (size_t p = 0; p < 4; p++)
+            texels[i * 4 + p] = half_from_float(rgba[p]);
     }
 }
 
@@ -73,7 +99,7 @@ enum status renderer_resolve(struct renderer *r, uint32_t sample_count)
     enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     if (status != STATUS_OK)
         return status;
-    write_mean(&r->sums, sample_count, rg_exec_mapped(r->resolve.exec, &frame_samples, slot));
+    write_mean(r, sample_count, rg_exec_mapped(r->resolve.exec, &frame_samples, slot));
     return gpu_status(rg_exec_submit(r->resolve.exec, &frame));
 }
 

@@ -2,10 +2,12 @@
  */
 #include <math.h>
 #include <string.h>
+#include "src/render/adaptive_sampling.h"
 #include "src/render/frame/thin_lens.h"
 #include "src/render/make_frame_request.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/sample_accumulation.h"
+#include "src/render/weighted_mean.h"
 #include "src/settings/scene_settings.h"
 
 /* Returns the offset of a tile's pixel from its block's centre, in image pixels. Tiles are
@@ -72,7 +74,8 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .width = r->width,
         .height = r->height,
         .jitter = pixel_filter_offset(r->params.filter, sample),
-        .light_jitter = pixel_filter_jitter(sample),
+        .light_jitter =
+            pixel_filter_jitter(r->params.is_adaptive ? adaptive_light_sample(sample) : sample),
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
                         : 0.0f,
@@ -95,7 +98,8 @@ enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_fra
         .light_jitter = view.light_jitter,
         .skips_readback = r->skips_readback,
     };
-    const struct globals globals = frame_view_globals(&view, &frame.view);
+    struct globals globals = frame_view_globals(&view, &frame.view);
+    globals.sample_random = pixel_filter_jitter(sample).x + 0.5f;
     for (uint32_t face = 0; face < 6; face++)
         frame.faces[face] = frame_view_face(&view, face);
     const VkExtent2D size = compiled_frame->frame->plan->view;
@@ -132,15 +136,18 @@ bool renderer_wants_layer(const struct renderer *r, uint32_t layer)
     return r->params.layers & 1u << layer;
 }
 
-enum status renderer_read_sample(struct renderer *r, struct image *image, const struct tile *tile,
-                                 uint32_t sample, uint32_t slot)
+enum status renderer_read_sample(struct renderer *r, struct render_result *result,
+                                 const struct tile *tile, uint32_t sample, uint32_t slot)
 {
+    struct image *image = &result->image;
     enum status status = gpu_status(rg_exec_wait(r->image.exec, slot));
     if (status != STATUS_OK)
         return status;
     const void *beauty = renderer_read_back(&r->image, frame_beauty.image, slot);
-    if (beauty)
+    if (beauty && image_find(image, frame_beauty.planes[0]))
         accumulate_sample(image, tile, &frame_beauty, beauty, sample);
+    if (beauty && result->display.planes)
+        weighted_mean_add(&result->display, tile, beauty, weighted_mean_scale(r->params.settings));
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const void *texels = renderer_read_back(&r->image, techniques_layer(i)->image, slot);
         if (renderer_wants_layer(r, i) && texels)

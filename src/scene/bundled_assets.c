@@ -43,6 +43,12 @@ const struct asset assets[] = {
         .help = "coloured knot in the cavity of a glass ball",
     },
     {
+        .name = "sample",
+        .file = "sample.glb",
+        .kind = ASSET_SCENE,
+        .help = "rounded block before stripes, to compare materials (firn sheet sample)",
+    },
+    {
         .name = "slate",
         .file = "slate.glb",
         .kind = ASSET_SCENE,
@@ -74,7 +80,7 @@ const struct asset assets[] = {
         .name = "materials",
         .file = "materials.png",
         .kind = ASSET_SHEET,
-        .help = "a glass ball of each material",
+        .help = "a block of each material",
     },
     {
         .name = "rungs",

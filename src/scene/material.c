@@ -1,5 +1,4 @@
-/* material.c: glTF's default material, and a table of refractive indices (Fernando and Kilgard
- * 2003, The Cg Tutorial, table 7-1; for ice: Seipel and Nivfors 2006). */
+/* material.c: glTF's default material, and the clamping of a material's parameters. */
 #include "src/scene/material.h"
 #include <cglm/struct.h>
 #include <float.h>
@@ -91,24 +90,4 @@ vec3s material_absorption(const struct material *m)
         absorption.raw[k] =
             -logf(fmaxf(m->attenuation_color.raw[k], color_min)) / m->attenuation_distance;
     return absorption;
-}
-
-const struct material_preset material_presets[] = {
-    { "ice", 1.3091f, "frozen water" },
-    { "water", 1.333f, "water at 20 degrees Celsius" },
-    { "glass", 1.5f, "window glass" },
-    { "plastic", 1.5f, "acrylic" },
-    { "diamond", 2.417f, "largest index of this list" },
-    { "air", 1.0003f, "no refraction" },
-    { "vacuum", 1.0f, "index slightly below that of air" },
-    { 0 },
-};
-
-const struct material_preset *material_preset_find(const char *name)
-{
-    for (const struct material_preset *m = material_presets; m->name; m++) {
-        if (!strcmp(m->name, name))
-            return m;
-    }
-    return NULL;
 }

@@ -1,4 +1,4 @@
-/* material.h: surface materials and the media behind them, as in glTF; presets of media. */
+/* material.h: surface materials and the media behind them, as in glTF. */
 #ifndef FIRN_SCENE_MATERIAL_H
 #define FIRN_SCENE_MATERIAL_H
 
@@ -26,7 +26,8 @@ enum {
     MATERIAL_IS_WATER_LAYER = 256, /* opaque base with colour and normal map, under a water layer */
     /* an object has this material and others, so surface parameters are looked up per triangle */
     MATERIAL_IS_PARTIAL = 512,
-    MATERIAL_FLAGS = 1023,
+    MATERIAL_SCATTERS_EVENLY = 1024, /* the scattering medium has the same density everywhere */
+    MATERIAL_FLAGS = 2047,
 };
 
 /* Returns true if textures of this use hold sRGB colours. Other textures are linear. */
@@ -87,17 +88,5 @@ bool material_clamp(struct material *material);
 
 /* Returns the absorption coefficients of Beer-Lambert's law for R, G and B, 1 / metre. */
 vec3s material_absorption(const struct material *material);
-
-/* Preset of a transparent medium, named by --material. */
-struct material_preset {
-    const char *name;
-    float ior;
-    const char *help;
-};
-
-extern const struct material_preset material_presets[]; /* terminated by a zero entry */
-
-/* Returns the preset of that name, or NULL. */
-const struct material_preset *material_preset_find(const char *name);
 
 #endif

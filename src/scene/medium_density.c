@@ -45,6 +45,7 @@ struct scattering_media scattering_media_find(const struct model *model, bool is
         const struct scattering_medium medium = {
             .object = i,
             .density = model->materials[object->material].scattering_optical_depth,
+            .is_even = model->materials[object->material].flags & MATERIAL_SCATTERS_EVENLY,
             .box = object->box,
         };
         if (!(medium.density > 0.0f) && !(is_asked && i == 0))
@@ -98,12 +99,15 @@ bool scattering_media_fill(struct scattering_media *scattering_media, const stru
         return false;
     for (uint32_t i = 0; i < scattering_media->count; i++) {
         const struct mesh part = object_triangles(model, &scattering_media->all[i]);
+        const bool is_even = scattering_media->all[i].is_even;
         struct distance_field depth;
         if (!distance_field_init(&depth, &part))
             return false;
         uint8_t(*texels)[2] = &scattering_media->texels[(size_t)COUNT * i];
         for (uint32_t k = 0; k < COUNT; k++)
-            texels[k][0] = (uint8_t)(255.0f * density_at(k, depth.texels[k]) + 0.5f);
+            texels[k][0] = (uint8_t)(255.0f * (is_even ? depth.texels[k] > 0.0f ? 1.0f : 0.0f
+                                                       : density_at(k, depth.texels[k])) +
+                                     0.5f);
         for (uint32_t k = 0; k < COUNT; k++)
             texels[k][1] = texels[k + SIZE * SIZE < COUNT ? k + SIZE * SIZE : k][0];
         scattering_media->all[i].box = depth.box;

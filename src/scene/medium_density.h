@@ -12,6 +12,7 @@ struct scattering_medium {
     float
         /* material.scattering_optical_depth, or 0 to use that of the settings */
         density;
+    bool is_even;      /* true for the maximum density everywhere */
     struct box box;    /* bounding box of object and texels, in mesh space */
     struct box filled; /* bounding box of non-zero density; set by scattering_media_fill() */
 };

@@ -309,10 +309,13 @@ static enum status add_extras(struct scene *scene)
 }
 
 /* Finds the scattering media, and builds the GPU tables of materials and lights. */
-static enum status add_surfaces(struct scene *scene, bool has_scattering_medium)
+static enum status add_surfaces(struct scene *scene, const struct scene_params *params)
 {
     if (scene->model.object.index_count)
-        scene->inclusions.media = scattering_media_find(&scene->model, has_scattering_medium);
+        scene->inclusions.media =
+            scattering_media_find(&scene->model, params->has_scattering_medium);
+    if (params->has_scattering_medium && params->scatters_evenly)
+        scene->inclusions.media.all[0].is_even = true;
     const bool is_lit =
         material_table_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
@@ -455,6 +458,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (!scene->has_pool)
         scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
     scene->framing_box = scene->box;
+    if (!scene_is_known(params->name))
+        framing_init(&scene->framing, &scene->model.object, &scene->model.surroundings);
     scene->time = params->pose.time;
     scene->is_animated = scene->model.animation || params->melting.speed > 0.0f;
     measure_shape(scene);
@@ -471,7 +476,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK)
         status = find_contacts(scene);
     if (status == STATUS_OK && !scene->has_pool)
-        status = add_surfaces(scene, params->has_scattering_medium);
+        status = add_surfaces(scene, params);
     if (status == STATUS_OK && scene->tables.materials && has_object)
         status = ao_find(&scene->ao, &scene->model.object, scene->model.objects,
                          scene->model.object_count);

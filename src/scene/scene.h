@@ -7,6 +7,7 @@
 #include "src/scene/bvh/bvh.h"
 #include "src/scene/coincident_shells.h"
 #include "src/scene/environment/environment.h"
+#include "src/scene/geometry/framing.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/ice_bump_map.h"
 #include "src/scene/import/model.h"
@@ -66,7 +67,9 @@ struct scene {
     struct bump_maps bump;  /* bump map of the object's surface; may be empty */
     struct box box;         /* bounding box of the object or pool */
     struct box framing_box; /* bounding box at time 0, for the default camera */
-    float time;             /* animation time, seconds */
+    /* what the default camera of a model file frames, at time 0; empty for built-in scenes */
+    struct framing framing;
+    float time; /* animation time, seconds */
     /* vertex positions of the previous frame, objects first; NULL if no vertex has moved */
     vec4s *previous_positions;
     struct box floating_ice; /* bounding box of floating ice in the pool; may be empty */
@@ -125,6 +128,7 @@ struct scene_params {
     struct melting melting;
     struct generate_air air;         /* air planes; count 0 for none */
     bool has_scattering_medium;      /* true if the settings make the first object scatter light */
+    bool scatters_evenly;            /* true if that medium has the same density everywhere */
     struct generate_bubbles bubbles; /* bubbles; count 0 for none */
     const struct bump_maps_params *bump; /* parameters of the surface's bump map; NULL for none */
     struct scene_cracks cracks;

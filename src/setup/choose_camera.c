@@ -77,6 +77,22 @@ static struct camera camera_of(const struct model_camera *m, const struct scene 
 
 /* ---- of an image ---- */
 
+/* Returns the camera that frames a model file, at any rotation if a rotation speed is stated. */
+static struct camera frame_model(const struct scene *scene, const struct setup_image *p,
+                                 const vec3s *target)
+{
+    const struct setting *rotation = settings_find("motion.ice");
+    const struct settings *settings = &p->scene.settings;
+    const struct framing_view view = {
+        .fov_deg = p->fov_deg,
+        .aspect = (float)p->width / (float)p->height,
+        .rotates = settings_source(settings, rotation) >= SETTING_PRESET &&
+                   fabs(settings_get(settings, rotation)) > 0.0,
+        .target = p->target.is_given ? target : NULL,
+    };
+    return framing_camera(&scene->framing, &view);
+}
+
 static struct camera choose(const struct scene *scene, const struct setup_image *p,
                             const struct camera *model_camera)
 {
@@ -95,6 +111,8 @@ static struct camera choose(const struct scene *scene, const struct setup_image 
         camera.target = p->target.is_given ? target : camera.target;
         return camera;
     }
+    if (scene->framing.count && !p->orbit.is_given)
+        return frame_model(scene, p, &target);
     float distance =
         camera_framing_distance(box_diagonal(scene->framing_box), fov, p->width, p->height);
     if (!(distance > 0.0f)) /* a point, or empty */

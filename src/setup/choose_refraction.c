@@ -8,7 +8,6 @@
 #include "src/base/log.h"
 #include "src/render/frame/frame_uniforms.h"
 #include "src/scene/gpu_material_table.h"
-#include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 #include "src/setup/setup.h"
 #include "src/tech/frame_media.h"
@@ -114,7 +113,8 @@ static void add_count(char *text, size_t size, uint32_t count, const char *name)
 }
 
 /* Writes how many objects need the refraction model `trace`, and why, such as "1 rough". */
-static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
+static void name_undrawn(const struct scene *scene, const struct settings *settings, bool is_nested,
+                         char *text, size_t size)
 {
     static const struct {
         const char *name;
@@ -124,10 +124,14 @@ static void name_undrawn(const struct scene *scene, bool is_nested, char *text, 
                   { "with several materials", is_partial },
                   { "with a second set of texture coordinates", has_second_set } };
     const struct model *model = &scene->model;
+    const struct refract_params *refract = settings_of(settings, &refract_settings);
+    const bool is_all_rough = refract->roughness > 0.0f;
     text[0] = '\0';
+    if (is_all_rough)
+        add_count(text, size, model->object_count, "rough");
     if (frame_media_are_from_settings(scene))
         return;
-    for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
+    for (size_t k = is_all_rough; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
         uint32_t count = 0;
         for (uint32_t i = 0; i < model->object_count; i++)
             count += kinds[k].is_present(&model->materials[model->objects[i].material]);
@@ -146,7 +150,7 @@ static void warn_of_materials(const struct setup_image *image, const struct scen
         return;
     const bool is_nested = image->refraction == &refract_bounce &&
                            refract_bounce_is_nested(&image->scene.settings, scene);
-    name_undrawn(scene, is_nested, text, sizeof(text));
+    name_undrawn(scene, &image->scene.settings, is_nested, text, sizeof(text));
     if (text[0])
         log_warning("%s: its %u objects (of which %s) are approximated as separate smooth solids; "
                     "use --refraction trace to draw them exactly",
@@ -187,7 +191,8 @@ static bool is_camera_inside(const struct scene *scene, const struct settings *s
 }
 
 /* Writes why refraction model `bounce` cannot draw the scene exactly, or "" if it can. */
-static void name_reason(const struct scene *scene, bool is_inside, char *text, size_t size)
+static void name_reason(const struct scene *scene, const struct settings *settings, bool is_inside,
+                        char *text, size_t size)
 {
     const struct model *model = &scene->model;
     char undrawn[160] = "";
@@ -203,7 +208,7 @@ static void name_reason(const struct scene *scene, bool is_inside, char *text, s
     else if (holds_surroundings(model))
         snprintf(text, size, "something is inside its object");
     else
-        name_undrawn(scene, false, undrawn, sizeof(undrawn));
+        name_undrawn(scene, settings, false, undrawn, sizeof(undrawn));
     if (undrawn[0])
         snprintf(text, size, "bounce would only approximate its object: %s", undrawn);
 }
@@ -341,7 +346,7 @@ void setup_choose_refraction(struct setup_image *image, const struct scene *scen
     const bool is_inside = is_camera_inside(scene, &image->scene.settings, camera);
     char reason[220] = "";
     if (!image->is_refraction_named)
-        name_reason(scene, is_inside, reason, sizeof(reason));
+        name_reason(scene, &image->scene.settings, is_inside, reason, sizeof(reason));
     if (!image->is_refraction_named)
         image->refraction =
             reason[0] && can_trace(&scene->model) ? &refract_trace : &refract_bounce;

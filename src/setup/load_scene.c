@@ -7,10 +7,10 @@
 #include "src/render/renderer.h"
 #include "src/scene/bundled_assets.h"
 #include "src/scene/gpu_material_table.h"
-#include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 #include "src/setup/offer_materials.h"
 #include "src/setup/setup.h"
+#include "src/setup/setup_material.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/inclusions/bubbles.h"
@@ -24,8 +24,38 @@
 #include "src/tech/techniques.h"
 #include "src/tech/water/pool_parameters.h"
 
+/* Optical depth of 1 % transmittance. */
+#define OPAQUE_DEPTH 4.6f
+
 /* Number of stops by which lights must overexpose the image for a note to be logged. */
 #define BRIGHT_STOPS 4.0
+
+/* Returns the inclusions of the --material option's preset. */
+static enum material_inclusions inclusions_of(const struct setup_scene *options)
+{
+    struct material_choice choice;
+    return material_choice_parse(&choice, options->material, strlen(options->material))
+               ? choice.preset->inclusions
+               : MATERIAL_CLEAR;
+}
+
+/* Returns true if --material names a kind of ice that has inclusions. */
+static bool is_ice_chosen(const struct setup_scene *options)
+{
+    const enum material_inclusions inclusions =
+        options->material ? inclusions_of(options) : MATERIAL_CLEAR;
+    return inclusions == MATERIAL_ICE || inclusions == MATERIAL_WHITE_CORE;
+}
+
+/* Puts the settings of --material, which --set overrides. */
+static void put_material(struct setup_scene *options, const struct scene *scene)
+{
+    struct material_choice choice;
+    if (options->material &&
+        material_choice_parse(&choice, options->material, strlen(options->material)))
+        setup_put_material(&options->settings, &choice,
+                           setup_absorption_scale(options->name, scene), SETTING_PRESET);
+}
 
 /* Sets the refractive index from the first of these that is given: --set, --material, --preset, the
  * model, the default. Returns true if the index is the model's. */
@@ -34,9 +64,6 @@ static bool choose_ior(struct setup_scene *options, const struct scene *scene)
     const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
-    if (options->material)
-        settings_put(&options->settings, ior, (double)material_preset_find(options->material)->ior,
-                     SETTING_PRESET);
     return !options->material && model->has_ior &&
            settings_put(&options->settings, ior, (double)model->ior, SETTING_SCENE);
 }
@@ -72,14 +99,21 @@ static bool has_default(const struct setup_scene *options, const struct techniqu
            settings_source(&options->settings, &technique->settings->rows[0]) == SETTING_SCENE;
 }
 
+/* Returns true if the material needs a technique that is otherwise for ice: milk is a scattering
+ * medium. */
+static bool needs_technique(const struct setup_scene *options, const struct technique *technique)
+{
+    return technique == &air && options->material && inclusions_of(options) == MATERIAL_MILKY;
+}
+
 /* Switches off inclusions and bumps with --plain, or if the material is not ice. Highlights of
  * invisible lights are also switched off in a file of the user's with another material or --env. */
 static void switch_off_ice_effects(struct setup_scene *options, const struct scene *scene)
 {
-    const bool is_ice =
-        options->material ? !strcmp(options->material, material_presets[0].name) : has_ice(scene);
+    const bool is_ice = options->material ? is_ice_chosen(options) : has_ice(scene);
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->is_ice_only && (options->plain || (!is_ice && !has_default(options, *t))))
+        if ((*t)->is_ice_only && (options->plain || (!is_ice && !has_default(options, *t) &&
+                                                     !needs_technique(options, *t))))
             switch_off(options, *t);
     }
     const bool is_own =
@@ -87,6 +121,26 @@ static void switch_off_ice_effects(struct setup_scene *options, const struct sce
     if (options->plain ||
         (is_own && (!is_ice || (options->environment && !options->has_default_environment))))
         switch_off(options, &highlight);
+}
+
+/* Switches off bubbles and cracks in ice with walls that are thinner than they are. */
+static void clear_thin_walls(struct setup_scene *options, const struct scene *scene,
+                             bool is_verbose)
+{
+    static const struct technique *const inclusions[] = { &air, &bubbles, &cracks };
+    const bool is_ice = options->material ? is_ice_chosen(options) : has_ice(scene);
+    bool has_any = false;
+    if (!is_ice || options->plain || !setup_has_thin_walls(scene))
+        return;
+    for (size_t i = 0; i < sizeof(inclusions) / sizeof(inclusions[0]); i++) {
+        const bool was_on = inclusions[i]->is_on(&options->settings);
+        switch_off(options, inclusions[i]);
+        has_any = has_any || (was_on && !inclusions[i]->is_on(&options->settings));
+    }
+    if (has_any && is_verbose && !options->quiet)
+        log_note("%s: its walls are too thin for bubbles and cracks, so it is clear ice; to have "
+                 "them anyway, use for example --set cracks.count=2",
+                 options->name);
 }
 
 /* Switches off inclusions if the scene has several objects, because only one is supported. */
@@ -238,6 +292,22 @@ static void note_blended(const struct setup_scene *options, const struct scene *
         offer_materials(options->name, &scene->model);
 }
 
+/* Logs a note if --material makes a file's objects nearly black, which may be a matter of scale. */
+static void note_opaque(const struct setup_scene *options, const struct scene *scene)
+{
+    struct material_choice choice;
+    if (!options->material || options->quiet || !scene->model.object.index_count ||
+        scene_find_builtin(options->name) ||
+        !material_choice_parse(&choice, options->material, strlen(options->material)))
+        return;
+    const struct box box = mesh_box(&scene->model.object);
+    const float width = glms_vec3_min(glms_vec3_sub(box.max, box.min));
+    if (glms_vec3_min(choice.preset->absorption) * width > OPAQUE_DEPTH)
+        log_note("%s: it is at least %.3g metres wide, through which %s lets less than 1 %% of the "
+                 "light; if its unit is not the metre, use for example --scale %.1g",
+                 options->name, (double)width, choice.preset->name, 0.02 / (double)width);
+}
+
 struct settings_callback_data {
     struct setup_scene *options;
     struct bump_maps_params *maps;
@@ -249,7 +319,10 @@ static void finish_settings_callback(void *user, const struct scene *scene,
     const struct settings_callback_data *settings_callback_data = user;
     note_ice(settings_callback_data->options, scene);
     note_blended(settings_callback_data->options, scene);
+    put_material(settings_callback_data->options, scene);
+    note_opaque(settings_callback_data->options, scene);
     switch_off_ice_effects(settings_callback_data->options, scene);
+    clear_thin_walls(settings_callback_data->options, scene, true);
     check_inclusions(settings_callback_data->options, scene, true);
     *params = setup_scene_params(settings_callback_data->options, settings_callback_data->maps);
 }
@@ -298,10 +371,13 @@ void setup_apply_scene_settings(struct setup_scene *options, const struct scene 
 {
     if (apply_asset_settings(options) != STATUS_OK)
         return; /* the error was logged */
+    put_material(options, scene);
     switch_off_ice_effects(options, scene);
+    clear_thin_walls(options, scene, false);
     check_inclusions(options, scene, false);
     (void)choose_ior(options, scene);
     choose_sun(options, scene);
+    setup_put_exposure(options);
 }
 
 struct settings setup_scene_settings(const struct setup_scene *options, const struct scene *scene)
@@ -317,7 +393,7 @@ static struct melting melting_of(const struct setup_scene *options)
 {
     const struct ice_params *ice = settings_of(&options->settings, &ice_settings);
     const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
-    const bool is_ice = options->material && !strcmp(options->material, material_presets[0].name);
+    const bool is_ice = is_ice_chosen(options);
     return (struct melting){ ice->melt, motion->melt, is_ice, options->material && !is_ice };
 }
 
@@ -356,6 +432,7 @@ struct scene_params setup_scene_params(const struct setup_scene *options,
         .melting = melting_of(options),
         .air = { planes->count, planes->seed, planes->size, planes->frequency },
         .has_scattering_medium = air_is_medium(&options->settings),
+        .scatters_evenly = planes->model == AIR_EVEN,
         .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
         .bump = bump.is_on(&options->settings) || frost.is_on(&options->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->size, options->cracks },
@@ -399,22 +476,45 @@ enum status setup_pose_scene(struct scene *scene, const struct setup_scene *opti
         return status;
     posed.model_ior = scene->model_ior;
     posed.framing_box = scene->framing_box;
+    posed.framing = scene->framing;
     scene_finish(scene);
     *scene = posed;
     return STATUS_OK;
 }
 
-enum status setup_load_scene(struct scene *scene, struct setup_scene *options)
+/* Poses and fills a scene that setup_begin_scene() has begun to load. */
+static enum status pose_and_fill(struct scene *scene, const struct setup_scene *options)
 {
     const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
     bool is_filled = false;
-    enum status status = setup_begin_scene(scene, options);
-    if (status == STATUS_OK)
-        status = setup_pose_scene(scene, options, motion->time, &is_filled);
+    enum status status = setup_pose_scene(scene, options, motion->time, &is_filled);
     const char *lacking =
         status == STATUS_OK && !is_filled ? setup_fill_scene(scene, options) : NULL;
-    if (lacking)
-        status = setup_log_fill_failure(lacking);
+    return lacking ? setup_log_fill_failure(lacking) : status;
+}
+
+enum status setup_load_scene(struct scene *scene, struct setup_scene *options)
+{
+    enum status status = setup_begin_scene(scene, options);
+    if (status == STATUS_OK)
+        status = pose_and_fill(scene, options);
+    if (status != STATUS_OK)
+        scene_finish(scene);
+    return status;
+}
+
+enum status setup_load_exposed(struct scene *scene, struct camera *camera,
+                               struct setup_image *image)
+{
+    enum status status = setup_begin_scene(scene, &image->scene);
+    if (status == STATUS_OK)
+        status = setup_camera(camera, scene, image);
+    if (status == STATUS_OK)
+        status = setup_choose_exposure(image, scene, camera);
+    if (status == STATUS_OK)
+        status = pose_and_fill(scene, &image->scene);
+    if (status == STATUS_OK)
+        status = setup_camera(camera, scene, image);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

@@ -39,6 +39,15 @@ struct setup_position {
     double value[3];
 };
 
+/* Exposure of the image: --exposure, and the exposure that was metered. */
+struct setup_exposure {
+    bool is_option; /* --exposure is given */
+    bool is_auto;   /* --exposure auto */
+    bool is_set;    /* --set tonemap.exposure is given */
+    bool is_chosen; /* `stops` was metered */
+    float stops;
+};
+
 /* Options that describe the scene. */
 struct setup_scene {
     const char *name; /* SCENE; NULL if it is missing */
@@ -58,9 +67,10 @@ struct setup_scene {
     struct reader_params reader;
     struct settings settings;
     struct settings user_settings; /* without those that the scene sets */
-    const char *preset;            /* file, or NULL */
-    bool quiet;                    /* print no notes */
-    bool plain;                    /* no inclusions, bumps and highlights */
+    struct setup_exposure exposure;
+    const char *preset; /* file, or NULL */
+    bool quiet;         /* print no notes */
+    bool plain;         /* no inclusions, bumps and highlights */
 };
 
 /* Options that describe the rendered image of a scene. */
@@ -85,7 +95,7 @@ struct setup_image {
     const char *camera;             /* name or number; NULL if unset */
     struct setup_position eye, target;
     struct setup_vector orbit; /* azimuth, elevation (degrees), distance (metres) */
-    float fov_deg;             /* 0: the model camera's, or 45 */
+    float fov_deg;             /* 0: default of the camera */
 };
 
 /* Names of the output files. */
@@ -157,6 +167,19 @@ void setup_choose_refraction(struct setup_image *image, const struct scene *scen
 
 /* Logs a warning if trace.traversal asks for ray queries that the device does not support. */
 void setup_check_rays(const struct settings *settings, const struct gpu *gpu);
+
+/* Meters the exposure for --exposure auto, and for a model file unless an exposure or a background
+ * colour is stated, and sets tonemap.exposure to it. Does not meter again if an exposure was
+ * metered. `scene` must be at time 0, so that all frames have the same exposure. */
+MUST_USE enum status setup_choose_exposure(struct setup_image *image, const struct scene *scene,
+                                           const struct camera *camera);
+
+/* Sets tonemap.exposure to the metered exposure, if any, as a value of the scene. */
+void setup_put_exposure(struct setup_scene *options);
+
+/* Loads the scene like setup_load_scene(), meters the exposure, and chooses the camera. */
+MUST_USE enum status setup_load_exposed(struct scene *scene, struct camera *camera,
+                                        struct setup_image *image);
 
 /* Finds the camera that the options or the model set, else makes one that frames the object. */
 MUST_USE enum status setup_camera(struct camera *camera, const struct scene *scene,

@@ -18,7 +18,10 @@ static void disperse(float ior[static 3], float green, float dispersion)
 static struct frame_medium medium_of_settings(const struct refract_params *refract,
                                               vec3s absorption)
 {
-    struct frame_medium medium = { .absorption = absorption, .tint = glms_vec3_one(), .rank = 1 };
+    struct frame_medium medium = { .absorption = absorption,
+                                   .tint = glms_vec3_one(),
+                                   .roughness = refract->roughness,
+                                   .rank = 1 };
     disperse(medium.ior, refract->ior, refract->dispersion);
     return medium;
 }
@@ -29,7 +32,7 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
     struct frame_medium medium = {
         .absorption = material_absorption(material),
         .tint = material->base_color,
-        .roughness = material->roughness,
+        .roughness = refract->roughness > 0.0f ? refract->roughness : material->roughness,
         .opacity = 1.0f - material->transmission,
         .is_thin = !(material->thickness > 0.0f),
         .is_textured = material_is_textured(material),

@@ -18,7 +18,8 @@ struct frame_medium {
 
 /* Returns the medium of object `index`. The last index is the medium around the objects. Objects
  * use their material, or only the settings if they have none. Changed settings override a material:
- * refract.ior if changed after loading, absorb.* and refract.dispersion if not 0. */
+ * refract.ior if changed after loading, absorb.*, refract.dispersion and refract.roughness if not
+ * 0. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 

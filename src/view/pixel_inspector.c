@@ -305,7 +305,9 @@ bool pixel_inspector_values(const struct pixel_inspector *inspector, const struc
         memcpy(v->shown, &inspector->rgba[i * 4], 3);
         return true;
     }
-    const vec3s shown = tonemap_encode((vec3s){ { v->color[0], v->color[1], v->color[2] } },
+    float mean[4];
+    renderer_display_pixel(p->renderer, i, mean);
+    const vec3s shown = tonemap_encode((vec3s){ { mean[0], mean[1], mean[2] } },
                                        tonemap_params_of(&p->state.scene.settings));
     for (size_t c = 0; c < 3; c++)
         v->shown[c] = to_byte(shown.raw[c]);

@@ -99,14 +99,15 @@ static enum status draw_side(struct viewport *p, struct side *side,
             params.display = true;
     }
     params.layers = params.linear ? p->state.layers : 0;
-    params.linear = params.linear || makes_png;
+    params.resolved = makes_png;
     enum status status = output_describe(&side->output);
     if (status == STATUS_OK)
         status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)
         status = renderer_render(renderer, &side->output.shot, &side->result, NULL, NULL);
     if (status == STATUS_OK && makes_png &&
-        !layer_image_show(&side->result.image, NULL, params.settings, &side->result.rgba, NULL))
+        !layer_image_show(render_result_display(&side->result), NULL, params.settings,
+                          &side->result.rgba, NULL))
         status = STATUS_TRY_AGAIN;
     renderer_destroy(renderer);
     return status;

@@ -3,6 +3,7 @@
 #include <cglm/struct.h>
 #include <string.h>
 #include "src/base/clock.h"
+#include "src/render/weighted_mean.h"
 #include "src/view/view_internal.h"
 #include "src/view/window/worker_thread.h"
 
@@ -45,10 +46,18 @@ bool view_progressive_is_same(const struct view_identity *a, const struct view_i
            !differ(a->time, b->time) && settings_equal(&settings, &b->settings);
 }
 
-/* Returns true if the view is unchanged except for the exposure. */
+/* Returns true if the samples of a view can be shown at the exposure of another. */
+static bool has_same_weights(const struct view_identity *a, const struct view_identity *b)
+{
+    return !differ(weighted_mean_scale(&a->settings), weighted_mean_scale(&b->settings));
+}
+
+/* Returns true if the view is unchanged except for an exposure that changes no sample's weight. */
 static bool is_same(const struct view *v, const struct view_identity *now)
 {
-    return v->progressive.has_identity && view_progressive_is_same(&v->progressive.identity, now);
+    const struct view_identity *drawn = &v->progressive.identity;
+    return v->progressive.has_identity && view_progressive_is_same(drawn, now) &&
+           has_same_weights(drawn, now);
 }
 
 static bool has_other_exposure(const struct view *v)

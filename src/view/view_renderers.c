@@ -38,9 +38,7 @@ enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
     if (!p->scene_name != !state->scene.name || !p->environment_name != !state->scene.environment)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        status = setup_load_scene(&p->scene, &p->state.scene);
-    if (status == STATUS_OK)
-        status = setup_camera(&p->camera, &p->scene, &p->state);
+        status = setup_load_exposed(&p->scene, &p->camera, &p->state);
     if (status == STATUS_OK)
         setup_choose_refraction(&p->state, &p->scene, &p->camera);
     if (status == STATUS_OK)
@@ -572,6 +570,7 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
     const bool environment = is_environment(path);
     struct setup_image state = (*viewport)->state;
     state.scene.settings = state.scene.user_settings;
+    state.scene.exposure.is_chosen = false;
     if (environment) {
         state.scene.environment = path;
         state.scene.has_default_environment = false;

@@ -132,6 +132,10 @@ class Numbers(Diff):
         self.near(said['rmse'], math.sqrt(0.36 / 12), 1e-7)
         self.near(said['relmse'], 0.36 / 0.26 / 12, 1e-7)
         self.near(said['mae'], 0.5 / 12, 1e-12)  # 1.1 is shown as 1
+        self.near(said['mae_unclipped'], 0.6 / 12, 1e-7)
+        text = self.succeed('diff', a, b).stdout.decode()
+        self.assertRegex(text, r'MAE +0\.0416667 +linear, clipped to 0 and 1\n'
+                               r'MAE +0\.05 +linear, unclipped\n')
         layers = {layer['name']: layer for layer in said['layers']}
         self.assertEqual(list(layers), ['beauty', 'Z', 'x'])
         self.near(layers['beauty']['largest'], 0.6, 1e-6)

@@ -126,6 +126,8 @@ def write_models(folder):
     model['buffers'][0]['uri'] = ('data:application/octet-stream;base64,' +
                                   base64.b64encode(data).decode())
     (folder / 'room.gltf').write_text(json.dumps(model))
+    model['nodes'][1]['name'] = 'Tea'
+    (folder / 'cup.gltf').write_text(json.dumps(model))
     shutil.copy(ROOT / 'tests/data/truth/cube.obj', folder / 'teapot.obj')
     (folder / 'studio.hdr').write_bytes(b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n' +
                                         bytes((128, 120, 110, 129)) * 32)

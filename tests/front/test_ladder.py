@@ -67,6 +67,8 @@ class Numbers(LadderCase):
                                 '--mask-channel', 'path.Z')
             self.near(rung['flip'], whole['flip']['mean'], 1e-4)
             self.near(rung['mae'], object_['mae'], 1e-4)  # files are of half floats
+            self.near(rung['mae_unclipped'], object_['mae_unclipped'], 1e-3)
+            self.assertGreater(rung['mae_unclipped'], rung['mae'])
             self.near(rung['rmse'], object_['rmse'], 1e-3)
             self.near(rung['tir'], object_['tir']['mismatch'], 1e-9)
             self.check_causes(said, rung, name, truth)

@@ -154,7 +154,7 @@ class NoBackground(Pixels):
         hidden = self.check('--set', 'tonemap.curve=clip')
         for bits in ('8', '16'):
             self.succeed('render', *TINY, *self.HIDE, '--tone-curve', 'clip', '--png-bits', bits,
-                         '-o', 'a.png')
+                         '--set', 'tonemap.resolve=linear', '-o', 'a.png')
             png = Png((self.folder / 'a.png').read_bytes())
             most = 2 ** int(bits) - 1
             self.assertEqual((png.channels, png.bits), (4, int(bits)))
@@ -167,7 +167,7 @@ class NoBackground(Pixels):
                     wanted = 12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055
                     self.assertLess(abs(value / most - wanted), 3e-3)
         again = ('render', *TINY[:-1], *self.HIDE, '--tone-curve', 'clip', '--png-bits', '16',
-                 '--resume', '-o', 'a.png')
+                 '--set', 'tonemap.resolve=linear', '--resume', '-o', 'a.png')
         self.assertIn(b'up to date', self.succeed(*again).stderr)
 
     def test_wrong_word(self):
@@ -212,6 +212,27 @@ class Place(Pixels):
         self.model('a.obj', lambda *p: p)
         self.refuse(DATA, 'graph', 'a.obj', '--scale', '1e6', '--rotate', '0,0,45',
                     names=['a.obj', '--scale'])
+
+
+class Resolve(Pixels):
+    def draw_both(self, *words):
+        self.succeed('render', *TINY[:-1], *words, '-o', 'a.exr', '-o', 'a.png')
+        return [(self.folder / name).read_bytes() for name in ('a.exr', 'a.png')]
+
+    @unsanitized
+    def test_weights_are_of_png_files(self):
+        for words in [(), ('--png-bits', '16')] + [('-r', 'reference')] * HAS_REFERENCE:
+            for samples in '1', '3':
+                with self.subTest(words=words, samples=samples):
+                    more = (*words, '--samples', samples, '--set')
+                    linear, weighted = (self.draw_both(*more, f'tonemap.resolve={value}')
+                                        for value in ('linear', 'weighted'))
+                    planes, same = (Exr(exr).read_planes('RGBA') for exr in
+                                    (linear[0], weighted[0]))
+                    self.assertEqual(planes, same)
+                    pairs = list(zip(*(Png(png).values for _, png in (linear, weighted))))
+                    self.assertEqual(any(a != b for a, b in pairs), samples != '1')
+                    self.assertGreaterEqual(sum(a for a, _ in pairs), sum(b for _, b in pairs))
 
 
 class PngBits(Pixels):

@@ -133,6 +133,17 @@ class Winding(Files):
             self.same(self.pixels()[0], wanted)
             self.assertIn('inside out', self.warnings)
 
+    @unsanitized
+    def test_faces_with_both_windings(self):
+        self.write([box(*ALL)])
+        wanted, _ = self.pixels()
+        values, corners, _ = box(*ALL)
+        back = box(*ALL, turned=True)[1]
+        for faces in corners + back, back + corners:
+            self.write([(values, faces, 0)])
+            self.same(self.pixels()[0], wanted)
+            self.assertIn('opposite winding, and were left out: 12\n', self.warnings)
+
     def test_many_shells(self):
         """A tower, every other box of which is inside out, takes no quadratic time."""
         self.write([box(*ALL, at=(0, 3 * i, 0), turned=i % 2 > 0) for i in range(2000)])

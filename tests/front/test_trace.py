@@ -351,7 +351,7 @@ class Trace(Case):
             (1.8, [0, 0, 0], 1), (1, [0.02, 0, 0], 0.96), (1.8, [0, 0.02, 0], 0.92),
             (1, [0.02, 0, 0], 0.88), (1.8, [0, 0.02, 0], 0.84))]
         (self.folder / 'shells.gltf').write_text(balls(0.75, *shells))  # of very many reflections
-        light = self.planes('shells.gltf', *WHITE, *SIZE, '-r', 'trace')
+        light = self.planes('shells.gltf', *WHITE, *SIZE, '-r', 'trace', '--orbit', '28,9,4.98')
         self.check_white(light)
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.check_white(light)
@@ -396,7 +396,8 @@ class Trace(Case):
             self.check_white(light, noise=0.06 if rung == 'trace' else 2e-3)
         sky = write_exr((4, 2), {'Y': [1] * 4 + [0] * 4})  # that is all, and is seen from above
         (self.folder / 'sky.exr').write_bytes(sky)
-        lit = ('cloudy.gltf', '--env', 'sky.exr', *SIZE, '--eye', '0,5,5', '--target', '0,0,0')
+        lit = ('cloudy.gltf', '--env', 'sky.exr', *SIZE, '--eye', '0,5,5', '--target', '0,0,0',
+               '--fov', 45)
         truth = self.planes(*lit, '-r', 'reference', '--samples', 16, env=NO_DRIVER)
         objects = [i for i, share in enumerate(truth['fresnel.Z']) if share > 0]
 
@@ -421,7 +422,8 @@ class Trace(Case):
         self.write('rough.gltf', (glass(1.5, roughness=0.3), [0, 0, 0], 1),
                    (glass(1.2, roughness=0.2), [0.1, 0.1, 0], 0.6),
                    (glass(1.4, roughness=0.5), [2.5, 0, -2], 1))
-        for scene, most, *more in (('rough.gltf', 0.18, '--samples', 4), ('drink', 1),
+        rough = ('--samples', 4, '--orbit', '28,9,9', '--fov', 45)
+        for scene, most, *more in (('rough.gltf', 0.18, *rough), ('drink', 1),
                                    ('hollow', 1)):
             light = self.planes(scene, *WHITE, *SIZE, *more, '-r', 'trace')
             found = [light[name][i] for name in 'RGB'

@@ -170,8 +170,11 @@ class Panels(PanelsCase):
         second = self.names('rungs')[1]
         material, ior = 'diamond', 'refract.ior=2.417 '
         window = self.start_with_panels(plain=PLAIN)
-        self.wait_for_command(window, ior,
-                              act=lambda: self.choose(window, 'Material preset', material))
+
+        def choose_material():
+            self.choose(window, 'Kind', 'crystal')
+            self.choose(window, 'Material preset', material)
+        self.wait_for_command(window, ior, act=choose_material)
         for group, row, shown in (('Material', 'Material preset', False),
                                   ('Inside', 'cracks.count', False),
                                   ('Quality', 'Refraction model', True)):
@@ -189,7 +192,7 @@ class Panels(PanelsCase):
         self.desktop.do('windowsize', '--sync', window, 305, 340)
         rungs = [name for name in self.names('rungs') if name != 'reference']
         wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
-        # Rows of pixels; a line of text has 15, and a button at the edge is cut until it is scrolled.
+        # A line of text has 15 rows of pixels; a button at the edge is cut until it is scrolled.
         wait_until('whole buttons', lambda: self.control('paper')[3] > 25, self.words)
 
         def each_has_its_own():  # they come one by one
@@ -269,7 +272,7 @@ class Panels(PanelsCase):
         return float(self.command(window).partition('motion.time=')[2].split()[0])
 
     def test_buttons(self):
-        window = self.start_with_panels('--size', '320x280')
+        window = self.start_with_panels('--size', '320x380')
         self.find('sphere', act=lambda: self.click(window, 'Play'))
         self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
         wait_until('another time', lambda: abs(self.time(window) - 4) < 0.3, self.words, again=5,
@@ -363,6 +366,20 @@ class Panels(PanelsCase):
         self.assertEqual(brighter.replace('exposure=0.5', 'exposure=0.9'), cube)
         self.find('valley, paused', act=lambda: self.press(window, 'ctrl+z'))
         self.assertEqual(self.command(window), mine)
+        self.press_to_end(window, 'alt+F4')
+
+    @unsanitized
+    def test_reset_returns_to_the_metered_exposure(self):
+        (self.folder / 'a.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n'
+                                           'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n')
+        window = self.start_with_panels('--quiet', scene='a.obj', plain=PAPER)
+        said = re.search(r'exposure=(\S+) ', self.command(window))
+        self.assertGreater(float(said[1]), 0)
+        self.wait_for_command(window, f'exposure={float(said[1]) + 0.5:.4g} ',
+                              act=lambda: self.press(window, 'e'))
+        self.find_row(window, 'tonemap.exposure')
+        self.wait_for_command(window, said[0],
+                              act=lambda: self.click(window, 'reset tonemap.exposure'))
         self.press_to_end(window, 'alt+F4')
 
     def open_other(self, window, scene):

@@ -33,7 +33,7 @@ static struct surface_picture draw(struct gpu *gpu, const char *const *assignmen
 {
     struct surface_picture p = {
         .scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000),
-        .settings = picture_settings("highlight.strength=2"),
+        .settings = picture_settings("highlight.strength=100"),
         .request = {
             .camera = { .eye = eye, .fov_deg = 40 },
             .width = SIZE,
@@ -75,15 +75,25 @@ static struct vec light_at(double azimuth, size_t i, size_t n)
 
 /* ---- every pixel ---- */
 
+/* Fresnel's reflectance of ice at a cosine of incidence. */
+static double fresnel(double c)
+{
+    const double ior = 1.3091; /* refract.ior */
+    const double t = sqrt(ior * ior - 1 + c * c);
+    const double s = (c - t) / (c + t);
+    const double p = (ior * ior * c - t) / (ior * ior * c + t);
+    return (s * s + p * p) / 2;
+}
+
 static double shine(struct vec light, struct vec point, struct vec n, struct vec e)
 {
     const struct vec light_dir = vec_unit(vec_add(light, -1, point));
     const struct vec half_dir = vec_unit(vec_add(light_dir, -1, e));
     const double c = vec_dot(n, light_dir) > 0 ? fmax(vec_dot(n, half_dir), 0) : 0;
-    return pow(c, 300);
+    return fresnel(-vec_dot(half_dir, e)) * pow(c, 300);
 }
 
-/* Compares with 2 * strength times the closed form. */
+/* Compares with 100 * strength times the closed form. */
 static void check_pixels(const struct surface_picture *p, double azimuth, size_t light_count,
                          double strength, const struct bumps *bumps)
 {
@@ -100,7 +110,7 @@ static void check_pixels(const struct surface_picture *p, double azimuth, size_t
         const struct vec n = bump_reference_normal(bumps ? bumps : &none, mesh_n, e);
         double sum = gray;
         for (size_t k = 0; k < light_count; k++)
-            sum += 2 * strength * shine(light_at(azimuth, k, light_count), mesh_n, n, e);
+            sum += 100 * strength * shine(light_at(azimuth, k, light_count), mesh_n, n, e);
         CHECK_NEAR(seen.x, sum, 0.03 * strength);
         assert_true(seen.x == seen.y && seen.y == seen.z);
         bright += seen.x > strength;

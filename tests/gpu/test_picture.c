@@ -559,6 +559,8 @@ static void display_is_the_mean_tonemapped(void **state)
                          STATUS_OK);
         assert_int_equal(settings_assign(&settings, "env_cube.dynamic=off", SETTING_USER, NULL),
                          STATUS_OK);
+        assert_int_equal(settings_assign(&settings, "tonemap.resolve=linear", SETTING_USER, NULL),
+                         STATUS_OK);
         for (uint32_t samples = 1; samples <= 4; samples += 3) {
             const struct picture_request request = {
                 .scene = &scene,

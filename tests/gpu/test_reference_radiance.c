@@ -244,8 +244,10 @@ static void drawn_display(void **state)
 static void traced_display(void **state)
 {
     struct scene scene;
-    const struct settings settings = picture_settings("tonemap.exposure=0.5");
+    struct settings settings = picture_settings("tonemap.exposure=0.5");
     (void)state;
+    assert_int_equal(settings_assign(&settings, "tonemap.resolve=linear", SETTING_USER, NULL),
+                     STATUS_OK);
     assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
     const struct picture_request request = {
         .scene = &scene,

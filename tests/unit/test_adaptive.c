@@ -161,12 +161,29 @@ static void test_evened_sums(void **state)
     adaptive_finish(&a);
 }
 
+/* 4 light maps, then 2 for each doubling of the samples. */
+static void test_light_maps(void **state)
+{
+    static const uint32_t first[] = { 0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48 };
+    uint32_t count = 0;
+    (void)state;
+    for (uint32_t sample = 0; sample < ADAPTIVE_SAMPLES; sample++) {
+        count += count < 12 && sample == first[count];
+        assert_int_equal(adaptive_light_sample(sample), first[count - 1]);
+    }
+    assert_int_equal(count, 12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_even_picture),  cmocka_unit_test(test_noise_everywhere),
-        cmocka_unit_test(test_noise_in_corners), cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_the_limit),        cmocka_unit_test(test_evened_sums),
+        cmocka_unit_test(test_light_maps),
+        cmocka_unit_test(test_an_even_picture),
+        cmocka_unit_test(test_noise_everywhere),
+        cmocka_unit_test(test_noise_in_corners),
+        cmocka_unit_test(test_parts),
+        cmocka_unit_test(test_the_limit),
+        cmocka_unit_test(test_evened_sums),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,13 +33,14 @@ static void test_difference(void **state)
 
     (void)state;
     assert_true(isnan(difference_rmse(&d)) && isnan(difference_relmse(&d)) &&
-                isnan(difference_mae(&d)));
+                isnan(difference_mae(&d)) && isnan(difference_mae_unclipped(&d)));
     difference_add(&d, reference, test, counted, 6);
     assert_int_equal(d.count, 3);
     assert_int_equal(d.not_finite, 2);
     CHECK_NEAR(difference_rmse(&d), sqrt(25 / 3.0), 1e-12);
     CHECK_NEAR(difference_relmse(&d), (9 / 0.01 + 16 / 4.01) / 3, 1e-9);
     CHECK_NEAR(difference_mae(&d), 2 / 3.0, 1e-12); /* 0, 1, -2 to 3, 1, 2 */
+    CHECK_NEAR(difference_mae_unclipped(&d), 7 / 3.0, 1e-12);
     CHECK_NEAR(d.largest, 4, 0);
     difference_add(&d, reference, test, NULL, 6);
     assert_int_equal(d.count, 7);

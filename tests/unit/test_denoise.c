@@ -80,7 +80,7 @@ static double smoothed_error(float samples, float strength)
 {
     struct image picture, ground;
     make(&picture, &ground, samples, strength);
-    assert_true(denoise_light(&picture, &ground));
+    assert_true(denoise_light(&picture, &(struct image){ 0 }, &ground));
     const double error = error_of(&picture);
     image_finish(&picture);
     image_finish(&ground);
@@ -115,7 +115,7 @@ static void test_what_is_no_surface(void **state)
         else
             light[i] = NAN; /* is left out */
     }
-    assert_true(denoise_light(&picture, &ground));
+    assert_true(denoise_light(&picture, &(struct image){ 0 }, &ground));
     const float *plane = image_find(&picture, "R");
     for (size_t i = 0; i < PIXELS; i++)
         assert_true(i % WIDTH < WIDTH / 2 ? isfinite(plane[i]) : plane[i] == 1.0f);

@@ -210,6 +210,27 @@ static void made_normals_are_smooth(void **state)
     model_finish(&model);
 }
 
+static void gltf_without_normals_is_flat(void **state)
+{
+    (void)state;
+    struct square roof = unit_square; /* folded by a right angle at the diagonal */
+    roof.positions[3][1] = 0;
+    roof.positions[3][2] = 1;
+    const char *path = write_glb(
+        "roof.glb",
+        ONE_NODE ",'meshes':[{'primitives':[{'attributes':{'POSITION':0},'indices':4}]}]", &roof);
+    struct model model = load(path, MODEL_OBJECT);
+    assert_int_equal(model.object.vertex_count, 6);
+    check_outward(&model.object);
+    for (uint32_t i = 0; i < 6; i++) {
+        const bool is_floor = model.object.indices[0] == i || model.object.indices[1] == i ||
+                              model.object.indices[2] == i;
+        const float x = is_floor ? 0 : sqrtf(0.5F);
+        check_vec3(model.object.vertices[i].normal, x, is_floor ? 0 : -x, !is_floor ? 0 : 1);
+    }
+    model_finish(&model);
+}
+
 static void transforms(void **state)
 {
     (void)state;
@@ -603,13 +624,21 @@ static int remove_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain_obj),      cmocka_unit_test(made_normals_are_smooth),
-        cmocka_unit_test(transforms),     cmocka_unit_test(transmission_splits),
-        cmocka_unit_test(gltf_materials), cmocka_unit_test(vertex_colors),
-        cmocka_unit_test(textures),       cmocka_unit_test(smaller_joins_larger),
-        cmocka_unit_test(camera),         cmocka_unit_test(box),
-        cmocka_unit_test(bad_boxes),      cmocka_unit_test(bad_files),
-        cmocka_unit_test(bad_numbers),    cmocka_unit_test(bad_textures),
+        cmocka_unit_test(plain_obj),
+        cmocka_unit_test(made_normals_are_smooth),
+        cmocka_unit_test(gltf_without_normals_is_flat),
+        cmocka_unit_test(transforms),
+        cmocka_unit_test(transmission_splits),
+        cmocka_unit_test(gltf_materials),
+        cmocka_unit_test(vertex_colors),
+        cmocka_unit_test(textures),
+        cmocka_unit_test(smaller_joins_larger),
+        cmocka_unit_test(camera),
+        cmocka_unit_test(box),
+        cmocka_unit_test(bad_boxes),
+        cmocka_unit_test(bad_files),
+        cmocka_unit_test(bad_numbers),
+        cmocka_unit_test(bad_textures),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

@@ -8,7 +8,7 @@
 #include "src/base/log.h"
 #include "src/lab/reference/reference.h"
 #include "src/render/adaptive_sampling.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/setup/aov_to_png.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/refract/cpu_reference_settings.h"
@@ -139,10 +139,11 @@ enum status option_refraction(const struct option *option, void *at, const char 
 enum status option_material(const struct option *option, void *at, const char *value)
 {
     struct setup_scene *scene = at;
+    struct material_choice choice;
     if (strchr(value, '='))
         return option_node_material(option, scene, value);
     scene->material = value;
-    return material_preset_find(value)
+    return material_choice_parse(&choice, value, strlen(value))
                ? STATUS_OK
                : option_refuse_name(option, OPTION_MATERIALS, value, strlen(value));
 }
@@ -162,6 +163,8 @@ enum status option_set(const struct option *option, void *at, const char *value)
 {
     struct setup_scene *scene = at;
     (void)option;
+    scene->exposure.is_set = scene->exposure.is_set ||
+                             strncmp(value, "tonemap.exposure=", strlen("tonemap.exposure=")) == 0;
     return settings_assign(&scene->settings, value, SETTING_USER, NULL);
 }
 
@@ -175,6 +178,27 @@ enum status option_tone_curve(const struct option *option, void *at, const char 
     if (i < 0)
         return option_refuse(option, value, "neutral, agx, aces, hable or clip");
     settings_put(&scene->settings, row, i, SETTING_USER);
+    return STATUS_OK;
+}
+
+/* Sets the exposure, like --set tonemap.exposure, or chooses automatic exposure. */
+enum status option_stops(const struct option *option, void *at, const char *value)
+{
+    struct setup_scene *scene = at;
+    const struct setting *row =
+        settings_row(&tonemap_settings, offsetof(struct tonemap_values, exposure));
+    float stops;
+    scene->exposure.is_option = true;
+    scene->exposure.is_auto = !strcmp(value, "auto");
+    if (scene->exposure.is_auto && reference_is_built())
+        return STATUS_OK;
+    if (scene->exposure.is_auto) {
+        log_error("--exposure auto: this build has no path tracer to meter with (Embree)");
+        return STATUS_USAGE;
+    }
+    if (!option_parse_numbers(value, ',', &stops, 1) || fabs((double)stops) > row->max)
+        return option_refuse(option, value, "auto, or stops from -16 to 16");
+    settings_put(&scene->settings, row, (double)stops, SETTING_USER);
     return STATUS_OK;
 }
 

@@ -4,8 +4,8 @@
 
 #include "src/app/options/option.h"
 
-option_fn option_material, option_sandbox, option_set, option_tone_curve, option_background,
-    option_up, option_scale, option_rotate; /* of struct setup_scene */
+option_fn option_material, option_sandbox, option_set, option_tone_curve, option_stops,
+    option_background, option_up, option_scale, option_rotate; /* of struct setup_scene */
 option_fn option_refraction, option_size, option_tiles, option_aov, option_show, option_png_bits,
     option_samples, option_pixel_filter; /* of struct setup_image */
 option_fn option_orbit;                  /* of struct setup_vector */

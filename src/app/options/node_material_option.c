@@ -6,6 +6,7 @@
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
 #include "src/base/suggest.h"
+#include "src/scene/material_presets.h"
 
 static const struct key {
     const char *name;
@@ -67,14 +68,11 @@ static enum status set_key(struct material_override *made, const char *word, siz
 }
 
 /* Finds the material name after "NODE=" in an option's value. Returns NULL if there is none. */
-static const struct material_preset *find_material(const char *value, const char **end)
+static const char *find_material(const char *value, struct material_choice *choice)
 {
-    for (*end = strchr(value, '='); *end; *end = strchr(*end + 1, '=')) {
-        const char *name = *end + 1;
-        for (const struct material_preset *m = material_presets; m->name; m++) {
-            if (is_word(name, strcspn(name, ","), m->name))
-                return m;
-        }
+    for (const char *end = strchr(value, '='); end; end = strchr(end + 1, '=')) {
+        if (material_choice_parse(choice, end + 1, strcspn(end + 1, ",")))
+            return end;
     }
     return NULL;
 }
@@ -82,26 +80,21 @@ static const struct material_preset *find_material(const char *value, const char
 enum status option_node_material(const struct option *option, struct setup_scene *scene,
                                  const char *value)
 {
-    const char *end;
-    const struct material_preset *preset = find_material(value, &end);
+    struct material_choice choice;
+    const char *end = find_material(value, &choice);
     if (scene->material_override_count == SETUP_NODE_COUNT)
         return option_refuse_more(option, value, SETUP_NODE_COUNT);
-    if (!preset) {
+    if (!end) {
         const char *name = strchr(value, '=') + 1;
         return option_refuse_name(option, OPTION_MATERIALS, name, strcspn(name, ","));
     }
     struct material_override *made = &scene->material_overrides[scene->material_override_count];
-    *made = (struct material_override){ .words = value, .material = material_make(preset->name) };
+    *made = (struct material_override){ .words = value, .material = material_of_choice(&choice) };
     snprintf(made->name, sizeof(made->name), "%.*s", (int)(end - value), value);
     if (!made->name[0])
         return option_refuse(option, value, "the name of a node before '='");
-    made->material.flags = MATERIAL_HAS_IOR;
-    made->material.ior = preset->ior;
-    made->material.roughness = 0.0f;
-    made->material.transmission = 1.0f;
-    made->material.thickness = 1.0f;
     enum status status = STATUS_OK;
-    for (const char *word = &end[1 + strlen(preset->name)]; *word && status == STATUS_OK;) {
+    for (const char *word = &end[1 + strcspn(&end[1], ",")]; *word && status == STATUS_OK;) {
         const size_t length = strcspn(++word, ",");
         status = set_key(made, word, length);
         word += length;

@@ -29,7 +29,7 @@ static const char *const examples[] = {
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
                     "  firn ladder valley --whole --rungs bounce\n"
                     "  firn ladder valley --furnace\n"),
-    [APP_SHEET] = ("  firn sheet teapot -o materials.png\n"
+    [APP_SHEET] = ("  firn sheet sample -o materials.png\n"
                    "  firn sheet sphere --sweep refract.crossfade=0,0.5,1 "
                    "--set refract.fresnel=crossfade -o fade.png\n"
                    "  firn sheet room --sweep refraction=paper,bounce --sweep "

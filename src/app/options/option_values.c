@@ -9,7 +9,7 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/base/suggest.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 #include "src/tech/techniques.h"
 
@@ -51,6 +51,21 @@ static const char *name_at(enum option_names names, uint32_t i)
                : NULL;
 }
 
+/* Refuses the unknown finish of a known material, such as "glass:smooth". Returns true if so. */
+static bool refuse_finish(const struct option *option, const char *name)
+{
+    struct material_choice choice;
+    char hint[SUGGEST_HINT_SIZE];
+    if (material_choice_parse(&choice, name, strlen(name)) || !choice.preset)
+        return false;
+    struct suggest suggest = { .word = name + strlen(choice.preset->name) + 1 };
+    for (const struct material_finish *f = material_finishes; f->name; f++)
+        suggest_offer(&suggest, f->name);
+    log_error("--%s: unknown finish '%s' of %s%s; expected rough or frosted", option->name,
+              suggest.word, choice.preset->name, suggest_hint(&suggest, hint));
+    return true;
+}
+
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length)
 {
@@ -68,6 +83,10 @@ enum status option_refuse_name(const struct option *option, enum option_names na
     struct suggest suggest = { .word = name };
     snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
              word);
+    if (names == OPTION_MATERIALS && refuse_finish(option, name))
+        return STATUS_USAGE;
+    if (names == OPTION_MATERIALS)
+        name[strcspn(name, ":")] = '\0';
     for (uint32_t i = 0; name_at(names, i); i++)
         suggest_offer(&suggest, name_at(names, i));
     if (names != OPTION_MATERIALS && names != OPTION_LAYERS && is_removed_model(name))

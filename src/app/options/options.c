@@ -15,7 +15,7 @@
 #include "src/lab/metric/flip_filter.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
-#include "src/scene/material.h"
+
 #include "src/setup/aov_to_png.h"
 #include "src/setup/apply_preset.h"
 #include "src/tech/refract/cpu_reference_settings.h"
@@ -190,11 +190,13 @@ static const struct option options[] = {
     { "Rendering", "quality", 0, "LEVEL", IMAGES, IMAGE(option_quality),
       "quality level: draft, normal or high (default: high in firn render and view, else normal)" },
     { "Rendering", "material", 'm', "NAME", IMAGES, SCENE(option_material),
-      "material, such as glass, or NODE=glass[,ior=1.5,...]; see firn list materials" },
+      "material, such as ruby:rough, or NODE=glass[,ior=1.5,...]; see firn list materials" },
     { "Rendering", "plain", 0, NULL, IMAGES, FLAG(image.scene.plain),
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (default: neutral)" },
+    { "Rendering", "exposure", 0, "auto|EV", IMAGES, SCENE(option_stops),
+      "exposure of PNG files and windows, stops (default: auto for models, else 0)" },
     { "Rendering", "preset", 0, "FILE", IMAGES, INPUT(image.scene.preset),
       "settings from NAME=VALUE lines, from an image that firn wrote, or `paper`" },
     { "Rendering", "set", 0, "NAME=VALUE", IMAGES, SCENE(option_set),
@@ -235,7 +237,7 @@ static const struct option options[] = {
     { "Camera", "target", 0, "X,Y,Z", IMAGES, POSITION(target),
       "point that the camera looks at, as --eye (default: the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", IMAGES, FLOAT(image.fov_deg),
-      "vertical field of view, degrees, 1 to 170 (default: the model camera's, or 45)", 1, 170,
+      "vertical field of view, degrees, 1 to 170 (default: the file's, else 24 or 45)", 1, 170,
       " degrees" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
       "Vulkan device, number or part of its name; see firn list devices (default: a GPU)" },
@@ -435,6 +437,15 @@ void app_default_output(struct app_options *o, enum app_command command)
     }
 }
 
+/* Checks that the exposure is stated only once. */
+static enum status check_exposure(const struct setup_exposure *exposure)
+{
+    if (!exposure->is_option || !exposure->is_set)
+        return STATUS_OK;
+    log_error("--exposure conflicts with --set tonemap.exposure: state the exposure once");
+    return STATUS_USAGE;
+}
+
 /* Checks that no output file is also an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
@@ -533,6 +544,8 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         status = option_check_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);
+    if (status == STATUS_OK)
+        status = check_exposure(&o->image.scene.exposure);
     return status == STATUS_OK ? setup_apply_preset(&o->image.scene) : status;
 }
 

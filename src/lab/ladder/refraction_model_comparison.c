@@ -272,6 +272,7 @@ static enum status compare(struct ladder_model *model, const struct ladder *ladd
     model->error.truth = measure_truth(&model->result.image, truth, masks);
     model->error.not_finite = difference.not_finite;
     model->error.mae = difference_mae(&difference);
+    model->error.mae_unclipped = difference_mae_unclipped(&difference);
     model->error.rmse = difference_rmse(&difference);
     for (int c = 0; c < LADDER_PATH_CLASS_COUNT; c++) {
         const struct difference part =

@@ -43,7 +43,8 @@ extern const char *const ladder_inclusion_names[LADDER_INCLUSION_COUNT]; /* "cle
 /* Errors of a model's image. An error is NaN if its metric covers no pixels. */
 struct ladder_error {
     double flip;                                    /* LDR-FLIP at exposure 0, all pixels */
-    double mae, rmse;                               /* linear; MAE is clamped to 0..1 */
+    double mae;                                     /* linear, clamped to 0..1 */
+    double mae_unclipped, rmse;                     /* linear */
     double path_class_mae[LADDER_PATH_CLASS_COUNT]; /* MAE per path class */
     double inclusion_mae[LADDER_INCLUSION_COUNT];   /* MAE per inclusion class */
     double angle;                                   /* mean deviation of `exit`, degrees */

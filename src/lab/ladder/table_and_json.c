@@ -6,7 +6,7 @@
 #include "src/lab/ladder/comparison_report.h"
 
 enum {
-    NAME_COLUMNS = 12
+    NAME_COLUMNS = 10
 };
 
 static void print_number(double number, int digits, FILE *out)
@@ -40,6 +40,7 @@ static void print_row(const char *name, const struct ladder_error *e, double ms,
     fprintf(out, "%-*s", NAME_COLUMNS, name);
     print_number(e->flip, 4, out);
     print_number(e->mae, 4, out);
+    print_number(e->mae_unclipped, 4, out);
     print_number(e->rmse, 4, out);
     print_number(e->angle, 3, out);
     print_number(e->angle_95, 3, out);
@@ -94,7 +95,7 @@ static void print_columns(const struct ladder *l, const struct columns *columns,
 /* Prints MAE by pixel class in separate tables, to keep lines below 100 characters. */
 static void print_classes(const struct ladder *l, FILE *out)
 {
-    const struct columns paths = { "MAE by path", ladder_path_class_names, l->path_class_counts,
+    const struct columns paths = { "MAE, path", ladder_path_class_names, l->path_class_counts,
                                    LADDER_PATH_CLASS_COUNT,
                                    offsetof(struct ladder_error, path_class_mae) };
     const struct columns inclusions = { "MAE, hits", ladder_inclusion_names, l->inclusion_counts,
@@ -117,16 +118,17 @@ void ladder_table(const struct ladder_report *report, FILE *out)
     const struct ladder *l = report->ladder;
     const bool has_truth = !isnan(l->reference_error.truth);
     print_head(report, out);
-    fprintf(out, "\n%-*s %9s %9s %9s %9s %9s %9s", NAME_COLUMNS, "model", "FLIP", "MAE", "RMSE",
-            "degrees", "95 %", "TIR %");
+    fprintf(out, "\n%-*s %9s %9s %9s %9s %9s %9s %9s", NAME_COLUMNS, "model", "FLIP", "MAE",
+            "unclipped", "RMSE", "degrees", "95 %", "TIR %");
     fprintf(out, "%s %9s %9s\n", has_truth ? "     truth" : "", "ms", "cost");
     print_rows(l, out);
-    fprintf(out,
-            "\nFLIP: over all pixels. MAE, RMSE: over the object's pixels. degrees: error of the "
-            "exit direction\nwhere there is no total reflection. TIR %%: pixels with total "
-            "reflection in only one of the two\nimages. cost: median frame time relative to %s, "
-            "frames of all models interleaved.\n",
-            ladder_base(l)->refraction->refraction.name);
+    fprintf(
+        out,
+        "\nFLIP: over all pixels. MAE (clipped to 0 and 1; unclipped), RMSE: linear, over the "
+        "object's\npixels. degrees: error of the exit direction where there is no total "
+        "reflection. TIR %%: pixels\nwith total reflection in only one of the two images. cost: "
+        "median frame time relative to %s,\nframes of all models interleaved.\n",
+        ladder_base(l)->refraction->refraction.name);
     for (uint32_t i = 0; i < l->refraction_model_count; i++) {
         if (l->refraction_models[i].error.not_finite)
             fprintf(out, "%s: %llu values are not finite\n",
@@ -183,6 +185,7 @@ static json_t *make_model(const struct ladder *ladder, const struct ladder_model
     const bool ok =
         add_text(object, "name", model->refraction->refraction.name) &&
         add_number(object, "flip", e->flip) && add_number(object, "mae", e->mae) &&
+        add_number(object, "mae_unclipped", e->mae_unclipped) &&
         add_number(object, "rmse", e->rmse) && add_classes(object, ladder, e) &&
         add_number(object, "angle", e->angle) && add_number(object, "angle_95", e->angle_95) &&
         add_number(object, "tir", e->tir_differs) && add_number(object, "truth", e->truth) &&

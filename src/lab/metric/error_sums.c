@@ -19,7 +19,8 @@ void difference_add(struct difference *difference, const float *reference, const
             continue;
         }
         const double square = (t - r) * (t - r);
-        difference->absolutes += fabs(clip(t) - clip(r));
+        difference->clipped_absolutes += fabs(clip(t) - clip(r));
+        difference->absolutes += fabs(t - r);
         difference->squares += square;
         difference->relative_squares += square / (r * r + 0.01);
         difference->largest = fmax(difference->largest, fabs(t - r));
@@ -33,6 +34,12 @@ double difference_rmse(const struct difference *difference)
 }
 
 double difference_mae(const struct difference *difference)
+{
+    return difference->count ? difference->clipped_absolutes / (double)difference->count
+                             : (double)NAN;
+}
+
+double difference_mae_unclipped(const struct difference *difference)
 {
     return difference->count ? difference->absolutes / (double)difference->count : (double)NAN;
 }

@@ -8,7 +8,8 @@
 
 /* Error sums over all planes added so far. Initialise them with {0}. */
 struct difference {
-    double absolutes; /* of values clamped to 0..1 */
+    double clipped_absolutes; /* of values clamped to 0..1 */
+    double absolutes;
     double squares, relative_squares;
     double largest;      /* maximum of |test - reference| */
     uint64_t count;      /* pairs of values in the sums */
@@ -22,8 +23,11 @@ void difference_add(struct difference *difference, const float *reference, const
 /* Returns the root mean square error, or NaN if no values were added. */
 double difference_rmse(const struct difference *difference);
 
-/* Returns the MAE: the mean of |test - reference|, where both are first clamped to 0..1. */
+/* Returns the clipped MAE: the mean of |test - reference|, where both are first clamped to 0..1. */
 double difference_mae(const struct difference *difference);
+
+/* Returns the unclipped MAE: the mean of |test - reference|. */
+double difference_mae_unclipped(const struct difference *difference);
 
 /* Returns relMSE: the mean of (test - reference)^2 / (reference^2 + 0.01). */
 double difference_relmse(const struct difference *difference);

@@ -20,6 +20,7 @@
 #include "src/lab/reference/whitted.h"
 #include "src/render/frame/frame_uniforms.h"
 #include "src/render/sample_accumulation.h"
+#include "src/render/weighted_mean.h"
 #include "src/scene/environment/image_based_lighting.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/lighting/ice_caustics.h"
@@ -47,6 +48,12 @@ struct plane {
     bool mean;          /* mean of samples, or sample 0 */
 };
 
+/* Planes of the weighted mean for display, and their sums. */
+struct display {
+    float *texels[4]; /* NULL if the mean is not weighted */
+    uint32_t rgb_sums[3], alpha_sum, weight_sum;
+};
+
 /* Statistics of a tile's pixels. */
 struct tally {
     double error; /* sum of the pixels' standard errors */
@@ -69,6 +76,7 @@ struct job {
     struct pool_scene pool_scene;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
+    struct display display;
     struct reference_session *session;
     struct reference_sums sums;
     uint32_t begin, end; /* sample range of the current round */
@@ -136,6 +144,17 @@ static void write_first(const struct job *job, size_t pixel,
     }
 }
 
+/* Writes a pixel of the weighted mean. */
+static void write_display(const struct job *job, size_t pixel, const double *sums)
+{
+    const struct display *display = &job->display;
+    const double alpha = sums[display->alpha_sum];
+    const double factor = weighted_mean_factor(alpha, sums[display->weight_sum], job->end);
+    for (uint32_t c = 0; c < 3; c++)
+        display->texels[c][pixel] = (float)(sums[display->rgb_sums[c]] * factor);
+    display->texels[3][pixel] = (float)(alpha / job->end);
+}
+
 static void write_means(const struct job *job, size_t pixel, const double *sums,
                         struct tally *tally)
 {
@@ -148,6 +167,8 @@ static void write_means(const struct job *job, size_t pixel, const double *sums,
                                                ? error
                                                : sums[plane->sum_index] / job->end);
     }
+    if (job->display.texels[0])
+        write_display(job, pixel, sums);
     tally->error += error;
     tally->remaining = fmax(tally->remaining, remaining);
     tally->pixels_beyond += remaining > REFERENCE_REMAINING_MAX;
@@ -208,11 +229,16 @@ static bool report_tiles(void *user, uint32_t done)
     return goes_on;
 }
 
+/* Returns true if sums are saved or loaded. A later run may then add PNG files. */
+static bool keeps_sums(const struct job *job)
+{
+    return job->session->load || job->session->save;
+}
+
 static bool has_rounds(const struct job *job)
 {
     const struct reference_request *request = &job->reference->request;
-    const struct reference_session *session = job->session;
-    return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->save;
+    return request->noise > 0.0 || request->seconds > 0.0 || keeps_sums(job);
 }
 
 /* Returns the sample count after the round that starts with `samples` samples. */
@@ -302,15 +328,44 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
     return true;
 }
 
+/* Adds the sums of the weighted mean. */
+static void add_display_sums(struct job *job)
+{
+    struct display *display = &job->display;
+    for (uint32_t c = 0; c < 3; c++)
+        display->rgb_sums[c] = reference_sums_add_value(&job->sums, REFERENCE_SUM_DISPLAY + c);
+    display->alpha_sum = reference_sums_add_value(&job->sums, (uint32_t)reference_layers_find("A"));
+    display->weight_sum = reference_sums_add_value(&job->sums, REFERENCE_SUM_WEIGHT);
+}
+
+/* Adds the planes of the weighted mean. Returns false when out of memory. */
+static bool add_display(struct job *job, struct image *image)
+{
+    const bool done = accumulate_add_planes(image, &frame_beauty);
+    for (uint32_t c = 0; c < 4 && done; c++)
+        job->display.texels[c] = image_find(image, frame_beauty.planes[c]);
+    return done;
+}
+
 /* Allocates the image's planes, sums and tile statistics. Returns false when out of memory. */
-static bool add_layers(struct job *job, struct image *image)
+static bool add_layers(struct job *job, struct render_result *result)
 {
     const struct reference_request *request = &job->reference->request;
+    const bool is_shown = request->display || request->resolved;
+    const float scale = weighted_mean_scale(request->settings);
+    const bool is_weighted = is_shown && request->samples > 1 && scale > 0.0f;
+    struct image *image = &result->image;
     bool done = true;
     image_init(image, request->width, request->height);
+    image_init(&result->display, request->width, request->height);
     reference_sums_init(&job->sums, request->width, request->height);
-    if (request->linear || request->display)
-        done = add_layer(job, image, &frame_beauty);
+    job->sums.weight_scale = scale;
+    if (scale > 0.0f && (is_weighted || keeps_sums(job)))
+        add_display_sums(job);
+    if (is_weighted)
+        done = add_display(job, &result->display);
+    if (request->linear || (is_shown && !is_weighted))
+        done = done && add_layer(job, image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
         if (request->layers & 1u << i && reference_has_layer(techniques_layer(i)))
             done = done && add_layer(job, image, techniques_layer(i));
@@ -486,11 +541,11 @@ enum status reference_continue(struct reference *r, const struct renderer_shot *
         job->progress = progress;
         job->user = user;
     }
-    bool has_memory = job && add_layers(job, &result->image);
+    bool has_memory = job && add_layers(job, result);
     if (has_memory)
         status = trace(job, shot);
     if (status == STATUS_OK && r->request.display) {
-        result->rgba = make_display(job, &result->image);
+        result->rgba = make_display(job, render_result_display(result));
         has_memory = result->rgba != NULL;
     }
     if (!has_memory) {

@@ -35,6 +35,7 @@ struct reference_request {
     uint32_t layers;  /* bit i requests techniques_layer(i) */
     bool linear;      /* return linear radiance in render_result.image */
     bool display;     /* return tone-mapped image in render_result.rgba */
+    bool resolved;    /* return the mean for display: render_result_display() */
     uint32_t threads; /* 0 for one per core */
     uint64_t memory;  /* triangle memory limit; 0 for RAM */
 };

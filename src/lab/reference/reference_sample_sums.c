@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/render/weighted_mean.h"
 
 /* Indices of the per-pixel sums that are always accumulated. */
 enum {
@@ -53,9 +54,14 @@ bool reference_sums_allocate(struct reference_sums *sums)
 void reference_sums_add(const struct reference_sums *sums, double *pixel,
                         const struct reference_ray_values *seen)
 {
-    float values[REFERENCE_RAY_VALUE_COUNT];
+    float values[REFERENCE_VALUE_COUNT];
     double brightness = 0.0;
-    memcpy(values, seen, sizeof(values));
+    memcpy(values, seen, sizeof(*seen));
+    const float rgba[4] = { seen->color.x, seen->color.y, seen->color.z, seen->alpha };
+    const float weight = weighted_mean_weight(rgba, sums->weight_scale);
+    for (uint32_t c = 0; c < 3; c++)
+        values[REFERENCE_SUM_DISPLAY + c] = weight * rgba[c];
+    values[REFERENCE_SUM_WEIGHT] = weight * rgba[3];
     for (int c = 0; c < 3; c++)
         brightness += fmin(fmax((double)seen->color.raw[c], 0.0), 1.0) / 3.0;
     pixel[BRIGHTNESS] += brightness;
@@ -101,9 +107,16 @@ void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane
         return;
     }
     const uint32_t value = sums->values[sum];
-    const char *of = value == REFERENCE_SUM_BRIGHTNESS ? "brightness"
-                     : value == REFERENCE_SUM_SQUARE   ? "square"
-                                                       : reference_layers_plane(value);
+    static const char *const names[] = {
+        [REFERENCE_SUM_BRIGHTNESS - REFERENCE_RAY_VALUE_COUNT] = "brightness",
+        [REFERENCE_SUM_SQUARE - REFERENCE_RAY_VALUE_COUNT] = "square",
+        [REFERENCE_SUM_DISPLAY - REFERENCE_RAY_VALUE_COUNT] = "display.R",
+        "display.G",
+        "display.B",
+        "display.weight",
+    };
+    const char *of = value < REFERENCE_RAY_VALUE_COUNT ? reference_layers_plane(value)
+                                                       : names[value - REFERENCE_RAY_VALUE_COUNT];
     snprintf(name, IMAGE_NAME_SIZE, "%s.sum.%u", of, plane % PLANES_PER_SUM);
 }
 

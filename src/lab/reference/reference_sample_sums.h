@@ -20,6 +20,8 @@
 enum {
     REFERENCE_SUM_BRIGHTNESS = REFERENCE_RAY_VALUE_COUNT, /* first index after ray values */
     REFERENCE_SUM_SQUARE,                                 /* sum of squared brightness */
+    REFERENCE_SUM_DISPLAY,                                /* weighted R, G, B: weighted_mean.h */
+    REFERENCE_SUM_WEIGHT = REFERENCE_SUM_DISPLAY + 3,     /* weight times alpha */
     REFERENCE_VALUE_COUNT,
 };
 
@@ -36,6 +38,7 @@ struct reference_sums {
     uint32_t first_count; /* number of values of sample 0 */
     uint32_t first_values[REFERENCE_RAY_VALUE_COUNT];
     float *firsts[REFERENCE_RAY_VALUE_COUNT]; /* planes of first_values; borrowed */
+    float weight_scale;                       /* weighted_mean_scale() */
 };
 
 /* Initialises the list of sums: brightness, squared brightness, throughput of terminated rays. */

@@ -40,6 +40,7 @@ struct model_import {
     uint32_t clamped_materials;           /* number of materials with clamped colours */
     uint32_t clamped_vertices;
     uint32_t collapsed_triangles; /* degenerate triangles of far shapes */
+    uint32_t doubled_triangles;   /* dropped by model_drop_doubled_faces() */
     struct shell_counts shells;   /* numbers of changed shells */
     char missing_file[256];       /* first missing referenced file, else "" */
 };
@@ -184,6 +185,10 @@ MUST_USE enum status model_build_add_object(struct model_build *build, const str
 
 /* Adds one object for the whole file, with the material MATERIAL_FROM_SETTINGS. */
 MUST_USE enum status model_build_default_object(struct model_build *build);
+
+/* Keeps one of each pair of faces of opposite winding in objects that consist of such pairs, and
+ * adds the number of the others to *dropped. Returns false when out of memory. */
+MUST_USE bool model_drop_doubled_faces(struct model *model, uint32_t *dropped);
 
 /* Joins objects that close together, and orients their shells. Needs the model's materials. */
 MUST_USE enum status model_build_close_objects(struct model_build *build);

@@ -10,13 +10,14 @@
  * together are one object; a file without materials has a single object. Points and lines are left
  * out; polygons are triangulated; identical vertices are welded.
  *
- * Normals are taken from the file; smooth normals are computed where they are missing. Vertex
- * colours, base colours and base colour textures become mesh_vertex.color, .uv and .material.
- * KHR_materials_unlit sets MESH_UNLIT, and so do vertex colours without normals or materials in
- * .obj and .ply files; glTF's alphaMode MASK sets MESH_CUTOUT. Vertex colours and Kd of .mtl files
- * are taken as linear, texture colours as sRGB. Colours are clamped to 0 to 1, and unlit vertex
- * colours, which are radiances, to 0 to 65504, with a warning. KHR_texture_transform is applied to
- * .uv. Warnings list the features of a glTF file that are not drawn and its unsupported extensions.
+ * Normals are taken from the file. Where they are missing, flat normals are computed for glTF
+ * primitives, and smooth normals otherwise. Vertex colours, base colours and base colour textures
+ * become mesh_vertex.color, .uv and .material. KHR_materials_unlit sets MESH_UNLIT, and so do
+ * vertex colours without normals or materials in .obj and .ply files; glTF's alphaMode MASK sets
+ * MESH_CUTOUT. Vertex colours and Kd of .mtl files are taken as linear, texture colours as sRGB.
+ * Colours are clamped to 0 to 1, and unlit vertex colours, which are radiances, to 0 to 65504, with
+ * a warning. KHR_texture_transform is applied to .uv. Warnings list the features of a glTF file
+ * that are not drawn and its unsupported extensions.
  * Files that a model refers to must be within its folder. sandboxed_load.h reads untrusted models.
  *
  * The extras of a glTF node may define a box, { "firn": { "box": [[x,y,z],[x,y,z]] } }, minimum

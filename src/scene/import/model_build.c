@@ -340,6 +340,8 @@ enum status model_build_default_object(struct model_build *build)
 enum status model_build_end(struct model_build *build)
 {
     struct model *model = build->model;
+    if (!model_drop_doubled_faces(model, &build->import->doubled_triangles))
+        return log_out_of_memory(build->import->path);
     const enum status status = model_build_close_objects(build);
     if (status != STATUS_OK)
         return status;
@@ -373,6 +375,10 @@ bool model_color_clamp(vec3s *color, bool is_unlit)
 void model_build_warn(const struct model_import *import)
 {
     const struct shell_counts *shells = &import->shells;
+    if (import->doubled_triangles > 0)
+        log_note("%s: faces of refractive objects that occur again with the opposite winding, and "
+                 "were left out: %u",
+                 import->path, import->doubled_triangles);
     if (shells->flipped > 0)
         log_note("%s: shells that are wound inside out, and were flipped: %u", import->path,
                  shells->flipped);

@@ -93,6 +93,7 @@ static void record_planes(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const char *const models[] = {
     [AIR_PLANES] = "planes",
     [AIR_MEDIUM] = "medium",
+    [AIR_EVEN] = "even",
     NULL,
 };
 
@@ -150,11 +151,13 @@ static const struct setting rows[] = {
     {
         SETTING_FIELD("air.model", CHOICE, struct air_params, model),
         .label = "Model of the air",
-        .max = AIR_MEDIUM,
+        .max = AIR_EVEN,
         .choices = models,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "model of enclosed air: textured planes, or a scattering medium (refraction models "
-                "bounce, one-sided, trace and reference)",
+        .help =
+            "model of enclosed air: textured planes, a scattering medium that is densest in the "
+            "core, or one of even density such as milk (media: refraction models bounce, "
+            "one-sided, trace and reference)",
     },
     {
         SETTING_FIELD("air.density", FLOAT, struct air_params, density),
@@ -162,7 +165,7 @@ static const struct setting rows[] = {
         .initial = 4,
         .max = 1000,
         .help = "optical depth across the object's width at the maximum density, with "
-                "air.model=medium",
+                "air.model=medium or even",
     },
     {
         SETTING_FIELD("air.media", FLOAT, struct air_params, scattering_media),
@@ -202,7 +205,7 @@ static bool is_on(const struct settings *settings)
 bool air_is_medium(const struct settings *settings)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
-    return is_on(settings) && params->model == AIR_MEDIUM;
+    return is_on(settings) && params->model != AIR_PLANES;
 }
 
 static const struct mesh *find_planes(const struct scene *scene)

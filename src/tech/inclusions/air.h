@@ -26,7 +26,8 @@ extern const struct setting_group air_settings;
 
 enum air_model {
     AIR_PLANES, /* textured planes */
-    AIR_MEDIUM, /* for refraction models with media */
+    AIR_MEDIUM, /* scattering medium, densest in the core; for refraction models with media */
+    AIR_EVEN,   /* scattering medium of even density */
 };
 
 struct air_params {

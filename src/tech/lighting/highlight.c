@@ -6,14 +6,20 @@
  * cosine between the normal and the half vector. The refraction models compute the highlights,
  * because they have the bump-mapped normal; composite.c adds them to the image.
  *
- * Error: a highlight has equal radiance and size for all directions of its light, where Fresnel's
- * equations make a grazing one up to 56 times as bright. The lights are invisible and light nothing
- * else.
+ * A highlight stands for the mirror image of a round lamp: its peak radiance is the lamp's times
+ * the exact Fresnel reflectance at the half vector (highlight.fresnel), so that the ice reflects no
+ * more light than it gets. The default exponent 900 has the width of a lamp 9 degrees across.
+ *
+ * Error: a highlight has equal size for all directions of its light. The lights are invisible and
+ * light nothing else.
  */
 #include "src/tech/lighting/highlight.h"
 #include "shaders/lighting/highlight.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
+
+/* Reflectance of ice and water at normal incidence, used without the Fresnel factor. */
+static const float normal_reflectance = 0.02f;
 
 const struct rg_image highlight_radiance = {
     .name = "highlight.radiance",
@@ -25,10 +31,10 @@ static const struct setting rows[] = {
         SETTING_FIELD("highlight.strength", FLOAT, struct highlight_params, strength),
         .renamed_from = "surface.strength",
         .label = "Highlight",
-        .initial = 6,
-        .max = 100,
+        .initial = 300,
+        .max = 1e5,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "brightness of the lights' highlights on the ice (0 for none)",
+        .help = "radiance of the lights that highlights on the ice reflect (0 for none)",
     },
     {
         SETTING_FIELD("highlight.shininess", FLOAT, struct highlight_params, shininess),
@@ -39,6 +45,13 @@ static const struct setting rows[] = {
         .max = 1e5,
         .help =
             "Blinn-Phong exponent of the highlights on the ice; a larger one makes them smaller",
+    },
+    {
+        SETTING_FIELD("highlight.fresnel", SWITCH, struct highlight_params, fresnel),
+        .label = "Fresnel highlights",
+        .initial = 1,
+        .max = 1,
+        .help = "reflectance of highlights by Fresnel's equations; off: 0.02 at all angles",
     },
 };
 
@@ -55,6 +68,8 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct highlight_params *params = settings_of(view->settings, &highlight_settings);
     g->highlight = *params;
+    if (!params->fresnel)
+        g->highlight.strength *= normal_reflectance;
 }
 
 const struct technique highlight = {

@@ -38,6 +38,10 @@ static const char *const curves[] = {
     [TONEMAP_ACES] = "aces",       [TONEMAP_HABLE] = "hable", NULL,
 };
 
+static const char *const resolves[] = {
+    [TONEMAP_RESOLVE_WEIGHTED] = "weighted", [TONEMAP_RESOLVE_LINEAR] = "linear", NULL
+};
+
 static const struct setting rows[] = {
     {
         SETTING_FIELD("tonemap.exposure", FLOAT, struct tonemap_values, exposure),
@@ -61,6 +65,14 @@ static const struct setting rows[] = {
         .label = "Dither 8-bit images",
         .max = 1,
         .help = "dither 8-bit PNG files with noise of one step, which hides banding",
+    },
+    {
+        SETTING_FIELD("tonemap.resolve", CHOICE, struct tonemap_values, resolve),
+        .label = "Sample mean",
+        .max = TONEMAP_RESOLVE_LINEAR,
+        .choices = resolves,
+        .help = "mean of a pixel's samples in PNG files and windows: weighted (by 1/(1+luminance), "
+                "which antialiases edges of highlights) or linear; EXR files are always linear",
     },
 };
 

@@ -4,10 +4,16 @@
 #include "shaders/output/tonemap.h"
 #include "src/tech/technique.h"
 
+enum tonemap_resolve {
+    TONEMAP_RESOLVE_WEIGHTED, /* bright samples have smaller weights */
+    TONEMAP_RESOLVE_LINEAR,   /* mean of linear radiance, as in EXR files */
+};
+
 struct tonemap_values {
-    float exposure;  /* stops */
-    uint32_t curve;  /* TONEMAP_NEUTRAL, ... */
-    uint32_t dither; /* 1: dither 8-bit PNG files */
+    float exposure;   /* stops */
+    uint32_t curve;   /* TONEMAP_NEUTRAL, ... */
+    uint32_t dither;  /* 1: dither 8-bit PNG files */
+    uint32_t resolve; /* TONEMAP_RESOLVE_WEIGHTED, ... */
 };
 
 extern const struct setting_group tonemap_settings;

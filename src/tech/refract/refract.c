@@ -232,6 +232,15 @@ static const struct setting rows[] = {
         .help = "dispersion of the object as 20 / Abbe number; ice has 0.376",
     },
     {
+        SETTING_FIELD("refract.roughness", FLOAT, struct refract_params, roughness),
+        .label = "Roughness",
+        .max = 1,
+        .switches = SETTING_AFFECTS_PLAN,
+        .help = "roughness of the object's surface (0: smooth, or that of the file's material); "
+                "--material NAME:rough sets 0.2, NAME:frosted 0.5 (refraction models trace and "
+                "reference)",
+    },
+    {
         SETTING_FIELD("refract.fresnel", CHOICE, struct refract_params, fresnel),
         .label = "Reflectance model",
         .initial = REFRACT_FRESNEL_AUTO,

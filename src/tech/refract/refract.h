@@ -38,6 +38,7 @@ struct refract_params {
     float ior;        /* of the object, for green */
     float outside;    /* outside: refractive index around the objects */
     float dispersion; /* dispersion: 20 / Abbe number, or 0 for none */
+    float roughness;  /* roughness of the surface, the square root of GGX alpha; 0 if smooth */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
     uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */

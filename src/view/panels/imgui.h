@@ -49,7 +49,7 @@ enum imgui_key {
 enum {
     IMGUI_BUTTON_COUNT = 3,     /* left, right, middle mouse button */
     IMGUI_CHARACTER_COUNT = 16, /* maximum typed characters per frame */
-    IMGUI_THUMBNAIL_MAX = 64,
+    IMGUI_THUMBNAIL_MAX = 96,
 };
 
 /* State of the input devices at the start of a frame. */

@@ -8,7 +8,7 @@
 #include "src/file/srgb.h"
 #include "src/lab/ladder/sheet_grid.h"
 #include "src/scene/bundled_assets.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/tech/techniques.h"
 
 enum {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/render/frame/pass_list.h"
-#include "src/scene/material.h"
 #include "src/scene/scene.h"
+#include "src/setup/setup_material.h"
 #include "src/tech/refract/refract.h"
 #include "src/view/panels/ui_internal.h"
 #include "src/view/panels/ui_settings.h"
@@ -13,7 +13,7 @@
 #include "src/view/session/xdg_folders.h"
 
 enum {
-    ENTRIES_MAX = 400,
+    ENTRIES_MAX = 480,
     SHOWN_MAX = 12, /* visible rows */
     LABEL_SIZE = 96,
 };
@@ -52,6 +52,7 @@ struct palette {
     const struct entry *order[ENTRIES_MAX]; /* entries sorted by rank */
     uint32_t count;
     const char *query;
+    float absorption_scale; /* factor on absorption coefficients of material presets */
 };
 
 static enum rank rank_of(const struct palette *p, const struct entry *e)
@@ -164,16 +165,17 @@ static void collect(struct palette *p)
     sort(p);
 }
 
-static void choose(struct ui *ui, const struct entry *e, struct ui_request *request)
+static void choose(struct ui *ui, const struct palette *p, const struct entry *e,
+                   struct ui_request *request)
 {
     switch (e->kind) {
     case ENTRY_ACTION:
         request->action = (enum view_action)e->index;
         break;
     case ENTRY_MATERIAL:
-        settings_set_value(&request->settings,
-                           settings_row(&refract_settings, offsetof(struct refract_params, ior)),
-                           (double)material_presets[e->index].ior);
+        setup_set_material(&request->settings,
+                           &(struct material_choice){ .preset = &material_presets[e->index] },
+                           p->absorption_scale);
         request->changed = true;
         break;
     case ENTRY_OPEN:
@@ -204,7 +206,7 @@ static void rows(struct ui *ui, const struct palette *p, struct ui_request *requ
         const struct entry *e = p->order[i];
         imgui_id_begin(e);
         if (imgui_selectable(e->label, i == ui->palette_row))
-            choose(ui, e, request);
+            choose(ui, p, e, request);
         if (e->row)
             imgui_tooltip(e->row->help);
         if (e->key) {
@@ -232,6 +234,8 @@ void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_req
     if (!p)
         return;
     p->query = ui->palette_query;
+    p->absorption_scale =
+        setup_absorption_scale(view->viewport->state.scene.name, &view->viewport->scene);
     imgui_panel_begin(ui->imgui, "palette", area, IMGUI_POPUP);
     if (ui->focus_palette)
         imgui_next_focus();
@@ -244,7 +248,7 @@ void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_req
     /* Enter waits until the search has used all queued text */
     const bool entered = ui->palette_entered && !ui->focus_wait_frames && !ui->input.event_count;
     if (entered && ui->palette_row < p->count)
-        choose(ui, p->order[ui->palette_row], request);
+        choose(ui, p, p->order[ui->palette_row], request);
     else
         rows(ui, p, request);
     imgui_panel_end();

@@ -2,6 +2,7 @@
 #ifndef FIRN_VIEW_PANELS_UI_INTERNAL_H
 #define FIRN_VIEW_PANELS_UI_INTERNAL_H
 
+#include "src/scene/material_presets.h"
 #include "src/view/panels/ui.h"
 #include "src/view/panels/ui_input_queue.h"
 #include "src/view/panels/ui_pass_times.h"
@@ -32,6 +33,8 @@ struct ui {
     char palette_query[64];
     enum ui_tab tab;
     bool open[UI_GROUP_COUNT], shows_all[UI_GROUP_COUNT]; /* per group: open, all rows shown */
+    uint32_t material_kind;                               /* kind of the material presets shown */
+    const struct material_preset *last_material; /* preset of the last frame; NULL for none */
     const struct theme *theme;
     const struct ui_thumbnails *thumbnails;
     bool focus_panel, focus_search;    /* focus requests for the next frame */

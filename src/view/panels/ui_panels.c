@@ -4,15 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/render/frame/pass_list.h"
-#include "src/scene/material.h"
 #include "src/settings/quality.h"
+#include "src/setup/setup_material.h"
 #include "src/tech/refract/refract.h"
+#include "src/tech/trace/refract_trace.h"
 #include "src/view/panels/ui_internal.h"
 #include "src/view/panels/ui_pixel_inspector.h"
 #include "src/view/panels/ui_settings.h"
 
 enum {
-    MATERIAL_MAX = 16, /* maximum entries of each list */
+    MATERIAL_MAX = 96, /* maximum number of material presets */
     ENVIRONMENT_MAX = 8,
     REFRACTION_MAX = 32,
     OTHER_COUNT = 3, /* side-B choices besides the refraction models */
@@ -133,40 +134,93 @@ static void refraction_lists(const struct ui *ui, const struct ui_view *view,
     list_side_b(view, request, names, count + 1);
 }
 
-/* Draws buttons for material presets. The preset with the current refractive index is selected. */
-static void material_buttons(const struct ui *ui, const struct ui_view *view,
-                             struct ui_request *request)
+/* Returns the factor on absorption coefficients of presets for the scene shown. */
+static float absorption_scale(const struct ui_view *view)
 {
-    const struct setting *ior =
-        settings_row(&refract_settings, offsetof(struct refract_params, ior));
-    const double is = settings_get(&request->settings, ior);
-    const char *names[MATERIAL_MAX];
-    const char *tips[MATERIAL_MAX];
-    uint32_t count = 0;
-    uint32_t chosen = UINT32_MAX;
-    for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
-        const double difference = (double)material_presets[count].ior - is;
-        names[count] = material_presets[count].name;
-        tips[count] = material_presets[count].help;
-        if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
-            chosen = count;
+    return setup_absorption_scale(view->viewport->state.scene.name, &view->viewport->scene);
+}
+
+/* Sets a preset and a finish. A rough finish selects refraction model `trace`, which draws it. */
+static void choose_material(const struct ui_view *view, struct ui_request *request,
+                            const struct material_choice *choice)
+{
+    setup_set_material(&request->settings, choice, absorption_scale(view));
+    if (choice->finish && !request->refraction->refraction.traces_bvh)
+        request->refraction = &refract_trace;
+    request->changed = true;
+}
+
+/* Returns the finish with the current roughness; NULL for any other. */
+static const struct material_finish *find_finish(const struct ui_request *request)
+{
+    const struct refract_params *refract = settings_of(&request->settings, &refract_settings);
+    for (const struct material_finish *f = material_finishes; f->name; f++) {
+        if (fabsf(f->roughness - refract->roughness) < 1e-4f)
+            return f;
+    }
+    return NULL;
+}
+
+/* Draws the choice of a kind of material, which follows the current preset. */
+static void kind_list(struct ui *ui, const struct material_preset *is)
+{
+    if (is && is != ui->last_material)
+        ui->material_kind = is->kind;
+    ui->last_material = is;
+    ui_named_list("Kind", material_kind_names, MATERIAL_KIND_COUNT, &ui->material_kind,
+                  "kind of the materials shown below");
+}
+
+/* Draws the choice of a smooth, rough or frosted surface. */
+static void finish_buttons(const struct ui_view *view, struct ui_request *request,
+                           const struct material_preset *is)
+{
+    const char *names[] = { "smooth", material_finishes[0].name, material_finishes[1].name };
+    const struct material_finish *finish = find_finish(request);
+    uint32_t chosen = finish ? 1 + (uint32_t)(finish - material_finishes) : 0;
+    if (!is || !ui_named_buttons("Surface", names, 3, &chosen,
+                                 "finish of the surface; rough ones need refraction model trace"))
+        return;
+    choose_material(
+        view, request,
+        &(struct material_choice){ is, chosen ? &material_finishes[chosen - 1] : NULL });
+}
+
+/* Draws buttons for the material presets of one kind. */
+static void material_buttons(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    const struct material_preset *is =
+        setup_find_material(&request->settings, absorption_scale(view));
+    const uint32_t *all = thumbnails_if_high(ui, view, ui->thumbnails->materials);
+    const struct material_preset *shown[MATERIAL_MAX];
+    const char *names[MATERIAL_MAX], *tips[MATERIAL_MAX];
+    uint32_t thumbnails[MATERIAL_MAX], count = 0, chosen = UINT32_MAX;
+    kind_list(ui, is);
+    for (const struct material_preset *m = material_presets; m->name && count < MATERIAL_MAX; m++) {
+        if (m->kind != ui->material_kind)
+            continue;
+        chosen = m == is ? count : chosen;
+        thumbnails[count] = all ? all[m - material_presets] : UI_THUMBNAIL_NONE;
+        names[count] = m->name;
+        tips[count] = m->help;
+        shown[count++] = m;
     }
     const struct ui_gallery gallery = {
         .name = "Material preset",
         .heading = "Material",
         .names = names,
         .tooltips = tips,
-        .thumbnails = thumbnails_if_high(ui, view, ui->thumbnails->materials),
+        .thumbnails = all ? thumbnails : NULL,
         .count = count,
     };
-    if (ui_gallery(&gallery, &chosen)) {
-        settings_set_value(&request->settings, ior, (double)material_presets[chosen].ior);
-        request->changed = true;
-    }
+    if (ui_gallery(&gallery, &chosen))
+        choose_material(view, request,
+                        &(struct material_choice){ shown[chosen], find_finish(request) });
+    finish_buttons(view, request, is);
 }
 
 /* Draws a group's lists of presets, environments and refraction models. */
-static void lists(const struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
+static void lists(struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
                   struct ui_request *request)
 {
     if (group == UI_MATERIAL)

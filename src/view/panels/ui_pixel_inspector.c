@@ -2,8 +2,7 @@
 #include "src/view/panels/ui_pixel_inspector.h"
 #include <math.h>
 #include <stdio.h>
-#include "src/scene/material.h"
-#include "src/tech/refract/refract.h"
+#include "src/setup/setup_material.h"
 #include "src/view/panels/ui_internal.h"
 
 enum {
@@ -139,15 +138,12 @@ static void line(const char *name, const float *values, uint32_t count, const ch
 static const char *material_of(const struct viewport *p, uint32_t object)
 {
     const struct model *model = &p->scene.model;
-    const struct refract_params *refract = settings_of(&p->state.scene.settings, &refract_settings);
     const uint32_t count = model->object_count ? model->object_count : 1;
     if (object > count || (count > 1 && p->scene.tables.materials))
         return NULL; /* several objects may have different materials */
-    for (const struct material_preset *m = material_presets; m->name; m++) {
-        if (!(m->ior < refract->ior || m->ior > refract->ior))
-            return m->name;
-    }
-    return NULL;
+    const struct material_preset *preset = setup_find_material(
+        &p->state.scene.settings, setup_absorption_scale(p->state.scene.name, &p->scene));
+    return preset ? preset->name : NULL;
 }
 
 static void values(const struct ui_view *view, const struct pixel_inspector_values *v, uint32_t x,

@@ -6,7 +6,7 @@
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
 #include "src/render/frame/pass_list.h"
-#include "src/scene/material.h"
+#include "src/scene/material_presets.h"
 #include "src/scene/scene.h"
 #include "src/scene/world_position.h"
 #include "src/tech/refract/refract.h"
@@ -132,9 +132,11 @@ static void print_ior(FILE *out, const struct ui_render_command *c)
     const char *material = c->image->scene.material;
     const double ior = settings_get(&c->image->scene.settings, row);
     double own = model->has_ior ? (double)model->ior : settings_get(&defaults, row);
-    if (material && !scene_find_builtin(c->image->scene.name)) {
+    struct material_choice choice;
+    if (material && !scene_find_builtin(c->image->scene.name) &&
+        material_choice_parse(&choice, material, strlen(material))) {
         print_name(out, "material", material);
-        own = (double)material_preset_find(material)->ior;
+        own = (double)choice.preset->ior;
     }
     if (differ(ior, own))
         print_setting(out, &c->image->scene.settings, row);

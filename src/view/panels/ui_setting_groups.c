@@ -30,6 +30,7 @@ static const struct {
     { UI_MATERIAL, "highlight.strength" },
     { UI_MATERIAL, "highlight.shininess" },
     { UI_MATERIAL, "bump.strength" },
+    { UI_MATERIAL, "refract.roughness" },
     { UI_MATERIAL, "bump.scale" },
     { UI_MATERIAL, "bump.mask" },
     { UI_MATERIAL, "bump.mapping" },

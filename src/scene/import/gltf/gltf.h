@@ -259,6 +259,13 @@ MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *
                                      const struct gltf_primitive *primitive,
                                      struct gltf_primitive *posed);
 
+/* Gives each corner of a primitive a vertex of its own, so that triangles share no normals. Drops
+ * tangents. The indices must be in range. Returns false when out of memory. */
+MUST_USE bool gltf_split_corners(struct gltf_primitive *primitive);
+/* Returns the normals of the triangles whose corners are consecutive vertices, 3 numbers per
+ * vertex, freed by the caller; NULL when out of memory. */
+float *gltf_flat_normals(const float *positions, uint32_t vertex_count);
+
 MUST_USE enum status gltf_materials_read(struct gltf *gltf);
 /* Reads the texture references of a material. */
 void gltf_texture_info_read(const struct gltf_object *object, struct gltf_material *material);

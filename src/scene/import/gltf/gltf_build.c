@@ -249,6 +249,11 @@ static enum status visit_primitive(struct traversal *traversal, const struct glt
         if (is_skinned(node, primitive))
             relative = affine_identity();
     }
+    if (status == STATUS_OK && !shape.normals) {
+        posed.normals = gltf_flat_normals(shape.positions, shape.vertex_count);
+        shape.normals = posed.normals;
+        status = posed.normals ? STATUS_OK : log_out_of_memory(gltf->path);
+    }
     if (status == STATUS_OK && traversal->is_split && role == MODEL_OBJECT)
         status = add_object(traversal, node, primitive);
     if (status == STATUS_OK)
@@ -301,6 +306,19 @@ static enum status check_shapes(const struct gltf *gltf)
     return status;
 }
 
+/* Prepares primitives without normals, whose indices are in range, for flat shading. */
+static enum status split_flat_primitives(struct gltf *gltf)
+{
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count; k++) {
+            struct gltf_primitive *primitive = &gltf->meshes[i].primitives[k];
+            if (primitive->index_count > 0 && !primitive->normals && !gltf_split_corners(primitive))
+                return log_out_of_memory(gltf->path);
+        }
+    }
+    return STATUS_OK;
+}
+
 static enum status list_materials(struct traversal *traversal)
 {
     const struct gltf *gltf = traversal->gltf;
@@ -330,6 +348,8 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role d
     enum status status = find_names(&traversal);
     if (status == STATUS_OK)
         status = check_shapes(gltf);
+    if (status == STATUS_OK)
+        status = split_flat_primitives(gltf);
     if (status == STATUS_OK)
         status = walk_nodes(&traversal);
     if (status == STATUS_OK)

@@ -1,0 +1,50 @@
+/*
+ * weighted_mean.h: luminance-weighted mean of a pixel's samples, for PNG files and windows.
+ *
+ * A tone curve maps all radiance far above white to white. A linear mean before the curve therefore
+ * turns the edge of a highlight into a stair: one bright sample makes a whole pixel white. Bright
+ * samples get smaller weights, 1 / (1 + scale * luminance) (Karis 2014, High Quality Temporal
+ * Supersampling), so that the pixel is between both sides of the edge after the curve. The weighted
+ * mean is the linear mean where the samples of a pixel agree, and darker elsewhere.
+ *
+ * Alpha is not weighted, because it is the coverage of the pixel. The radiance of samples is
+ * premultiplied by alpha; its weights depend on the luminance without alpha.
+ */
+#ifndef FIRN_RENDER_WEIGHTED_MEAN_H
+#define FIRN_RENDER_WEIGHTED_MEAN_H
+
+#include "src/base/tile.h"
+#include "src/file/image.h"
+#include "src/render/frame/output_layers.h"
+#include "src/settings/settings.h"
+
+/* Layer of the unweighted sums of alpha in an image of weighted sums. */
+extern const struct frame_layer weighted_mean_alpha;
+
+/* Returns the scale of the weights: the gain of the exposure, so that they depend on displayed
+ * luminance. Returns 0, for equal weights, if the setting tonemap.resolve is `linear`. */
+float weighted_mean_scale(const struct settings *settings);
+
+/* Returns a sample's weight. `scale` is weighted_mean_scale(). */
+float weighted_mean_weight(const float rgba[static 4], float scale);
+
+/* Returns the factor from a sum of weighted radiance to the mean. `alpha` is the sum of alpha,
+ * `weight` that of weights times alpha. */
+double weighted_mean_factor(double alpha, double weight, uint32_t samples);
+
+/* Adds zero-filled planes for weighted sums of frame_beauty: R, G, B, A and the sum of weights.
+ * Returns false when out of memory. */
+bool weighted_mean_add_planes(struct image *sums);
+
+/* Adds one sample to a rectangle of the sums. `texels` are RGBA half floats without row padding. */
+void weighted_mean_add(struct image *sums, const struct tile *tile, const uint16_t *texels,
+                       float scale);
+
+/* Returns the mean of pixel `i` after `samples` samples. */
+void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples,
+                         float rgba[static 4]);
+
+/* Replaces the sums of all pixels by the means. */
+void weighted_mean_divide(struct image *sums, uint32_t samples);
+
+#endif

@@ -1,0 +1,88 @@
+/* Weighted means of samples antialias highlights. */
+#include "src/render/weighted_mean.h"
+
+#include "src/file/half_float.h"
+#include "src/tech/output/tonemap.h"
+#include "tests/support/assertions.h"
+
+static const struct tile pixel = { .width = 1, .height = 1 };
+
+/* The mean of grey samples with alphas of 1, or 0 where the grey is negative. */
+static void find_mean(const float *greys, uint32_t count, float scale, float rgba[4])
+{
+    struct image image;
+    image_init(&image, 1, 1);
+    assert_true(weighted_mean_add_planes(&image));
+    for (uint32_t i = 0; i < count; i++) {
+        const uint16_t grey = half_from_float(greys[i] < 0.0f ? 0.0f : greys[i]);
+        const uint16_t texels[4] = { grey, grey, grey, half_from_float(greys[i] < 0.0f ? 0 : 1) };
+        weighted_mean_add(&image, &pixel, texels, scale);
+    }
+    weighted_mean_pixel(&image, 0, count, rgba);
+    weighted_mean_divide(&image, count);
+    for (uint32_t c = 0; c < 4; c++)
+        CHECK_NEAR(image_find(&image, frame_beauty.planes[c])[0], rgba[c], 0.0);
+    image_finish(&image);
+}
+
+static float shown(const float *greys, uint32_t count, float scale)
+{
+    const struct tonemap_params params = { 1.0f, TONEMAP_NEUTRAL };
+    float rgba[4];
+    find_mean(greys, count, scale, rgba);
+    return tonemap_encode((vec3s){ { rgba[0], rgba[1], rgba[2] } }, params).x;
+}
+
+static void edges_of_highlights_are_grey(void **state)
+{
+    static const float edge[] = { 0.0f, 50.0f, 0.0f, 50.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+    (void)state;
+    assert_true(shown(&edge[2], 4, 0.0f) > 0.99f);
+    assert_true(shown(&edge[2], 4, 1.0f) > 0.4f && shown(&edge[2], 4, 1.0f) < 0.8f);
+    assert_true(shown(edge, 8, 1.0f) < 0.8f);
+}
+
+static void equal_samples_are_unchanged(void **state)
+{
+    static const float greys[] = { 3.0f, 3.0f, 3.0f };
+    float rgba[4];
+    (void)state;
+    find_mean(greys, 3, 1.0f, rgba);
+    CHECK_NEAR(rgba[1], 3.0f, 1e-6);
+    CHECK_NEAR(rgba[3], 1.0f, 0.0);
+}
+
+static void weights_depend_on_exposure(void **state)
+{
+    static const float greys[] = { 0.0f, 1.0f };
+    float rgba[4];
+    (void)state;
+    find_mean(greys, 2, 0.0f, rgba);
+    CHECK_NEAR(rgba[0], 0.5f, 0.0);
+    find_mean(greys, 2, 3.0f, rgba);
+    CHECK_NEAR(rgba[0], 0.2f, 1e-6);
+}
+
+static void alpha_is_coverage(void **state)
+{
+    static const float greys[] = { 9.0f, -1.0f, -1.0f, -1.0f }, none[] = { -1.0f, -1.0f };
+    float rgba[4];
+    (void)state;
+    find_mean(greys, 4, 1.0f, rgba);
+    CHECK_NEAR(rgba[3], 0.25f, 0.0);
+    CHECK_NEAR(rgba[0] / rgba[3], 9.0f, 1e-5);
+    find_mean(none, 2, 1.0f, rgba);
+    CHECK_NEAR(rgba[0], 0.0f, 0.0);
+    CHECK_NEAR(rgba[3], 0.0f, 0.0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(edges_of_highlights_are_grey),
+        cmocka_unit_test(equal_samples_are_unchanged),
+        cmocka_unit_test(weights_depend_on_exposure),
+        cmocka_unit_test(alpha_is_coverage),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
