@@ -1,4 +1,4 @@
-/* composite.frag: fragment shader that composites air, bubbles, cracks and highlights over the ice. */
+/* composite.frag: composites air, bubbles, cracks and highlights over the ice. */
 #version 460
 #include "lib/specialization_constants.glsl"
 #include "output/composite.h"

@@ -3,6 +3,10 @@
  *
  * A bubble covers a ray by the fraction of the ray's footprint that the bubble's outline overlaps,
  * so that outlines are antialiased and bubbles thinner than a pixel keep their projected area.
+ *
+ * The light that bubbles deflect is looked up in the environment along its refracted direction,
+ * without refraction at the surface, and blurred by the inverse of the bubble's radius in pixels,
+ * because a bubble shows all surroundings in its disc. `mean` is the surroundings' mean radiance.
  */
 #ifndef REFRACT_BUBBLES_GLSL
 #define REFRACT_BUBBLES_GLSL
@@ -12,6 +16,28 @@
 layout(set = 0, binding = REFRACT_BUBBLES, scalar) readonly buffer Bubbles
 {
     bubbles_node bubble_nodes[];
+};
+
+/* Maximum number of bubbles that attenuate a path between two faces. */
+const uint bubbles_hits_max = 4u;
+
+/* Radii between which a bubble changes from a part of the scattering medium to a refracting
+ * surface, in footprints. */
+const vec2 bubbles_medium_radii = vec2(0.7, 1.4);
+
+/* Radius of the blur of light that a bubble of the scattering medium deflects, about 40 degrees. */
+const float bubbles_medium_blur = 0.7;
+
+/* Henyey-Greenstein g of a bubble, averaged over its disc. */
+const float bubbles_g = 0.71;
+
+/* Segment of a path inside a medium. */
+struct bubbles_segment {
+    vec3 from, dir;
+    float t;     /* length */
+    float width; /* width of the ray's footprint, metres */
+    float eta;   /* relative index, medium to air */
+    vec3 absorb; /* absorption coefficients, 1 / metre */
 };
 
 struct bubbles_hit {
@@ -78,6 +104,93 @@ bubbles_hit bubbles_find(vec3 from, vec3 dir, float width, vec2 range)
         i = next;
     }
     return hit;
+}
+
+/* Returns the width of a pixel at a point. */
+float bubbles_pixel_width(vec3 point)
+{
+    mat4 m = refract_frame.clip_from_world;
+    float height = float(textureSize(shading, 0).y);
+    float w = (m * vec4(point, 1.0)).w;
+    return 2.0 * w / (height * length(vec3(m[0].y, m[1].y, m[2].y)));
+}
+
+/* Returns the environment's radiance from around `dir`, by four lookups at an angle whose tangent
+ * is `blur`. */
+vec3 bubbles_blurred(vec3 dir, float blur)
+{
+    vec3 right = normalize(cross(dir, abs(dir.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
+    vec3 up = cross(right, dir);
+    vec3 sum = textureLod(env_cube, dir + blur * right, 0.0).rgb;
+    sum += textureLod(env_cube, dir - blur * right, 0.0).rgb;
+    sum += textureLod(env_cube, dir + blur * up, 0.0).rgb;
+    sum += textureLod(env_cube, dir - blur * up, 0.0).rgb;
+    return 0.25 * sum;
+}
+
+/* Refraction of a path at a bubble. */
+struct bubbles_crossing {
+    vec3 n;           /* outward normal where the path enters */
+    vec3 transmitted; /* direction behind the bubble */
+    float reflectance;
+};
+
+/* Refracts a segment at a bubble. `t` is the distance to the closest approach. */
+bubbles_crossing bubbles_cross(bubbles_node node, bubbles_segment segment, float t)
+{
+    bool is_capsule = node.kind == BUBBLES_NODE_CAPSULE;
+    vec3 axis = node.axis, dir = segment.dir, from = segment.from - node.center;
+    vec2 at = bubble_intersect(from, dir, axis, node.stretch, node.radius, is_capsule);
+    bubbles_crossing crossed;
+    vec3 enter = from + (at.x <= at.y ? at.x : t) * dir; /* the closest point if it misses */
+    crossed.n = bubble_normal(enter, axis, node.stretch, node.radius, is_capsule);
+    float along = max(dot(crossed.n, dir), 0.0);
+    crossed.n = normalize(crossed.n - along * dir); /* the nearest normal that faces the ray */
+    crossed.reflectance = optics_fresnel(dir, crossed.n, segment.eta);
+    crossed.transmitted = dir;
+    if (crossed.reflectance < 1.0) {
+        vec3 inside = refract(dir, crossed.n, segment.eta);
+        vec2 through = bubble_intersect(enter, inside, axis, node.stretch, node.radius, is_capsule);
+        vec3 leave = enter + max(through.y, 0.0) * inside;
+        vec3 last = bubble_normal(leave, axis, node.stretch, node.radius, is_capsule);
+        crossed.transmitted = refract(inside, -last, 1.0 / segment.eta);
+    }
+    return crossed;
+}
+
+/* Returns the light that a bubble sends along a ray, looked up in the environment. `radius` is in
+ * footprints. */
+vec3 bubbles_light(bubbles_crossing crossed, vec3 dir, float radius)
+{
+    float sharp = smoothstep(bubbles_medium_radii.x, bubbles_medium_radii.y, radius);
+    float blur = min(1.0 / radius, bubbles_medium_blur);
+    vec3 light = vec3(0.0);
+    if (sharp > 0.0)
+        light = mix(bubbles_blurred(crossed.transmitted, blur),
+                    bubbles_blurred(reflect(dir, crossed.n), blur), crossed.reflectance);
+    if (sharp < 1.0)
+        light = mix(mix(mean, bubbles_blurred(dir, bubbles_medium_blur), bubbles_g), light, sharp);
+    return light;
+}
+
+/* Adds the light of the bubbles along a segment, weighted by `weight`, to `light`. Returns the
+ * fraction of the path's footprint that they do not cover. */
+float bubbles_gather(bubbles_segment segment, vec3 weight, inout vec3 light)
+{
+    float rest = 1.0, from_t = 0.0;
+    for (uint i = 0u; i < bubbles_hits_max && rest * dot(weight, vec3(1.0 / 3.0)) > 0.01; i++) {
+        bubbles_hit hit =
+            bubbles_find(segment.from, segment.dir, segment.width, vec2(from_t, segment.t));
+        if (hit.cover <= 0.0)
+            break;
+        bubbles_node node = bubble_nodes[hit.index];
+        bubbles_crossing crossed = bubbles_cross(node, segment, hit.t);
+        light += rest * hit.cover * weight * exp(-segment.absorb * hit.t) *
+                 bubbles_light(crossed, segment.dir, node.radius / segment.width);
+        rest *= 1.0 - hit.cover;
+        from_t = hit.t;
+    }
+    return rest;
 }
 
 #endif

@@ -10,10 +10,6 @@
  * every face. There paths do branch: the stronger branch is followed, and once per pixel the weaker
  * one, to a single exit, if its throughput exceeds params.branch. Others look up the environment.
  *
- * The light that bubbles deflect is looked up in the environment along its refracted direction,
- * without refraction at the surface, and blurred by the inverse of the bubble's radius in pixels,
- * because a bubble shows all surroundings in its disc.
- *
  * Both loops test their limit at the beginning and have another exit at the end. With a single exit
  * at the end, lavapipe gives finished rays values of later iterations (Mesa 22.3).
  */
@@ -55,19 +51,6 @@ const float exits_same_crack = 0.9;
 /* Throughput below which a ray is reflected at most once more. The limit cuts long chains of total
  * internal reflection, as in cubes, because a whole SIMD unit would wait for them. */
 const float exits_weak_throughput = 0.1;
-
-/* Maximum number of bubbles that split a path between two faces. */
-const uint exits_bubbles_max = 4u;
-
-/* Radii between which a bubble changes from a part of the scattering medium to a refracting
- * surface, in footprints. */
-const vec2 exits_medium_radii = vec2(0.7, 1.4);
-
-/* Radius of the blur of light that a bubble of the scattering medium deflects, about 40 degrees. */
-const float exits_medium_blur = 0.7;
-
-/* Henyey-Greenstein g of a bubble, averaged over its disc. */
-const float bubble_g = 0.71;
 
 /* State of a path inside the object. */
 struct exits_ray {
@@ -123,97 +106,22 @@ void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel p
     ray.crack = is_reflected ? hit.t : inclusion_none;
 }
 
-/* Returns the width of a pixel at a point. */
-float exits_pixel_width(vec3 point)
-{
-    mat4 m = refract_frame.clip_from_world;
-    float height = float(textureSize(shading, 0).y);
-    float w = (m * vec4(point, 1.0)).w;
-    return 2.0 * w / (height * length(vec3(m[0].y, m[1].y, m[2].y)));
-}
-
-/* Returns the environment's radiance from around `dir`, by four lookups at an angle whose tangent
- * is `blur`. */
-vec3 exits_blurred(vec3 dir, float blur)
-{
-    vec3 right = normalize(cross(dir, abs(dir.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
-    vec3 up = cross(right, dir);
-    vec3 sum = textureLod(env_cube, dir + blur * right, 0.0).rgb;
-    sum += textureLod(env_cube, dir - blur * right, 0.0).rgb;
-    sum += textureLod(env_cube, dir + blur * up, 0.0).rgb;
-    sum += textureLod(env_cube, dir - blur * up, 0.0).rgb;
-    return 0.25 * sum;
-}
-
-/* Refraction of a path at a bubble. */
-struct exits_bubble {
-    vec3 n;           /* outward normal where the path enters */
-    vec3 transmitted; /* direction behind the bubble */
-    float reflectance;
-};
-
-/* Refracts a ray at a bubble. `from` is relative to its centre, `t` the closest approach. */
-exits_bubble exits_cross_bubble(bubbles_node node, vec3 from, vec3 dir, float t)
-{
-    bool is_capsule = node.kind == BUBBLES_NODE_CAPSULE;
-    float eta = frame.outside_in_air / refract_frame.eta; /* relative index, ice to air */
-    vec3 axis = node.axis;
-    vec2 at = bubble_intersect(from, dir, axis, node.stretch, node.radius, is_capsule);
-    exits_bubble crossed;
-    vec3 enter = from + (at.x <= at.y ? at.x : t) * dir; /* the closest point if it misses */
-    crossed.n = bubble_normal(enter, axis, node.stretch, node.radius, is_capsule);
-    float along = max(dot(crossed.n, dir), 0.0);
-    crossed.n = normalize(crossed.n - along * dir); /* the nearest normal that faces the ray */
-    crossed.reflectance = optics_fresnel(dir, crossed.n, eta);
-    crossed.transmitted = dir;
-    if (crossed.reflectance < 1.0) {
-        vec3 inside = refract(dir, crossed.n, eta);
-        vec2 through = bubble_intersect(enter, inside, axis, node.stretch, node.radius, is_capsule);
-        vec3 leave = enter + max(through.y, 0.0) * inside;
-        vec3 last = bubble_normal(leave, axis, node.stretch, node.radius, is_capsule);
-        crossed.transmitted = refract(inside, -last, 1.0 / eta);
-    }
-    return crossed;
-}
-
-/* Returns the light that a bubble sends along a ray, looked up in the environment. `radius` is in
- * footprints. */
-vec3 exits_bubble_light(exits_bubble crossed, vec3 dir, float radius)
-{
-    float sharp = smoothstep(exits_medium_radii.x, exits_medium_radii.y, radius);
-    float blur = min(1.0 / radius, exits_medium_blur);
-    vec3 light = vec3(0.0);
-    if (sharp > 0.0)
-        light = mix(exits_blurred(crossed.transmitted, blur),
-                    exits_blurred(reflect(dir, crossed.n), blur), crossed.reflectance);
-    if (sharp < 1.0)
-        light = mix(mix(mean, exits_blurred(dir, exits_medium_blur), bubble_g), light, sharp);
-    return light;
-}
-
 /* Adds the light of the bubbles in front of the distance `t`. The path keeps its direction and
  * loses the throughput that they cover. */
 void exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, float t)
 {
-    float from_t = 0.0;
-    for (uint i = 0u; i < exits_bubbles_max && exits_mean(ray.weight) > 0.01; i++) {
-        bubbles_hit hit = bubbles_find(ray.path.point, ray.path.dir, ray.width, vec2(from_t, t));
-        if (hit.cover <= 0.0)
-            break;
-        bubbles_node node = bubble_nodes[hit.index];
-        exits_bubble crossed =
-            exits_cross_bubble(node, ray.path.point - node.center, ray.path.dir, hit.t);
-        float radius = node.radius / ray.width;
-        vec3 light = exits_bubble_light(crossed, ray.path.dir, radius);
-        vec3 covered =
-            hit.cover * ray.weight * exp(-refract_frame.absorb * (ray.path.path + hit.t));
+    bubbles_segment segment;
+    segment.from = ray.path.point;
+    segment.dir = ray.path.dir;
+    segment.t = t;
+    segment.width = ray.width;
+    segment.eta = frame.outside_in_air / refract_frame.eta;
+    segment.absorb = refract_frame.absorb;
+    vec3 weight = ray.weight * exp(-refract_frame.absorb * ray.path.path);
 #ifdef REFRACT_MEDIUM
-        covered *= ray.transmittance;
+    weight *= ray.transmittance;
 #endif
-        pixel.light += covered * light;
-        ray.weight *= 1.0 - hit.cover;
-        from_t = hit.t;
-    }
+    ray.weight *= bubbles_gather(segment, weight, pixel.light);
 }
 
 void exits_reflect(inout exits_ray ray, vec3 n)
@@ -302,7 +210,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     ray.crack_n = vec3(0.0);
     ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
-    ray.width = exits_pixel_width(ray.path.point);
+    ray.width = bubbles_pixel_width(ray.path.point);
 #ifdef REFRACT_MEDIUM
     ray.transmittance = 1.0;
 #endif

@@ -11,13 +11,13 @@
  * If bubbles_are_traced(), the refraction model intersects its rays with the BVH of the bubbles
  * (shaders/refract/refract_bubbles.glsl), and the billboards are just the layer `bubbles`.
  *
- * Limits of billboards: they reflect and transmit the environment cube: the ice's surface refracts
- * neither the ray from the bubble nor the primary ray, and scattering media are left out. Because the image behind is
- * already refracted, transmitted light is weighted by the squared sine of its angle inside
- * (bubble_opacity): the middle of a bubble shows the image behind it, which a real bubble would
- * show reduced. Light that is internally reflected in a bubble is treated as transmitted. A bubble
- * around the camera is invisible, as is a non-spherical one whose bounding sphere contains the
- * camera. Convex objects only, as for ice_depth.
+ * Limits of billboards: the ice's surface does not refract the rays to and from a bubble, which
+ * reflects and transmits the environment cube map. Scattering media are ignored. Because the image
+ * behind is already refracted, transmitted light is weighted by the squared sine of its angle
+ * inside (bubble_opacity): the middle of a bubble shows the image behind it, which a real bubble
+ * would show reduced in size. Light that is internally reflected in a bubble is treated as
+ * transmitted. A bubble around the camera is invisible, as is a non-spherical one whose bounding
+ * sphere contains the camera. Convex objects only, as for ice_depth.
  */
 #include "src/tech/inclusions/bubbles.h"
 #include <cglm/struct.h>
@@ -157,7 +157,7 @@ bool bubbles_are_traced(const struct technique_config *config)
     const struct refract_bounce_params *bounce =
         settings_of(config->settings, &refract_bounce_settings);
     return is_on(config->settings) && config->refraction == &refract_bounce &&
-           bounce->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL && !config->is_nested;
+           bounce->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
 }
 
 static void write_constants(const struct technique_config *config, uint32_t *values)

@@ -71,6 +71,7 @@ static const struct rg_use nested_uses[] = {
     FRAME_READ(ice_nested_depths, ICE_NESTED_DEPTHS),
     FRAME_SAMPLE(ice_nested_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
     { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -79,6 +80,7 @@ static const struct rg_use nested_wide_uses[] = {
     FRAME_READ(ice_nested_wide_depths, ICE_NESTED_DEPTHS),
     FRAME_SAMPLE(ice_nested_wide_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
     { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
