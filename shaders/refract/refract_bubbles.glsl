@@ -12,6 +12,9 @@
 #define REFRACT_BUBBLES_GLSL
 #include "inclusions/bubbles.h"
 #include "lib/bubble_intersect.glsl"
+#ifdef REFRACT_MEDIUM
+#include "refract/refract_medium.glsl"
+#endif
 
 layout(set = 0, binding = REFRACT_BUBBLES, scalar) readonly buffer Bubbles
 {
@@ -38,6 +41,9 @@ struct bubbles_segment {
     float width; /* width of the ray's footprint, metres */
     float eta;   /* relative index, medium to air */
     vec3 absorb; /* absorption coefficients, 1 / metre */
+#ifdef REFRACT_MEDIUM
+    medium_field medium;
+#endif
 };
 
 struct bubbles_hit {
@@ -173,23 +179,39 @@ vec3 bubbles_light(bubbles_crossing crossed, vec3 dir, float radius)
     return light;
 }
 
-/* Adds the light of the bubbles along a segment, weighted by `weight`, to `light`. Returns the
- * fraction of the path's footprint that they do not cover. */
-float bubbles_gather(bubbles_segment segment, vec3 weight, inout vec3 light)
+/* Adds the light that the medium scatters into a part of a segment. */
+void bubbles_add_scattered(bubbles_segment segment, vec2 part, vec3 weight,
+                           inout float transmittance, inout vec3 light)
+{
+#ifdef REFRACT_MEDIUM
+    light += weight * exp(-segment.absorb * part.x) *
+             refract_in_scatter(segment.medium, segment.from + part.x * segment.dir, segment.dir,
+                                part.y - part.x, transmittance);
+#endif
+}
+
+/* Adds the light of the bubbles and of the scattering medium along a segment, weighted by `weight`
+ * and `transmittance`, to `light`. Multiplies `transmittance` by that of the medium. Returns the
+ * fraction of the path's footprint that bubbles do not cover. */
+float bubbles_gather(bubbles_segment segment, vec3 weight, inout float transmittance,
+                     inout vec3 light)
 {
     float rest = 1.0, from_t = 0.0;
-    for (uint i = 0u; i < bubbles_hits_max && rest * dot(weight, vec3(1.0 / 3.0)) > 0.01; i++) {
+    uint hits_max = constant_bubbles_traced != 0u ? bubbles_hits_max : 0u;
+    for (uint i = 0u; i < hits_max && rest * dot(weight, vec3(1.0 / 3.0)) > 0.01; i++) {
         bubbles_hit hit =
             bubbles_find(segment.from, segment.dir, segment.width, vec2(from_t, segment.t));
         if (hit.cover <= 0.0)
             break;
+        bubbles_add_scattered(segment, vec2(from_t, hit.t), rest * weight, transmittance, light);
         bubbles_node node = bubble_nodes[hit.index];
         bubbles_crossing crossed = bubbles_cross(node, segment, hit.t);
-        light += rest * hit.cover * weight * exp(-segment.absorb * hit.t) *
+        light += rest * hit.cover * transmittance * weight * exp(-segment.absorb * hit.t) *
                  bubbles_light(crossed, segment.dir, node.radius / segment.width);
         rest *= 1.0 - hit.cover;
         from_t = hit.t;
     }
+    bubbles_add_scattered(segment, vec2(from_t, segment.t), rest * weight, transmittance, light);
     return rest;
 }
 

@@ -106,9 +106,9 @@ void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel p
     ray.crack = is_reflected ? hit.t : inclusion_none;
 }
 
-/* Adds the light of the bubbles in front of the distance `t`. The path keeps its direction and
- * loses the throughput that they cover. */
-void exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, float t)
+/* Adds the light of bubbles and the scattering medium up to the distance `t`. The path keeps its
+ * direction and loses the throughput that they take. */
+void exits_gather_segment(inout exits_ray ray, inout exits_pixel pixel, float t)
 {
     bubbles_segment segment;
     segment.from = ray.path.point;
@@ -117,11 +117,16 @@ void exits_hit_bubbles(inout exits_ray ray, inout exits_pixel pixel, float t)
     segment.width = ray.width;
     segment.eta = frame.outside_in_air / refract_frame.eta;
     segment.absorb = refract_frame.absorb;
-    vec3 weight = ray.weight * exp(-refract_frame.absorb * ray.path.path);
+    float transmittance = 1.0;
 #ifdef REFRACT_MEDIUM
-    weight *= ray.transmittance;
+    segment.medium = frame.medium;
+    transmittance = ray.transmittance;
 #endif
-    ray.weight *= bubbles_gather(segment, weight, pixel.light);
+    vec3 weight = ray.weight * exp(-refract_frame.absorb * ray.path.path);
+    ray.weight *= bubbles_gather(segment, weight, transmittance, pixel.light);
+#ifdef REFRACT_MEDIUM
+    ray.transmittance = transmittance;
+#endif
 }
 
 void exits_reflect(inout exits_ray ray, vec3 n)
@@ -159,13 +164,7 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout
         float t = march_find_exit(space, ray.path.point, ray.path.dir, hidden, near_front, jumps);
         bool is_reflected = ray.crack < t;
         t = min(t, ray.crack);
-        if (constant_bubbles_traced != 0u)
-            exits_hit_bubbles(ray, pixel, t);
-#ifdef REFRACT_MEDIUM
-        pixel.light +=
-            ray.weight * exp(-refract_frame.absorb * ray.path.path) *
-            refract_in_scatter(frame.medium, ray.path.point, ray.path.dir, t, ray.transmittance);
-#endif
+        exits_gather_segment(ray, pixel, t);
         ray.path.point += t * ray.path.dir;
         ray.path.path += t;
         ray.crack = inclusion_none;

@@ -250,22 +250,19 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     face.other = enters ? entered : opens ? outermost : outer;
     face.segment_length = ends.x;
     face.light = vec3(0.0);
-    if (constant_bubbles_traced != 0u) {
-        bubbles_segment segment;
-        segment.from = ray.point;
-        segment.dir = ray.dir;
-        segment.t = ends.x;
-        segment.width = space.pixel_width;
-        segment.eta = frame.outside_in_air * media.ior[medium].g / media.ior[0].g;
-        segment.absorb = media.absorb[medium].rgb;
-        ray.throughput *= bubbles_gather(segment, ray.throughput, face.light);
-    }
+    bubbles_segment segment;
+    segment.from = ray.point;
+    segment.dir = ray.dir;
+    segment.t = ends.x;
+    segment.width = space.pixel_width;
+    segment.eta = frame.outside_in_air * media.ior[medium].g / media.ior[0].g;
+    segment.absorb = media.absorb[medium].rgb;
 #ifdef REFRACT_MEDIUM
-    float transmittance = 1.0;
-    face.light += ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point,
-                                                      ray.dir, ends.x, transmittance);
-    ray.throughput *= transmittance;
+    segment.medium = media.scattering_media[medium];
 #endif
+    float transmittance = 1.0;
+    ray.throughput *= bubbles_gather(segment, ray.throughput, transmittance, face.light);
+    ray.throughput *= transmittance;
     ray.point += ends.x * ray.dir;
     ray.throughput *= exp(-media.absorb[medium].rgb * ends.x);
     bool is_found = dot(n, ray.dir) > 0.0;
