@@ -80,3 +80,16 @@ uint32_t quality_find(const struct settings *settings)
     }
     return level;
 }
+
+uint32_t quality_nearest(const struct settings *settings)
+{
+    uint32_t counts[QUALITY_COUNT] = { 0 };
+    uint32_t nearest = NORMAL;
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        for (const struct quality_row *row = quality_rows; row->setting; row++)
+            counts[level] += has_value(settings, row, level);
+    }
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++)
+        nearest = counts[level] > counts[nearest] ? level : nearest;
+    return nearest;
+}

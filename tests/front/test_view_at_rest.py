@@ -14,8 +14,6 @@ from exr_file import Exr  # noqa: E402
 from test_view import png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
 
-UNDITHERED = ('--set', 'tonemap.dither=off')  # windows never dither, but files at `high` do
-
 
 class Still(PanelsCase):
     STRIP = 15  # of time: rows that high windows have, too
@@ -68,7 +66,7 @@ class Still(PanelsCase):
 
     @unsanitized
     def test_layers_and_values(self):
-        window = self.start_with_panels('--samples', 3, *UNDITHERED, scene='valley')
+        window = self.start_with_panels('--samples', 3, scene='valley')
         words = shlex.split(self.wait_for_command(window, '--samples 3'))[1:-2]
         self.succeed(*words, '-o', 'a.exr', '--aov', 'Z,N,P,object', '-o', 'a.png')
         self.succeed(*words, '-o', 'z.png', '--show', 'Z')
@@ -148,7 +146,7 @@ class Still(PanelsCase):
         self.check_samples()
 
     def check_samples(self):
-        window = self.start_with_panels('--samples', self.samples, *UNDITHERED, scene='valley')
+        window = self.start_with_panels('--samples', self.samples, scene='valley')
         first = self.expect(window)
         self.desktop.do('mousemove', '--window', window, *self.place('refract.ior'))
         self.desktop.do('mousemove', '--window', window, *self.BESIDE)
