@@ -43,11 +43,6 @@ const struct rg_image bubbles_color = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-const struct rg_image bubbles_depth = {
-    .name = "bubbles.depth",
-    .format = VK_FORMAT_R32_SFLOAT,
-};
-
 const struct rg_buffer bubbles_all = {
     .name = "bubbles.all",
     .size = BUBBLES_COUNT_MAX * sizeof(struct bubbles_drawn),
