@@ -37,6 +37,7 @@
 #define CONSTANT_TRACE           19 /* TRACE_ flags of refract_trace.h */
 #define CONSTANT_AO              20 /* 1: ambient occlusion by objects (ao.c) */
 #define CONSTANT_CRACKS_TRACED   21 /* 1: refracted rays intersect cracks.hits */
-#define CONSTANT_COUNT           22
+#define CONSTANT_BUBBLES_TRACED  22 /* 1: refracted rays intersect the BVH of the bubbles */
+#define CONSTANT_COUNT           23
 
 #endif

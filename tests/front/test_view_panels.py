@@ -358,7 +358,9 @@ class Panels(PanelsCase):
         self.wait_for_command(window, 'exposure=0.9 ',
                               act=lambda: self.click(window, 'reset tonemap.exposure'))
         valley = self.open_other(window, 'valley')
-        self.assertEqual(set(re.findall(r'--set (\S+)', valley)), {*cheap, 'motion.count=2'})
+        self.assertEqual(set(re.findall(r'--set (\S+)', valley)),
+                         {*cheap, 'motion.count=2', 'tonemap.dither=off'})
+        self.assertIn(' --quality high ', valley)
         self.assertNotIn('--env ', valley)
         mine = self.wait_for_command(window, 'tonemap.exposure=0.5 ',
                                      act=lambda: self.press(window, 'e'))

@@ -65,7 +65,8 @@ class Split(WindowCase):
 
     def test_hands_move_the_divider(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN)
-        window = self.start('sphere', *PAPER, '--split', 'one-sided', title=f'{TITLE}, paused')
+        window = self.start('sphere', *PAPER, '--split', 'one-sided', '--quality', 'normal',
+                            title=f'{TITLE}, paused')
         self.settle(window, 100, pictures)
         self.settle(window, 50, pictures, lambda: self.desktop.do(
             'mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
@@ -84,7 +85,7 @@ class Split(WindowCase):
     @unsanitized
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
-        window = self.start('sphere', *PAPER)
+        window = self.start('sphere', *PAPER, '--quality', 'normal')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.press_for(window, 'w', r'sphere, paper \| trace, paused')
         self.settle(window, 100, pictures)

@@ -188,7 +188,7 @@ static const struct option options[] = {
     { "Rendering", "refraction", 'r', "MODEL", FRAMES | APP_SHEET, IMAGE(option_refraction),
       "refraction model, such as bounce; see firn list refractions (default: by scene)" },
     { "Rendering", "quality", 0, "LEVEL", IMAGES, IMAGE(option_quality),
-      "quality level: draft, normal or high (default: normal; high in firn render)" },
+      "quality level: draft, normal or high (default: high in render and view)" },
     { "Rendering", "material", 'm', "NAME", IMAGES, SCENE(option_material),
       "material, such as ruby:rough or NODE=glass[,ior=1.5,...]; see firn list materials" },
     { "Rendering", "plain", 0, NULL, IMAGES, FLAG(image.scene.plain),
@@ -540,8 +540,9 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     if (command != APP_FARM) /* firn farm adds its default output later */
         app_default_output(o, command);
     enum status status = check_layers(&o->image);
-    if (command & (APP_RENDER | APP_FARM))
-        option_default_quality(o);
+    const bool rests = command == APP_VIEW && !o->window.frame_count;
+    if (command & (APP_RENDER | APP_FARM) || rests)
+        option_default_quality(o, command);
     if (status == STATUS_OK && command & (APP_RENDER | APP_FARM))
         status = option_check_reference(o);
     if (status == STATUS_OK)
