@@ -20,7 +20,8 @@ WORDS = {'clock': ('auto', 'timestamps', 'submits'),
          'exposure': ('auto',), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),
-         'samples': ('auto',), 'up': ('y', 'z')}
+         'samples': ('auto',),
+         'ground': ('auto', 'none', 'shadow', 'studio', 'slate', 'wood'), 'up': ('y', 'z')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'mask', 'truth',
          'screenshot', 'watch', 'preset'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')

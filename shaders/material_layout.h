@@ -10,7 +10,8 @@
 /* x: normal scale; y: occlusion strength; z: 1 for textured ice, 2 + opacity for one of several
  * materials of an object; w: 1 for a water layer */
 #define MATERIAL_ROW_SCALES 3
-#define MATERIAL_ROW_COAT   4 /* x: clear coat factor; y: its roughness */
+/* x: clear coat factor; y: its roughness; z: 1 for a shadow catcher */
+#define MATERIAL_ROW_COAT 4
 /* First texel of the row's texture data. Each texture has two texels: the transform of u and array
  * layer + 1, then the transform of v and 9 * uv_set + 3 * wrap_v + wrap_u. */
 #define MATERIAL_ROW_TEXTURES 5

@@ -10,9 +10,10 @@
 #define SHADERS_SPECIALIZATION_CONSTANTS_H
 
 /* Bits of CONSTANT_TEXTURED, in addition to 1 << MATERIAL_... for the textures in use. */
-#define CONSTANT_TEXTURED_ANY   0x80000000u /* some surroundings have textures */
-#define CONSTANT_TEXTURED_HOLES 0x40000000u /* some material is alpha-tested or blended */
-#define CONSTANT_TEXTURED_COAT  0x20000000u /* some opaque material has a clear coat */
+#define CONSTANT_TEXTURED_ANY     0x80000000u /* some surroundings have textures */
+#define CONSTANT_TEXTURED_HOLES   0x40000000u /* some material is alpha-tested or blended */
+#define CONSTANT_TEXTURED_COAT    0x20000000u /* some opaque material has a clear coat */
+#define CONSTANT_TEXTURED_CATCHER 0x10000000u /* some material is a shadow catcher */
 
 #define CONSTANT_BACKGROUND      0  /* background mode: GLOBALS_SKY ... */
 #define CONSTANT_TEXTURED        1  /* CONSTANT_TEXTURED_ bits; 0 without textures */
@@ -36,6 +37,7 @@
 #define CONSTANT_TRACE           19 /* TRACE_ flags of refract_trace.h */
 #define CONSTANT_AO              20 /* 1: ambient occlusion by objects (ao.c) */
 #define CONSTANT_CRACKS_TRACED   21 /* 1: refracted rays intersect cracks.hits */
-#define CONSTANT_COUNT           22
+#define CONSTANT_BUBBLES_TRACED  22 /* 1: refracted rays intersect the BVH of the bubbles */
+#define CONSTANT_COUNT           23
 
 #endif

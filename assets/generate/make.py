@@ -1,7 +1,7 @@
 """make.py: regenerates the files of assets/, bit-identically with the same version of zlib.
 
 Usage: make.py FOLDER [NAME...]
-    NAME: drink, amber, hollow, ice_cube, sample, slate, studio or window; default: all
+    NAME: drink, amber, hollow, ice_cube, sample, slate, stage, studio or window; default: all
 """
 import importlib
 import pathlib
@@ -10,7 +10,7 @@ import sys
 sys.dont_write_bytecode = True  # keep __pycache__ out of the source tree
 FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb',
          'ice_cube': 'ice-cube.glb', 'sample': 'sample.glb', 'slate': 'slate.glb',
-         'studio': 'studio.exr', 'window': 'window.exr'}
+         'stage': 'stage.exr', 'studio': 'studio.exr', 'window': 'window.exr'}
 
 
 def main(folder, *names):

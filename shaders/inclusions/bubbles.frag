@@ -29,7 +29,7 @@ void main()
     if (constant_orthographic != 0u)
         hit = eye_to_center + aside - radius * sqrt(1.0 - b * b) * e;
     vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + hit, 1.0);
-    if (bubble_is_hidden(e, hit) || !ice_clip_keeps(clip.z / clip.w))
+    if (!ice_clip_keeps(clip.z / clip.w))
         discard;
 
     float eta = frame.outside_in_air / frame.eta; /* relative index, ice to air */
@@ -38,7 +38,5 @@ void main()
     vec3 reflected = bubble_rotate(e, outward, bubble_reflected(b));
     vec3 transmitted = bubble_rotate(e, outward, bubble_transmitted(b, eta));
     float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_opacity(b, eta) : 0.0;
-    bubble = bubble_attenuate(
-        e, hit,
-        vec4(bubble_light(hit, reflected, reflectance, transmitted, cover), reflectance + cover));
+    bubble = vec4(bubble_light(reflected, reflectance, transmitted, cover), reflectance + cover);
 }

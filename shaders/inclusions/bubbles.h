@@ -19,4 +19,21 @@ struct bubbles_drawn {
     uint32_t is_capsule;
 };
 
+#define BUBBLES_NODES_MAX (2 * BUBBLES_COUNT_MAX)
+
+/* values of bubbles_node.kind */
+#define BUBBLES_NODE_BOX       0 /* bounding box of the nodes up to `skip` */
+#define BUBBLES_NODE_ELLIPSOID 1
+#define BUBBLES_NODE_CAPSULE   2
+
+/* Node of the BVH of bubbles, in world space and depth-first order. The first node is a box. */
+struct bubbles_node {
+    vec3s center;
+    float radius;  /* as in bubbles_drawn; unused for boxes */
+    vec3s axis;    /* box: half its size */
+    float stretch; /* as in bubbles_drawn; unused for boxes */
+    uint32_t kind; /* BUBBLES_NODE_BOX ... */
+    uint32_t skip; /* index of the next node if a ray misses this one */
+};
+
 #endif

@@ -38,7 +38,7 @@ void main()
         discard;
     vec3 hit = from + at.x * e;
     vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + eye_to_center + hit, 1.0);
-    if (bubble_is_hidden(e, eye_to_center + hit) || !ice_clip_keeps(clip.z / clip.w))
+    if (!ice_clip_keeps(clip.z / clip.w))
         discard;
 
     float eta = frame.outside_in_air / frame.eta; /* relative index, ice to air */
@@ -50,7 +50,6 @@ void main()
     vec3 transmitted = reflectance < 1.0 ? refract(inside, -normal_at(last), 1.0 / eta) : e;
     float b2 = 1.0 - dot(n, e) * dot(n, e);
     float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_opacity(sqrt(b2), eta) : 0.0;
-    vec3 light =
-        bubble_light(eye_to_center + hit, optics_reflect(e, n), reflectance, transmitted, cover);
-    bubble = bubble_attenuate(e, eye_to_center + hit, vec4(light, reflectance + cover));
+    vec3 light = bubble_light(optics_reflect(e, n), reflectance, transmitted, cover);
+    bubble = vec4(light, reflectance + cover);
 }

@@ -154,6 +154,20 @@ vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
     return lit_by_lights_on(s, point, n, n, to_eye);
 }
 
+/* Returns true if a material shows the environment behind it, with shadows and caustics. */
+bool lit_is_shadow_catcher(uint row)
+{
+    return (constant_textured & CONSTANT_TEXTURED_CATCHER) != 0u &&
+           material_texel(row, MATERIAL_ROW_COAT).z > 0.0;
+}
+
+/* Returns the albedo at which an unoccluded diffuse surface has this radiance. */
+vec3 lit_catcher_albedo(vec3 n, vec3 radiance)
+{
+    vec3 light = lit_diffuse(n) + sky_sun() * max(dot(n, frame.sun_dir), 0.0);
+    return radiance / max(light, 1e-6);
+}
+
 /* Returns the split-sum factors of f0 and f90. */
 vec2 lit_split(float roughness, float n_dot_v)
 {

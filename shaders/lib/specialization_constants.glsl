@@ -24,6 +24,7 @@ layout(constant_id = CONSTANT_SCENE_LIGHTS) const uint constant_scene_lights = 0
 layout(constant_id = CONSTANT_ORTHOGRAPHIC) const uint constant_orthographic = 0u;
 layout(constant_id = CONSTANT_AO) const uint constant_ao = 0u;
 layout(constant_id = CONSTANT_CRACKS_TRACED) const uint constant_cracks_traced = 0u;
+layout(constant_id = CONSTANT_BUBBLES_TRACED) const uint constant_bubbles_traced = 0u;
 layout(constant_id = CONSTANT_TRACE) const uint constant_trace = 0u;
 
 #endif

@@ -1,11 +1,7 @@
-/* composite.frag: fragment shader that composites air, bubbles, cracks and highlights over the ice.
- * With BUBBLES_REFRACTED, refracted rays show bubbles. */
+/* composite.frag: composites air, bubbles, cracks and highlights over the ice. */
 #version 460
 #include "lib/specialization_constants.glsl"
 #include "output/composite.h"
-#ifdef BUBBLES_REFRACTED
-#include "output/composite_refracted_bubbles.glsl"
-#endif
 
 layout(set = 0, binding = COMPOSITE_HIGHLIGHT) uniform sampler2D highlights;
 layout(set = 0, binding = COMPOSITE_AIR) uniform sampler2D air;
@@ -37,11 +33,7 @@ void main()
     if ((constant_composite & COMPOSITE_HAS_AIR) != 0u)
         color = vec4(light, 1.0) * layer_texel(air).r;
     if ((constant_composite & COMPOSITE_HAS_BUBBLES) != 0u)
-#ifdef BUBBLES_REFRACTED
-        blend_over(refracted_bubbles(bubbles));
-#else
         blend_over(layer_texel(bubbles));
-#endif
     if ((constant_composite & COMPOSITE_HAS_CRACKS) != 0u)
         blend_over(layer_texel(cracks));
     if ((constant_composite & COMPOSITE_HAS_HIGHLIGHT) != 0u)

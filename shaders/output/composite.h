@@ -9,13 +9,6 @@
 #define COMPOSITE_CRACKS      4
 #define COMPOSITE_ENVIRONMENT 5 /* equirectangular environment map */
 
-/* Bindings with BUBBLES_REFRACTED: the front faces' depth and normal, and the bubbles' depth. */
-#define COMPOSITE_FRONT_DEPTH  6
-#define COMPOSITE_SHADING      7
-#define COMPOSITE_BUBBLE_DEPTH 8
-
-#define COMPOSITE_REFRACTED 1 /* varyings, locations 1 to 8 */
-
 /* low-resolution image that composite_upsample_inclusions.frag upsamples */
 #define COMPOSITE_LOW_RES 1
 

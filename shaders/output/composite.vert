@@ -1,12 +1,8 @@
 /* composite.vert: vertex shader of compositing. Draws a full-screen triangle and computes milky
- * air's radiance. BUBBLES_REFRACTED adds view parameters to the outputs. */
+ * air's radiance. */
 #version 460
 #include "lib/milky_air_radiance.glsl"
 #include "output/composite.h"
-#ifdef BUBBLES_REFRACTED
-#define COMPOSITE_VERTEX
-#include "output/composite_refracted_bubbles.glsl"
-#endif
 
 layout(set = 0, binding = COMPOSITE_ENVIRONMENT) uniform sampler2D environment;
 
@@ -17,7 +13,4 @@ void main()
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
     gl_Position = vec4(corner, 0.0, 1.0);
     out_light = (constant_composite & COMPOSITE_HAS_AIR) != 0u ? air_light(environment) : vec3(0.0);
-#ifdef BUBBLES_REFRACTED
-    view_write_varyings(corner);
-#endif
 }

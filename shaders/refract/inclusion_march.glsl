@@ -1,5 +1,5 @@
 /*
- * inclusion_march.glsl: screen-space intersection of refracted rays with cracks or bubbles.
+ * inclusion_march.glsl: screen-space intersection of refracted rays with cracks.
  *
  * An image holds the inclusions that are visible along unrefracted rays. A refracted ray is marched
  * through it, because it hits what the image shows beside the ray's own pixel. Red is a depth from

@@ -35,6 +35,7 @@ layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' r
 #define REFRACT_MARCH params.march
 #include "refract/refract_march_path.glsl"
 
+#include "refract/refract_bubbles.glsl"
 #include "refract/refract_cracks.glsl"
 
 /* Maximum number of false exits of a ray, where depth maps show an exit but there is no face. */
@@ -60,6 +61,7 @@ struct exits_ray {
     vec3 n;            /* next face's outward normal, or 0 */
     float reflectance; /* Fresnel reflectance of the face */
     uint faces;        /* number of internal reflections so far */
+    float width;       /* width of the footprint, metres */
 #ifdef REFRACT_MEDIUM
     float transmittance; /* transmittance of the scattering medium */
 #endif
@@ -104,6 +106,29 @@ void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel p
     ray.crack = is_reflected ? hit.t : inclusion_none;
 }
 
+/* Adds the light of bubbles and the scattering medium up to the distance `t`. The path keeps its
+ * direction and loses the throughput that they take. */
+void exits_gather_segment(inout exits_ray ray, inout exits_pixel pixel, float t)
+{
+    bubbles_segment segment;
+    segment.from = ray.path.point;
+    segment.dir = ray.path.dir;
+    segment.t = t;
+    segment.width = ray.width;
+    segment.eta = frame.outside_in_air / refract_frame.eta;
+    segment.absorb = refract_frame.absorb;
+    float transmittance = 1.0;
+#ifdef REFRACT_MEDIUM
+    segment.medium = frame.medium;
+    transmittance = ray.transmittance;
+#endif
+    vec3 weight = ray.weight * exp(-refract_frame.absorb * ray.path.path);
+    ray.weight *= bubbles_gather(segment, weight, transmittance, pixel.light);
+#ifdef REFRACT_MEDIUM
+    ray.transmittance = transmittance;
+#endif
+}
+
 void exits_reflect(inout exits_ray ray, vec3 n)
 {
     ray.faces++;
@@ -121,31 +146,25 @@ void exits_reflect(inout exits_ray ray, vec3 n)
 void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout exits_pixel pixel)
 {
     const bool is_weak = exits_mean(ray.weight) < exits_weak_throughput;
-    const uint bounces = space.march.bounces;
-    const uint last = is_weak ? min(ray.faces + 1u, bounces) : bounces;
+    const uint last = is_weak ? min(ray.faces + 1u, space.march.bounces) : space.march.bounces;
     const bool hits_cracks = constant_cracks_traced != 0u && !is_weak;
     const bool hits_all = params.inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
     const uint segments_max =
         space.march.bounces + exits_false_max + exits_crack_reflections * constant_cracks_traced;
     uint false_exits = 0u;
-    bool hidden = false;
+    bool hidden = false, near_front, jumps;
     ray.reflectance = 0.0;
 #ifdef REFRACT_MATERIAL
     ray.tint = vec3(1.0);
 #endif
     ray.n = vec3(0.0);
     for (uint i = 0u; ray.faces <= last && i <= segments_max; i++) {
-        bool near_front, jumps;
         if (hits_cracks && !hidden && (hits_all || ray.faces == 0u))
             exits_hit_crack(space, ray, pixel);
         float t = march_find_exit(space, ray.path.point, ray.path.dir, hidden, near_front, jumps);
         bool is_reflected = ray.crack < t;
         t = min(t, ray.crack);
-#ifdef REFRACT_MEDIUM
-        pixel.light +=
-            ray.weight * exp(-refract_frame.absorb * ray.path.path) *
-            refract_in_scatter(frame.medium, ray.path.point, ray.path.dir, t, ray.transmittance);
-#endif
+        exits_gather_segment(ray, pixel, t);
         ray.path.point += t * ray.path.dir;
         ray.path.path += t;
         ray.crack = inclusion_none;
@@ -190,6 +209,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     ray.crack_n = vec3(0.0);
     ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
+    ray.width = bubbles_pixel_width(ray.path.point);
 #ifdef REFRACT_MEDIUM
     ray.transmittance = 1.0;
 #endif

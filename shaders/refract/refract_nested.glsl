@@ -29,6 +29,8 @@ layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
 
 layout(location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* surroundings' radiance */
 
+#include "refract/refract_bubbles.glsl"
+
 const float nested_start = 0.01;          /* marching start, in bounding radii */
 const float nested_throughput_min = 0.01; /* minimum throughput of reflected rays */
 const int nested_pending_max = 3;
@@ -40,6 +42,7 @@ const uint nested_steps = 2u;       /* factor on the ray marching steps */
 struct nested_space {
     mat4 map_from_world; /* projection to texel coordinates x / w, y / w */
     vec2 texel;          /* 1 / the depth layers' size */
+    float pixel_width;   /* at the front face, metres */
 };
 
 struct nested_ray {
@@ -58,14 +61,14 @@ int pending_count;
 nested_end ends[nested_ends_max];
 int end_count;
 
-nested_space nested_space_of_frame()
+nested_space nested_space_of_frame(vec3 front)
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depths, 0).xy);
     vec2 image_size = vec2(textureSize(shading, 0)); /* maps have a margin around it */
     for (int i = 0; i < 4; i++)
         m[i].xy = 0.5 * image_size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
-    return nested_space(m, 1.0 / size);
+    return nested_space(m, 1.0 / size, bubbles_pixel_width(front));
 }
 
 /* Returns a layer's interpolated depth at a position in texels from the first texel's centre. */
@@ -220,9 +223,7 @@ struct nested_face {
     float reflectance; /* Fresnel reflectance */
     vec3 reflected, refracted;
     float segment_length;
-#ifdef REFRACT_MEDIUM
-    vec3 scattered; /* radiance scattered into the segment */
-#endif
+    vec3 light; /* radiance that bubbles and the scattering medium send along the segment */
 };
 
 /*
@@ -248,12 +249,20 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     face.next = enters ? ray.level + 1 : ray.level - (opens ? 2 : 1);
     face.other = enters ? entered : opens ? outermost : outer;
     face.segment_length = ends.x;
+    face.light = vec3(0.0);
+    bubbles_segment segment;
+    segment.from = ray.point;
+    segment.dir = ray.dir;
+    segment.t = ends.x;
+    segment.width = space.pixel_width;
+    segment.eta = frame.outside_in_air * media.ior[medium].g / media.ior[0].g;
+    segment.absorb = media.absorb[medium].rgb;
 #ifdef REFRACT_MEDIUM
-    float transmittance = 1.0;
-    face.scattered = ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point,
-                                                         ray.dir, ends.x, transmittance);
-    ray.throughput *= transmittance;
+    segment.medium = media.scattering_media[medium];
 #endif
+    float transmittance = 1.0;
+    ray.throughput *= bubbles_gather(segment, ray.throughput, transmittance, face.light);
+    ray.throughput *= transmittance;
     ray.point += ends.x * ray.dir;
     ray.throughput *= exp(-media.absorb[medium].rgb * ends.x);
     bool is_found = dot(n, ray.dir) > 0.0;
@@ -339,17 +348,15 @@ nested_ray nested_begin(refract_path path)
 
 vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 {
-    nested_space space = nested_space_of_frame();
     path = refract_leave_at_front(optics_refract(e, n_f, refract_frame.etas[channel]));
+    nested_space space = nested_space_of_frame(path.point);
     nested_ray ray = nested_begin(path);
     vec3 light = vec3(0.0);
     vec3 rest = vec3(0.0);
     bool is_main = true;
     for (int segment = 0; segment < nested_segments_max; segment++) {
         nested_face face = nested_next_face(space, channel, ray);
-#ifdef REFRACT_MEDIUM
-        light += face.scattered;
-#endif
+        light += face.light;
         if (is_main)
             nested_record(face, ray, segment == 0, path);
         bool leaves = face.next < 0 && face.reflectance < 1.0;

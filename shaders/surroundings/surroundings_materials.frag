@@ -80,6 +80,27 @@ void add_coat(lit_material m, vec3 n, vec3 to_eye, float lod, vec3 sun, vec3 bas
 #endif
 }
 
+/* Returns the background that a shadow catcher shows in direction `dir`; white if the image has no
+ * background. */
+vec3 catcher_background(vec3 dir)
+{
+    if (constant_backdrop != GLOBALS_BACKDROP_ENVIRONMENT && push.inverse == 0u)
+        return constant_backdrop == GLOBALS_BACKDROP_COLOR ? frame.background_color : vec3(1.0);
+    return environment_radiance(environment, dir, push.environment_lod);
+}
+
+/* Makes a shadow catcher transparent in an image without background. Shadows are black with an
+ * alpha; light of caustics is added to the background, with alpha 0. */
+void make_catcher_transparent(vec3 dir)
+{
+    if (constant_backdrop != GLOBALS_BACKDROP_NONE || push.inverse != 0u)
+        return;
+    vec3 factor = color.rgb;
+    float mean = dot(factor, vec3(1.0 / 3.0));
+    vec3 background = environment_radiance(environment, dir, push.environment_lod);
+    color = vec4(max(factor - 1.0, 0.0) * background, clamp(1.0 - mean, 0.0, 1.0));
+}
+
 void main()
 {
 #ifdef SURROUNDINGS_EXTRA
@@ -108,6 +129,9 @@ void main()
         lit_has_coats() ? lit_mirror_lod(reflect(-to_eye, unmapped), push.environment_lod) : lod;
     if (is_hole(base.a, row))
         discard;
+    bool is_catcher = lit_is_shadow_catcher(row);
+    if (is_catcher)
+        s.diffuse = lit_catcher_albedo(n, catcher_background(-to_eye));
     vec3 caustics;
     vec3 sun = sun_light(caustics);
 #ifdef SURROUNDINGS_SSR
@@ -130,6 +154,8 @@ void main()
     out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * m.occlusion);
     out_specular = vec4(specular_light * m.occlusion, 0.0);
 #endif
+    if (is_catcher)
+        make_catcher_transparent(-to_eye);
     if (lit_has_coats() && m.coat > 0.0)
         add_coat(m, unmapped, to_eye, coat_lod, sun, env.specular);
 }

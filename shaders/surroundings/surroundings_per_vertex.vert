@@ -95,6 +95,9 @@ vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
     vec3 reflected = radiance(s, point, n, to_eye, m.occlusion);
     vec3 highlight = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     s.diffuse = color * (1.0 - m.metallic);
+    if (lit_is_shadow_catcher(row))
+        s.diffuse =
+            lit_catcher_albedo(n, environment_radiance(environment, -to_eye, push.environment_lod));
     out_diffuse = radiance(s, point, n, to_eye, m.occlusion) - reflected;
     out_specular = reflected + sky_sun() * highlight;
     if ((constant_textured & 1u << MATERIAL_EMISSION) == 0u)

@@ -158,6 +158,7 @@ void trace_cross_contact(trace_path path, trace_contact contact, int channel,
     c.is_thin = false;
     c.front_stack = trace_stack_change(path.medium_stack, contact.entered, contact.left);
     c.behind_stack = trace_stack_change(path.medium_stack, contact.left, contact.entered);
+    c.is_entering = c.is_entering || trace_stack_has(c.behind_stack, c.rank);
     uint before = trace_current_medium(c.front_stack);
     uint after = trace_current_medium(c.behind_stack);
     c.is_real = !trace_is_same_medium(before, after);

@@ -31,7 +31,7 @@
 /* bits of the specialisation constant CONSTANT_TRACE */
 #define TRACE_IS_CONVEX             1     /* single convex object: rays never re-enter */
 #define TRACE_HAS_CULLING           2     /* single closed object: enables face culling */
-#define TRACE_HAS_MEDIA             4     /* several objects or thin walls */
+#define TRACE_HAS_MEDIA             4     /* several objects, contacts or thin walls */
 #define TRACE_HAS_ROUGH             8     /* some object has a rough surface */
 #define TRACE_HAS_OPACITY           16    /* some object is not fully transmissive */
 #define TRACE_HAS_MATERIALS         32    /* surroundings use the material texture */
@@ -48,7 +48,7 @@
 #define TRACE_HAS_SCATTERING        65536 /* some ice scatters; requires TRACE_RAYS */
 #define TRACE_HAS_STORAGE_BUFFERS   131072 /* BVH in storage, not texel buffers */
 #define TRACE_HAS_RAY_DIFFERENTIALS 262144 /* requires TRACE_RAYS */
-#define TRACE_HAS_CONTACTS          524288 /* surfaces of objects coincide; with HAS_MEDIA */
+#define TRACE_HAS_CONTACTS          524288 /* surfaces of shells coincide; with HAS_MEDIA */
 
 /* Vectors of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* rgb: refractive indices; a: roughness */

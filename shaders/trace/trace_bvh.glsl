@@ -179,8 +179,9 @@ bool trace_stack_has(uvec4 medium_stack, uint rank)
 }
 
 /* Returns true if a triangle at a contact can be hit. Near the origin of a ray, faces are ignored
- * that do not change the medium stack, because the path has crossed them at its last surface. Of
- * other triangles, returns `is_hit`. */
+ * that do not change the medium stack, because the path has crossed them at its last surface, but
+ * not if the ray enters another shell of the object that it has hit first at this contact. Of other
+ * triangles, returns `is_hit`. */
 bool contact_is_hit(trace_ray ray, int i, float t, float towards, bool is_hit)
 {
     float away = t * max(abs(towards), contact_cosine_min);
@@ -190,7 +191,10 @@ bool contact_is_hit(trace_ray ray, int i, float t, float towards, bool is_hit)
         uint bits = trace_corner(BVH_CORNER_WORDS * i + 2).w & BVH_CONTACT_MASK;
         uint rank = trace_corner(BVH_CORNER_WORDS * i).w % BVH_OBJECT_NUMBER;
         bool changes_stack = trace_stack_has(contact_search.medium_stack, rank) == towards > 0.0;
-        is_hit = bits == BVH_CONTACT ? changes_stack
+        int first = BVH_CORNER_WORDS * max(contact_search.first, 0);
+        bool is_partner = contact_search.first >= 0 && towards < 0.0 &&
+                          trace_corner(first).w % BVH_OBJECT_NUMBER == rank;
+        is_hit = bits == BVH_CONTACT ? changes_stack || is_partner
                  : bits == 0u        ? is_hit
                                      : is_hit && away >= trace.epsilon;
     }

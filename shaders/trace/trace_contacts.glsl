@@ -1,5 +1,5 @@
 /*
- * trace_contacts.glsl: hits on surfaces of several objects that coincide, exactly or within
+ * trace_contacts.glsl: hits on surfaces of several shells that coincide, exactly or within
  * trace.contact, as one interface.
  *
  * At a triangle with BVH_CONTACT, queries along the same ray enumerate the further hits by distance
@@ -40,6 +40,8 @@ void contact_add(trace_hit hit, vec3 dir, inout trace_contact contact, inout tra
     contact.left = is_entering ? contact.left : changed;
     bool is_crossed = trace_stack_has(contact.entered, own) && trace_stack_has(contact.left, own);
     if (is_crossed) {
+        if (rank == own && !is_entering)
+            decisive = hit; /* the continued path ignores this face */
         rank = rank == own ? 0u : rank;
     } else if (own > rank) {
         decisive = hit;

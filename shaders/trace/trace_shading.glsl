@@ -216,6 +216,8 @@ vec3 trace_shade(trace_surface_point p, vec3 dir, bool is_base, out float passin
         return trace_diffuse(p, -dir, albedo, is_base);
     lit_material m = lit_material_at(row, p.uv, 1.0, albedo, p.ior);
     lit_surface s = m.surface;
+    if (lit_is_shadow_catcher(row))
+        s.diffuse = lit_catcher_albedo(p.normal, environment_radiance(environment, dir, 0.0));
     vec3 n = p.normal;
     if (m.normal_texel != vec4(1.0))
         n = trace_normal_mapped(p, n, m.normal_texel.rgb, m.scales.x);

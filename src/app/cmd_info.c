@@ -275,7 +275,7 @@ static bool has_many_triangles(const struct model *model)
            TRIANGLES_MANY;
 }
 
-static void print_text(struct scene *scene, const struct technique *refraction)
+static void print_text(struct scene *scene, const struct technique *refraction, const char *ground)
 {
     const struct model *model = &scene->model;
     const struct box box = scene->box;
@@ -295,6 +295,7 @@ static void print_text(struct scene *scene, const struct technique *refraction)
         printf(", field of view %g degrees\n", (double)model->camera.fov_deg);
     }
     printf("default refraction model: %s\n", refraction->refraction.name);
+    printf("ground: %s\n", ground);
     print_cameras(model);
     print_materials(model);
     print_objects(model);
@@ -510,7 +511,7 @@ static json_t *bvh_of(const struct bvh *bvh)
 }
 
 static enum status print_json(const char *name, const struct scene *scene,
-                              const struct technique *refraction)
+                              const struct technique *refraction, const char *ground)
 {
     const struct model *model = &scene->model;
 
@@ -525,9 +526,9 @@ static enum status print_json(const char *name, const struct scene *scene,
     };
 
     json_t *root =
-        json_pack("{s:o, s:s, s:i, s:i, s:o, s:o, s:[f, f, f]}", "scene", text_of(name),
-                  "refraction", refraction->refraction.name, "surrounding_triangles",
-                  (int)(model->surroundings.index_count / 3), "textures",
+        json_pack("{s:o, s:s, s:s, s:i, s:i, s:o, s:o, s:[f, f, f]}", "scene", text_of(name),
+                  "refraction", refraction->refraction.name, "ground", ground,
+                  "surrounding_triangles", (int)(model->surroundings.index_count / 3), "textures",
                   (int)(model->textures.count + model->numbers.count), "min",
                   position_of(model, scene->box.min), "max", position_of(model, scene->box.max),
                   "origin", model->origin[0], model->origin[1], model->origin[2]);
@@ -553,8 +554,9 @@ enum status app_info(const struct app_options *o)
     struct setup_image image = o->image;
     struct setup_scene *options = &image.scene;
     struct scene scene;
-    options->plain = true; /* without added ice effects */
-    options->background.is_given = true;
+    options->plain = true;               /* without added ice effects */
+    options->background.is_given = true; /* loads no panorama */
+    options->ground.ground = STAGE_NONE;
     options->quiet = true;
     enum status status = setup_load_scene(&scene, options);
     if (status != STATUS_OK)
@@ -566,14 +568,17 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
+    const struct stage_params stage = setup_stage(&o->image.scene, &scene.model);
+    char text[SETUP_GROUND_NAME_SIZE];
+    const char *ground = setup_ground_name(&stage, text);
     status = STATUS_OK; /* printing a scene does not require a BVH */
     setup_note_contacts(options, &scene);
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)
-        status = print_json(options->name, &scene, image.refraction);
+        status = print_json(options->name, &scene, image.refraction, ground);
     else
-        print_text(&scene, image.refraction);
+        print_text(&scene, image.refraction, ground);
     scene_finish(&scene);
     return status;
 }

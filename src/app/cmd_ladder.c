@@ -44,6 +44,7 @@ static enum status refuse_furnace(const struct app_options *o)
         { "--env", scene->environment != NULL },
         { "--surroundings", scene->surroundings != NULL },
         { "--background", scene->background.is_given || scene->no_background },
+        { "--ground", stage_has_floor(&scene->ground) },
         { "--whole", o->ladder.whole },
         { "--truth", o->ladder.reference_image != NULL },
         { "--output", o->run.outputs.count > 0 },

@@ -93,6 +93,12 @@ char *render_report_json(const struct report *report, const struct sequence *seq
                   json_text_string(o->image.scene.name), "code", code, "camera", "eye",
                   position_of(view->eye), "target", position_of(view->target), "fov", view->fov_deg,
                   "exposure", view->exposure, "frames", frames);
+    char ground[SETUP_GROUND_NAME_SIZE];
+    const struct stage_params *stage = &o->image.scene.stage;
+    if (json && stage->ground != STAGE_AUTO)
+        (void)json_object_set_new(json, "ground", json_string(setup_ground_name(stage, ground)));
+    if (json && o->image.scene.environment)
+        (void)json_object_set_new(json, "env", json_text_string(o->image.scene.environment));
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);
     *size = text ? strlen(text) + 1 : 0;

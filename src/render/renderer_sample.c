@@ -21,6 +21,18 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
+/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, they are
+ * redrawn for a third of the samples: photons would take most of the time of a small image. */
+static uint32_t light_sample(const struct renderer *r, uint32_t sample)
+{
+    const uint32_t shared = 3;
+    if (r->params.is_adaptive)
+        return adaptive_light_sample(sample);
+    if (box_diagonal(r->params.scene->stage_box) > 0.0f)
+        return shared * adaptive_light_sample(sample / shared);
+    return sample;
+}
+
 /* Fills the globals buffer and those upload buffers of techniques that the plan contains. */
 static void write_uploads(const struct frame_view *view, const struct globals *globals,
                           struct rg_exec *exec, uint32_t slot)
@@ -76,8 +88,7 @@ enum status renderer_begin_frame(struct renderer *r, struct compiled_frame *comp
         .width = r->width,
         .height = r->height,
         .jitter = pixel_filter_offset(r->params.filter, sample),
-        .light_jitter =
-            pixel_filter_jitter(r->params.is_adaptive ? adaptive_light_sample(sample) : sample),
+        .light_jitter = pixel_filter_jitter(light_sample(r, sample)),
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))
                         : 0.0f,

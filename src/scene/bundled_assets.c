@@ -65,6 +65,12 @@ const struct asset assets[] = {
         .help = "dark studio with soft boxes",
     },
     {
+        .name = "stage",
+        .file = "stage.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "grey studio with soft boxes, around the floor of --ground",
+    },
+    {
         .name = "window",
         .file = "window.exr",
         .kind = ASSET_ENVIRONMENT,

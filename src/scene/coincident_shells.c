@@ -3,7 +3,8 @@
  *
  * The triangles are sorted along a Morton curve. An implicit binary tree of bounding boxes over
  * the sorted order is traversed against itself. Pairs of nodes are skipped if their boxes are
- * apart, or if all their triangles belong to one object.
+ * apart. If all their triangles belong to one object, pairs are also skipped if the object has only
+ * one solid, or if no normals are opposite.
  */
 #include "src/scene/coincident_shells.h"
 #include <cglm/struct.h>
@@ -29,12 +30,16 @@ enum {
 #define CONTACT_COSINE  0.98f  /* minimum cosine between the normals of triangles at a contact */
 #define PARALLEL_COSINE 0.999f /* minimum cosine between the normals of a shared face */
 
+/* Maximum component of the sum of two unit normals whose cosine is below -PARALLEL_COSINE. */
+#define OPPOSITE_SUM 0.045f
+
 #define MIXED_OBJECTS UINT32_MAX
 
 /* Node of the implicit tree: node i has the children 2 i and 2 i + 1. */
 struct node {
     struct box box;
-    uint32_t object; /* object of all triangles, or MIXED_OBJECTS */
+    struct box normals; /* bounds of the triangles' normals */
+    uint32_t object;    /* object of all triangles, or MIXED_OBJECTS */
 };
 
 /* Triangle of the objects' mesh. */
@@ -56,8 +61,9 @@ struct join {
     struct face *faces;  /* triangles in that order */
     uint32_t triangle_count;
     struct node *nodes;
-    uint32_t leaf_count; /* power of two */
-    uint64_t tests_left; /* limit of the work */
+    uint32_t leaf_count;     /* power of two */
+    uint64_t tests_left;     /* limit of the work */
+    uint64_t own_tests_left; /* limit of the work within objects */
 };
 
 static void grow(struct box *box, struct box other)
@@ -148,7 +154,8 @@ static bool sort_triangles(struct join *join)
 
 static struct node leaf_at(const struct join *join, uint32_t leaf)
 {
-    struct node node = { { glms_vec3_fill(FLT_MAX), glms_vec3_fill(-FLT_MAX) }, MIXED_OBJECTS };
+    const struct box empty = { glms_vec3_fill(FLT_MAX), glms_vec3_fill(-FLT_MAX) };
+    struct node node = { empty, empty, MIXED_OBJECTS };
     for (uint32_t k = 0; k < LEAF_TRIANGLES; k++) {
         const uint32_t at = leaf * LEAF_TRIANGLES + k;
         if (at >= join->triangle_count)
@@ -156,6 +163,8 @@ static struct node leaf_at(const struct join *join, uint32_t leaf)
         const struct face *face = &join->faces[at];
         node.object = k == 0 || node.object == face->object ? face->object : MIXED_OBJECTS;
         grow(&node.box, face->box);
+        if (!glms_vec3_isnan(face->normal))
+            grow(&node.normals, (struct box){ face->normal, face->normal });
     }
     return node;
 }
@@ -172,6 +181,7 @@ static void build_tree(struct join *join)
         const bool is_second_empty = children[1].box.min.x > children[1].box.max.x;
         join->nodes[i] = children[0];
         grow(&join->nodes[i].box, children[1].box);
+        grow(&join->nodes[i].normals, children[1].normals);
         if (!is_second_empty && children[0].object != children[1].object)
             join->nodes[i].object = MIXED_OBJECTS;
     }
@@ -269,14 +279,17 @@ static void mark(struct join *join, uint32_t at)
     join->shells->triangles[join->order[at] / 32] |= 1u << join->order[at] % 32;
 }
 
-/* Marks two triangles of different objects if they are in contact. */
+/* Marks two triangles if they are in contact. Triangles of one object must face each other, so that
+ * both sides of a thin sheet are not in contact. */
 static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
 {
     const struct face *a = &join->faces[at_a], *b = &join->faces[at_b];
+    const bool is_own = a->object == b->object;
     const float epsilon = pair_epsilon(join, a->object, b->object);
-    const float cosine = fabsf(glms_vec3_dot(a->normal, b->normal));
-    if (!(cosine > CONTACT_COSINE) || are_apart(&a->box, &b->box, epsilon) ||
-        is_beside(a, b, epsilon))
+    const float cosine = glms_vec3_dot(a->normal, b->normal);
+    const bool is_parallel = fabsf(cosine) > PARALLEL_COSINE;
+    if (!(is_own ? is_parallel && cosine < 0.0f : fabsf(cosine) > CONTACT_COSINE) ||
+        are_apart(&a->box, &b->box, epsilon) || is_beside(a, b, epsilon))
         return;
     struct plane_point polygon[POLYGON_MAX];
     const uint32_t count = overlap(a, b, polygon);
@@ -288,12 +301,16 @@ static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
     if (!(area_of(polygon, count) > epsilon * box_diagonal(a->box)) || low > epsilon ||
         high < -epsilon)
         return;
+    const bool is_shared = is_parallel && low >= -epsilon && high <= epsilon;
+    if (is_own && !(is_shared && low >= -join->round_epsilon))
+        return;
     struct coincident_shells *shells = join->shells;
     mark(join, at_a);
     mark(join, at_b);
-    if (cosine > PARALLEL_COSINE && low >= -epsilon && high <= epsilon) {
+    if (is_shared) {
         shells->epsilon = shells->epsilon > 0.0f ? fminf(shells->epsilon, epsilon) : epsilon;
-        record_pair(shells, a->object, b->object);
+        if (!is_own)
+            record_pair(shells, a->object, b->object);
     }
 }
 
@@ -314,6 +331,12 @@ static uint32_t list_near(const struct join *join, uint32_t leaf, const struct b
     return count;
 }
 
+/* Returns true if solids of an object may be in contact with each other. */
+static bool has_solids(const struct join *join, uint32_t object)
+{
+    return join->objects[object].solid_count > 1;
+}
+
 static void test_leaves(struct join *join, uint32_t a, uint32_t b)
 {
     uint32_t near_a[LEAF_TRIANGLES], near_b[LEAF_TRIANGLES];
@@ -321,20 +344,35 @@ static void test_leaves(struct join *join, uint32_t a, uint32_t b)
     const uint32_t count_b = count_a ? list_near(join, b, &join->nodes[a].box, near_b) : 0;
     for (uint32_t i = 0; i < count_a; i++) {
         for (uint32_t k = a == b ? i + 1 : 0; k < count_b; k++) {
-            if (join->faces[near_a[i]].object != join->faces[near_b[k]].object)
+            const uint32_t object = join->faces[near_a[i]].object;
+            if (object != join->faces[near_b[k]].object || has_solids(join, object))
                 test_faces(join, near_a[i], near_b[k]);
         }
     }
+}
+
+/* Returns true if some normals in two bounds may be opposite. */
+static bool may_oppose(const struct box *a, const struct box *b)
+{
+    for (int k = 0; k < 3; k++) {
+        if (a->min.raw[k] + b->min.raw[k] > OPPOSITE_SUM ||
+            a->max.raw[k] + b->max.raw[k] < -OPPOSITE_SUM)
+            return false;
+    }
+    return true;
 }
 
 /* Tests the triangles of two nodes of the same depth against each other. */
 static void join_nodes(struct join *join, uint32_t a, uint32_t b)
 {
     const struct node *x = &join->nodes[a], *y = &join->nodes[b];
-    if ((x->object == y->object && x->object != MIXED_OBJECTS) || join->tests_left == 0 ||
-        are_apart(&x->box, &y->box, join->reach))
+    const bool is_own = x->object == y->object && x->object != MIXED_OBJECTS;
+    uint64_t *tests_left = is_own ? &join->own_tests_left : &join->tests_left;
+    if (*tests_left == 0 || (is_own && !has_solids(join, x->object)) ||
+        are_apart(&x->box, &y->box, join->reach) ||
+        (is_own && !may_oppose(&x->normals, &y->normals)))
         return;
-    join->tests_left--;
+    --*tests_left;
     if (a >= join->leaf_count) {
         test_leaves(join, a, b);
         return;
@@ -394,7 +432,7 @@ bool coincident_shells_find(struct coincident_shells *shells, const struct objec
     struct join join = { .shells = shells, .objects = objects, .mesh = mesh };
     join.triangle_count = mesh->index_count / 3;
     *shells = (struct coincident_shells){ 0 };
-    if (count < 2)
+    if (count < 2 && !(count == 1 && objects[0].solid_count > 1))
         return true;
     bool done = allocate(&join, count);
     if (done) {
@@ -405,6 +443,7 @@ bool coincident_shells_find(struct coincident_shells *shells, const struct objec
         copy_faces(&join, count);
         build_tree(&join);
         join.tests_left = tests_max(&join);
+        join.own_tests_left = join.tests_left;
         join_nodes(&join, 1, 1);
         shells->has_more_pairs |= join.tests_left == 0;
     }
@@ -412,7 +451,7 @@ bool coincident_shells_find(struct coincident_shells *shells, const struct objec
     free(join.order);
     free(join.faces);
     free(join.nodes);
-    if (!done || shells->pair_count == 0)
+    if (!done || !(shells->epsilon > 0.0f))
         coincident_shells_finish(shells);
     return done;
 }

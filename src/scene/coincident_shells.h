@@ -1,4 +1,4 @@
-/* coincident_shells.h: finds faces that shells of different objects share, exactly or within a
+/* coincident_shells.h: finds faces that shells of one or several objects share, exactly or within a
  * small distance. Ray tracers treat the surfaces of such a contact as one interface. */
 #ifndef FIRN_SCENE_COINCIDENT_SHELLS_H
 #define FIRN_SCENE_COINCIDENT_SHELLS_H
@@ -17,7 +17,7 @@ struct coincident_pair {
     uint32_t first, second;
 };
 
-/* Contacts between objects; zeroed if there are none. */
+/* Contacts between shells; zeroed if there are none. */
 struct coincident_shells {
     uint32_t *triangles; /* bit mask of triangles at contacts; NULL if there are none */
     float epsilon;       /* maximum distance of surfaces in contact, metres */
@@ -26,7 +26,7 @@ struct coincident_shells {
     bool has_more_pairs; /* there may be further pairs */
 };
 
-/* Finds the contacts between the objects of a mesh. Returns false when out of memory. */
+/* Finds the contacts between the shells of a mesh. Returns false when out of memory. */
 MUST_USE bool coincident_shells_find(struct coincident_shells *shells, const struct object *objects,
                                      uint32_t count, const struct mesh *mesh);
 void coincident_shells_finish(struct coincident_shells *shells);

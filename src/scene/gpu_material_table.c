@@ -56,7 +56,9 @@ static void write_row(vec4s *row, const struct material *m)
         glms_vec4(is_partial ? m->base_color : m->emission, m->alpha_cutoff);
     row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength, of_object,
                                           m->flags & MATERIAL_IS_WATER_LAYER ? 1.0f : 0.0f } };
-    row[MATERIAL_ROW_COAT] = (vec4s){ { m->coat, m->coat_roughness, 0.0f, 0.0f } };
+    row[MATERIAL_ROW_COAT] =
+        (vec4s){ { m->coat, m->coat_roughness, m->flags & MATERIAL_IS_SHADOW_CATCHER ? 1.0f : 0.0f,
+                   0.0f } };
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
         write_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
 }
@@ -88,6 +90,15 @@ bool material_table_has_coat(const struct model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
         if (model->materials[i].coat > 0.0f)
+            return true;
+    }
+    return false;
+}
+
+bool material_table_has_shadow_catcher(const struct model *model)
+{
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        if (model->materials[i].flags & MATERIAL_IS_SHADOW_CATCHER)
             return true;
     }
     return false;

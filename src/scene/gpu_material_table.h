@@ -20,6 +20,9 @@ bool material_table_has_holes(const struct model *model);
 /* Returns true if any opaque material has a clear coat. */
 bool material_table_has_coat(const struct model *model);
 
+/* Returns true if any material is a shadow catcher. */
+bool material_table_has_shadow_catcher(const struct model *model);
+
 /* Returns the GPU table of a mesh's vertex extras (shaders/mesh_layout.h). Each row has
  * MESH_EXTRA_WIDTH texels. If the mesh has no extras, or if out of memory, returns NULL. The caller
  * frees the table. */

@@ -15,8 +15,11 @@ struct object {
     uint32_t first_index, index_count;
     uint32_t material; /* index into the model's materials; of the first of several materials */
     uint32_t open_edge_count; /* number of edges around holes; 0 if its shells are closed */
-    struct box box;           /* bounding box of the triangles; set with the rank */
-    uint32_t rank; /* unique medium priority, above 0; the highest rank fills an overlap */
+    /* number of closed shells around the medium, without cavities; at least 2 if triangles share an
+     * edge with more than one other. 0 if some surface is open or flat, and of thin walls. */
+    uint32_t solid_count;
+    struct box box; /* bounding box of the triangles; set with the rank */
+    uint32_t rank;  /* unique medium priority, above 0; the highest rank fills an overlap */
     /* rank of the innermost object whose medium surrounds this object; 0 for none */
     uint32_t container_rank;
     uint32_t

@@ -378,9 +378,20 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
         return add_surroundings(scene, params);
     if (builtin && builtin->surround)
         return add_builtin_surroundings(scene, builtin);
-    const bool is_bare = !scene->model.surroundings.index_count;
+    const bool is_bare = !scene->model.surroundings.index_count && !stage_has_floor(&params->stage);
     return is_bare && scene->background.kind == SCENE_SKY ? add_landscape(scene, params)
                                                           : STATUS_OK;
+}
+
+/* Adds the floor of the stage. It stays below the first pose of an animated model. */
+static enum status add_stage(struct scene *scene, const struct scene_params *params)
+{
+    if (!stage_has_floor(&params->stage))
+        return STATUS_OK;
+    scene->stage_box =
+        params->previous_pose ? params->previous_pose->stage_box : stage_subject_box(&scene->model);
+    return stage_add(&scene->model, &params->stage, scene->stage_box,
+                     &scene->background.environment);
 }
 
 /* Sorts the surroundings by distance from the object's centre, because this point is near all
@@ -467,6 +478,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = load_surroundings(scene, params);
     if (!scene->model.has_box)
         scene->model.box = mesh_box(&scene->model.surroundings);
+    if (status == STATUS_OK)
+        status = add_stage(scene, params);
     if (status == STATUS_OK)
         status = sort_surroundings(scene);
     if (status == STATUS_OK && params->orbiting_ball_count)

@@ -16,6 +16,7 @@
 #include "src/scene/medium_density.h"
 #include "src/scene/melt/melt.h"
 #include "src/scene/model_transform.h"
+#include "src/scene/stage/stage.h"
 
 enum scene_background_kind {
     SCENE_SKY,
@@ -67,6 +68,7 @@ struct scene {
     struct bump_maps bump;  /* bump map of the object's surface; may be empty */
     struct box box;         /* bounding box of the object or pool */
     struct box framing_box; /* bounding box at time 0, for the default camera */
+    struct box stage_box;   /* bounding box at time 0 of what stands on the stage */
     /* what the default camera of a model file frames, at time 0; empty for built-in scenes */
     struct framing framing;
     float time; /* animation time, seconds */
@@ -120,6 +122,7 @@ struct scene_params {
     const vec3s *background;      /* background colour; NULL for the sky */
     bool is_backdrop;             /* see scene_background.is_backdrop */
     bool is_hidden;               /* see scene_background.is_hidden */
+    struct stage_params stage;    /* floor to add below the model */
     bool is_one_object;           /* true to treat an opaque model as one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
     uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */

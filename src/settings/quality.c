@@ -11,8 +11,7 @@ enum {
 };
 
 const struct quality qualities[QUALITY_COUNT] = {
-    [DRAFT] = { "draft", "coarse surroundings, treated as infinitely distant, and few reflections",
-                1 },
+    [DRAFT] = { "draft", "coarse surroundings and few reflections", 1 },
     [NORMAL] = { "normal", "default values of all settings", 1 },
     [HIGH] = { "high", "5 samples per pixel, all internal reflections, ray-traced soft shadows", 5,
                true },
@@ -21,12 +20,10 @@ const struct quality qualities[QUALITY_COUNT] = {
 const struct quality_row quality_rows[] = {
     { "env_cube.size", { [DRAFT] = "256" } },
     { "texture.anisotropy", { [DRAFT] = "1", [HIGH] = "16" } },
-    { "refract.lookup", { [DRAFT] = "infinite" } },
     { "refract.steps", { [HIGH] = "12" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
-    { "refract_bounce.inclusions", { [DRAFT] = "off", [HIGH] = "all" } },
-    { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
-    { "ssr.steps", { [DRAFT] = "0", [HIGH] = "16" } },
+    { "air.steps", { [DRAFT] = "2", [HIGH] = "8" } },
+    { "ssr.steps", { [DRAFT] = "4", [HIGH] = "16" } },
     { "trace.min_branch", { [DRAFT] = "0.1" } },
     { "trace.footprint", { [HIGH] = "on" } },
     { "ground.light", { [HIGH] = "traced" } },
@@ -82,4 +79,17 @@ uint32_t quality_find(const struct settings *settings)
         row = is_equal ? row + 1 : quality_rows;
     }
     return level;
+}
+
+uint32_t quality_nearest(const struct settings *settings)
+{
+    uint32_t counts[QUALITY_COUNT] = { 0 };
+    uint32_t nearest = NORMAL;
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        for (const struct quality_row *row = quality_rows; row->setting; row++)
+            counts[level] += has_value(settings, row, level);
+    }
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++)
+        nearest = counts[level] > counts[nearest] ? level : nearest;
+    return nearest;
 }

@@ -6,7 +6,7 @@
 
 enum {
     QUALITY_COUNT = 3,
-    QUALITY_RENDER_DEFAULT = 2, /* default level of firn render */
+    QUALITY_RENDER_DEFAULT = 2, /* default level of firn render and firn view */
 };
 
 struct quality {
@@ -37,5 +37,8 @@ void quality_apply(struct settings *settings, uint32_t level, enum setting_sourc
 
 /* Returns the quality level that all settings match; QUALITY_COUNT if there is none. */
 uint32_t quality_find(const struct settings *settings);
+
+/* Returns the quality level that most settings match; among equals, the one of default values. */
+uint32_t quality_nearest(const struct settings *settings);
 
 #endif

@@ -6,11 +6,16 @@
 
 /* Name of the built-in preset, which restores the paper's surroundings and lighting. */
 static const char paper[] = "paper";
-static const char *const paper_lines[] = {
-    "ice_caustics.light=none", "ground.light=open",      "ssr.steps=0",
-    "ao.strength=0",           "highlight.fresnel=off",  "tonemap.exposure=0",
-    "tonemap.dither=off",      "tonemap.resolve=linear", NULL
-};
+static const char *const paper_lines[] = { "ice_caustics.light=none",
+                                           "ground.light=open",
+                                           "ssr.steps=0",
+                                           "ao.strength=0",
+                                           "highlight.fresnel=off",
+                                           "tonemap.exposure=0",
+                                           "tonemap.dither=off",
+                                           "tonemap.resolve=linear",
+                                           "refract_bounce.inclusions=cracks",
+                                           NULL };
 
 static enum status apply_line(struct setup_scene *scene, const char *assignment, uint32_t number)
 {

@@ -94,6 +94,9 @@ static void print_surroundings(FILE *out, const struct setup_scene *scene)
         fprintf(out, " env-exposure=%.9g", (double)scene->env_exposure);
     if (scene->surroundings)
         fprintf(out, " surroundings=%s", scene->surroundings);
+    char ground[SETUP_GROUND_NAME_SIZE];
+    if (stage_has_floor(&scene->stage))
+        fprintf(out, " ground=%s", setup_ground_name(&scene->stage, ground));
     const char *const files[][2] = { { "cracks", scene->cracks },
                                      { "bump", scene->bump },
                                      { "bump-mask", scene->bump_mask },

@@ -321,6 +321,8 @@ static void finish_settings_callback(void *user, const struct scene *scene,
     note_blended(settings_callback_data->options, scene);
     put_material(settings_callback_data->options, scene);
     note_opaque(settings_callback_data->options, scene);
+    setup_choose_stage(settings_callback_data->options, scene);
+    setup_choose_stage_settings(settings_callback_data->options);
     switch_off_ice_effects(settings_callback_data->options, scene);
     clear_thin_walls(settings_callback_data->options, scene, true);
     check_inclusions(settings_callback_data->options, scene, true);
@@ -331,13 +333,6 @@ static void finish_settings_callback(void *user, const struct scene *scene,
 static bool is_valley(const struct setup_scene *options)
 {
     return options->environment && asset_is_valley(options->environment);
-}
-
-const struct asset *setup_default_environment(const char *name)
-{
-    const struct asset *scene = asset_find(name, ASSET_SCENE);
-    const char *asset = scene ? scene->environment : scene_find_builtin(name) ? NULL : "studio";
-    return asset ? asset_find(asset, ASSET_ENVIRONMENT) : NULL;
 }
 
 /* Sets the default environment, `studio` or that of the asset, unless the options set one. */
@@ -376,6 +371,7 @@ void setup_apply_scene_settings(struct setup_scene *options, const struct scene 
     clear_thin_walls(options, scene, false);
     check_inclusions(options, scene, false);
     (void)choose_ior(options, scene);
+    setup_choose_stage_settings(options);
     choose_sun(options, scene);
     setup_put_exposure(options);
 }
@@ -425,6 +421,7 @@ struct scene_params setup_scene_params(const struct setup_scene *options,
         .background = options->background.is_given ? &options->background.value : NULL,
         .is_backdrop = options->background.is_given && options->environment,
         .is_hidden = options->no_background,
+        .stage = options->stage,
         .object_triangles = object->triangles,
         .landscape_triangles = landscape->triangles,
         .flat = landscape->flat,
@@ -556,7 +553,8 @@ enum status setup_begin_scene(struct scene *scene, struct setup_scene *options)
     struct bump_maps_params maps;
     struct settings_callback_data settings_callback_data = { options, &maps };
     *scene = (struct scene){ 0 };
-    if (setup_require_scene(options) != STATUS_OK || check_transform(options) != STATUS_OK)
+    if (setup_require_scene(options) != STATUS_OK || check_transform(options) != STATUS_OK ||
+        setup_check_ground(options) != STATUS_OK)
         return STATUS_USAGE;
     if (apply_asset_settings(options) != STATUS_OK)
         return STATUS_USAGE;

@@ -15,6 +15,7 @@
 enum {
     SETUP_OUTPUT_COUNT = 16, /* maximum number of -o options */
     SETUP_NODE_COUNT = 16,   /* maximum number of --material NODE=... */
+    SETUP_GROUND_NAME_SIZE = 64,
 };
 
 #define SETUP_UI_SCALE_MIN 0.5f /* range of --ui-scale */
@@ -64,6 +65,9 @@ struct setup_scene {
     float env_exposure;             /* stops */
     bool no_background;             /* alpha 0 instead of a background */
     struct setup_vector background; /* linear */
+    struct stage_params ground;     /* of --ground */
+    struct stage_params stage;      /* chosen by setup_choose_stage() */
+    bool is_stage_bare;             /* only one clear object stands on the stage */
     struct reader_params reader;
     struct settings settings;
     struct settings user_settings; /* without those that the scene sets */
@@ -133,6 +137,25 @@ MUST_USE enum status setup_load_scene(struct scene *scene, struct setup_scene *o
 struct asset;
 /* Returns the default environment for a scene name, or NULL for the built-in sky. */
 const struct asset *setup_default_environment(const char *name);
+
+/* Returns the stage of --ground, or for --ground auto the one that suits the model. */
+struct stage_params setup_stage(const struct setup_scene *options, const struct model *model);
+
+/* Returns the name of a stage's ground as the value of --ground; writes a colour into `text`. */
+const char *setup_ground_name(const struct stage_params *stage,
+                              char text[static SETUP_GROUND_NAME_SIZE]);
+
+/* Refuses --ground for built-in scenes: logs and returns STATUS_USAGE. */
+MUST_USE enum status setup_check_ground(const struct setup_scene *options);
+
+/* Returns true if an environment is the one that a stage brings for a scene by default. */
+bool setup_is_stage_environment(const char *scene, const char *environment);
+
+/* Chooses the stage of a model, and the stage's panorama unless the options set an environment. */
+void setup_choose_stage(struct setup_scene *options, const struct scene *scene);
+
+/* Sets the settings of the stage's key light. */
+void setup_choose_stage_settings(struct setup_scene *options);
 
 /* Writes a loaded scene's default settings to `options`. Settings given by the user are kept. */
 void setup_apply_scene_settings(struct setup_scene *options, const struct scene *scene);

@@ -95,6 +95,9 @@ struct refraction_model {
      * (shaders/refract/refract_deferred_front_face.glsl), for slow fragment shaders. */
     bool shades_fullscreen;
     bool traces_bvh; /* traces rays through scene->bvh; one pass draws all objects */
+    /* Optional, for traces_bvh. Returns false if rays that leave the objects look up the
+     * environment cube instead of hitting the surroundings. */
+    bool (*hits_surroundings)(const struct technique_config *config);
     /* Returns true if refracted rays can hit air-filled cracks. NULL means that they never can. */
     bool (*refracts_cracks)(const struct settings *settings);
     /* Optional. Sets the members of `config` that depend on the model, once all others are set. */
@@ -171,5 +174,14 @@ struct technique {
      * `config`, only scene, refraction, and settings from frame_resolve_settings() are set. */
     void (*write_constants)(const struct technique_config *config, uint32_t *values);
 };
+
+/* Returns true if the refraction model traces rays to the triangles of the surroundings. */
+static inline bool technique_hits_surroundings(const struct technique_config *config)
+{
+    const struct refraction_model *model =
+        config->refraction ? &config->refraction->refraction : NULL;
+    return model && model->traces_bvh &&
+           (!model->hits_surroundings || model->hits_surroundings(config));
+}
 
 #endif

@@ -19,10 +19,6 @@ static const struct {
     { "refract_bounce.steps", 4.0, DRAFT_RENDERER_FULL },
     { "refract_bounce.bisections", 4.0, DRAFT_RENDERER_FULL },
     { "ground.shading", GROUND_VERTICES, DRAFT_RENDERER_COARSE_MESH },
-    { "air.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS }, /* does not rebuild the scene */
-    { "cracks.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS },
-    { "bubbles.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS },
-    { "bump.strength", 0.0, DRAFT_RENDERER_NO_BUMPS },
 };
 
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
@@ -131,8 +127,8 @@ enum status draft_renderer_create(struct draft_renderer *q, const struct draft_r
                                   const struct renderer_shot *shot)
 {
     enum status status = make(q, p, shot, DRAFT_RENDERER_FULL);
-    while (status == STATUS_OK && q->seconds > budget_seconds && q->level < DRAFT_RENDERER_NO_BUMPS)
-        status = make(q, p, shot, q->level + 1);
+    if (status == STATUS_OK && q->seconds > budget_seconds)
+        status = make(q, p, shot, DRAFT_RENDERER_COARSE_MESH);
     return status == STATUS_OK ? status : give_up(q, status);
 }
 

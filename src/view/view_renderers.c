@@ -598,7 +598,7 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
     state.scene.exposure.is_chosen = false;
     if (environment) {
         state.scene.environment = path;
-        state.scene.has_default_environment = false;
+        state.scene.has_default_environment = setup_is_stage_environment(state.scene.name, path);
         state.scene.background.is_given = false;
     } else {
         state.scene.name = path;
@@ -608,6 +608,8 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
         state.camera = NULL;
         state.scene.animation = NULL;
         state.scene.material_override_count = 0;
+        if (scene_find_builtin(path))
+            state.scene.ground = (struct stage_params){ 0 };
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
         if (state.scene.has_default_environment)
             leave_environment(&state.scene);

@@ -12,7 +12,7 @@ from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
 SMALL = ('--size', '32x24', '-q')
 TRACED = ('-r', 'reference')
-STILL = ('--set', 'motion.ice=0', '--set', 'motion.lights=0')
+STILL = ('--ground', 'none', '--set', 'motion.ice=0', '--set', 'motion.lights=0')
 
 
 class Animation(Case):

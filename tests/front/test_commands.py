@@ -197,7 +197,8 @@ class CommandLine(Case):
         self.assertEqual(drawn('--preset', 'paper'),
                          drawn('--samples', '1', '--set', 'ice_caustics.light=none', '--set',
                                'ssr.steps=0', '--set', 'ao.strength=0', '--set',
-                               'highlight.fresnel=off', '--set', 'tonemap.resolve=linear'))
+                               'highlight.fresnel=off', '--set', 'tonemap.resolve=linear', '--set',
+                               'refract_bounce.inclusions=cracks'))
         for words, wanted in (
                 (('--quality', 'high'),
                  ('samples=5', 'refract.steps=12', 'ssr.steps=16')),

@@ -9,7 +9,7 @@ from png_file import Png  # noqa: E402
 
 CUBE = ''.join(f'v {x} {y} {z}\n' for x in (0, 1) for y in (0, 1) for z in (0, 1)) + (
     'f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n')
-FAST = (*PAPER, *SMALL_CUBE, '-q')
+FAST = (*PAPER, *SMALL_CUBE, '-q', '--ground', 'none')
 
 
 class Exposure(Case):
@@ -34,6 +34,7 @@ class Exposure(Case):
     def test_median_of_the_display(self):
         self.assertLess(self.median('--exposure', '0'), 0.25)
         self.assertTrue(0.25 < self.median() < 0.45)
+        self.assertTrue(0.25 < self.median('--ground', 'auto') < 0.45)
         self.assertTrue(0.25 < self.median('--env-exposure', '4') < 0.45)
         self.assertTrue(0.25 < self.median('--env-exposure', '-2', '--tone-curve', 'agx') < 0.45)
 

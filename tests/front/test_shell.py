@@ -94,7 +94,7 @@ class Completions(Case):
     def test_files(self):
         (self.folder / 'statue.glb').touch()
         self.assertIn('statue.glb', self.offered('render', 'st'))
-        self.assertEqual(self.offered('render', '--env', 'st'), ['studio', 'statue.glb'])
+        self.assertEqual(self.offered('render', '--env', 'st'), ['studio', 'stage', 'statue.glb'])
         self.assertEqual(self.offered('render', '--refraction', 'st'), [])
 
     def test_other_shells(self):

@@ -34,7 +34,8 @@ def model(*meshes, materials=(glass(),), nodes=None):
         return len(accessors) - 1
     for primitives in meshes:
         listed.append({'primitives': [{
-            'attributes': {'POSITION': add(values, componentType=5126, count=8, type='VEC3')},
+            'attributes': {'POSITION': add(values, componentType=5126, count=len(values) // 12,
+                                          type='VEC3')},
             'indices': add(struct.pack(f'<{len(corners)}I', *corners), componentType=5125,
                            count=len(corners), type='SCALAR'),
             'material': material} for values, corners, material in primitives]})
@@ -143,6 +144,30 @@ class Winding(Files):
             self.write([(values, faces, 0)])
             self.same(self.pixels()[0], wanted)
             self.assertIn('opposite winding, and were left out: 12\n', self.warnings)
+
+    @unsanitized
+    def test_shells_that_touch(self):
+        """Solids of one primitive that share faces, wholly, in part or nearly, are one body."""
+        def joined(*parts):
+            corners = [8 * i + k for i, part in enumerate(parts) for k in part[1]]
+            return b''.join(part[0] for part in parts), corners, 0
+        whole = [box(*ALL, at=(-1, 0, 0)), box(*ALL, at=(1, 0, 0))]
+        near = [whole[0], box(*ALL, at=(1.0001, 0, 0))]
+        step = [box(*ALL), box(*ALL, scale=0.5, at=(0.2, 1.5, 0.1))]
+        values, corners, _ = joined(*whole)
+        faces = [corners[i:i + 3] for i in range(0, len(corners), 3)]
+        mixed = [k for i in range(24) for k in faces[i * 7 % 24]]
+        for name in 'trace', 'reference':
+            for parts, one, dropped in ((whole, joined(*whole), True), (step, joined(*step), False),
+                                        (whole, (values, mixed, 0), True),
+                                        (near, joined(*near), False)):
+                with self.subTest(name, parts=parts, one=one):
+                    words = '-r', name, '--set', 'trace.surroundings=rays'
+                    self.write(*([part] for part in parts))
+                    wanted, _ = self.pixels(*words)
+                    self.write([one])
+                    self.same(self.pixels(*words)[0], wanted)
+                    self.assertEqual('were left out: 4\n' in self.warnings, dropped)
 
     def test_many_shells(self):
         """A tower, every other box of which is inside out, takes no quadratic time."""

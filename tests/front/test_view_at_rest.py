@@ -175,14 +175,14 @@ class Still(PanelsCase):
     def test_movements_that_take_long(self):
         """They are smaller, unless a key says otherwise, and then leave no trace. Where the ice
         leaves the picture, other renderers are made, whose maps reach beyond it."""
-        size = (360, 340)
+        size = (600, 500)
         self.beside += self.STRIP
-        window = self.start_with_panels('--samples', 3, '--size', '360x340', scene='valley',
+        window = self.start_with_panels('--samples', 3, '--size', '600x500', scene='valley',
                                         plain=('--plain', '-r', 'bounce', *SMALL_CUBE))
         self.press_until(window, 'm', 'what it does', lambda: self.label('full size and quality'))
-        self.assertEqual(self.drag_until(window, (65, 105), 'full size', bool), {'360×340'})
+        self.assertEqual(self.drag_until(window, (65, 105), 'full size', bool), {'600×500'})
         self.press_until(window, 'm', 'what it does', lambda: self.label('fast drafts'))
-        self.drag_until(window, self.BESIDE, 'a smaller picture', lambda size: size != '360×340')
+        self.drag_until(window, self.BESIDE, 'a smaller picture', lambda size: size != '600×500')
         for _ in range(7):
             self.desktop.do('mousemove', '--window', window, *self.BESIDE, 'click', 4)
         self.expect(window, '--eye', size=size)

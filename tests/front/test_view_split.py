@@ -66,7 +66,8 @@ class Split(WindowCase):
 
     def test_hands_move_the_divider(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN)
-        window = self.start('sphere', *PAPER, '--split', 'one-sided', title=f'{TITLE}, paused')
+        window = self.start('sphere', *PAPER, '--split', 'one-sided', '--quality', 'normal',
+                            title=f'{TITLE}, paused')
         self.settle(window, 100, pictures)
         self.settle(window, 50, pictures, lambda: self.desktop.do(
             'mousemove', '--window', window, 103, 20, 'mousedown', 1, 'mousemove',
@@ -85,7 +86,7 @@ class Split(WindowCase):
     @unsanitized
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
-        window = self.start('sphere', *PAPER)
+        window = self.start('sphere', *PAPER, '--quality', 'normal')
         wait_until('one picture', lambda: self.desktop.pixels(window) == pictures[0])
         self.press_for(window, 'w', r'sphere, paper \| trace, paused')
         self.settle(window, 100, pictures)
@@ -213,9 +214,6 @@ class FirstMinutes(PanelsCase):
         def click(label):
             return lambda: self.click(window, label)
 
-        def choose_kind(kind):  # two clicks
-            return lambda: self.choose(window, 'Kind', kind)
-
         def drag(*places):
             return lambda: self.move(window, *places)
 
@@ -227,7 +225,7 @@ class FirstMinutes(PanelsCase):
             self.move(window, self.BESIDE, (130, 200), (160, 210))
             self.desktop.do('keyup', 'ctrl')
         self.do('turn it', 1, [drag(self.BESIDE, (130, 210), (160, 220))], other)
-        self.do('make it glass', 3, [choose_kind('glass'), click('glass')],
+        self.do('make it glass', 3, [lambda: self.choose(window, 'Kind', 'glass'), click('glass')],
                 lambda: self.label('Refractive index '))
         self.do('undo', 1, [key('ctrl+z')], lambda: self.label('undo: Refractive index '))
         self.do('rotate the light', 1, [light], lambda: self.label('Sun azimuth '))

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "src/settings/quality.h"
 #include "tests/support/assertions.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
@@ -23,7 +24,7 @@ static struct scene open_scene(const struct bubble *spheres, uint32_t count)
     const vec3s center = { { 0, 0, 0 } };
     struct scene scene = picture_sphere_scene(center, 4000);
     picture_use_directions(&scene, 1024);
-    scene.inclusions.bubbles.all = calloc(count, sizeof(*scene.inclusions.bubbles.all));
+    scene.inclusions.bubbles.all = calloc(count + 1, sizeof(*scene.inclusions.bubbles.all));
     assert_non_null(scene.inclusions.bubbles.all);
     for (uint32_t i = 0; i < count; i++)
         scene.inclusions.bubbles.all[i] = spheres[i];
@@ -430,6 +431,73 @@ static void over_the_ice(void **state)
     scene_finish(&scene);
 }
 
+/* Returns the mean difference of two images where the first differs from that without bubbles. */
+static double bubble_difference(const struct render_result *result,
+                                const struct render_result *without,
+                                const struct render_result *other)
+{
+    const struct picture_layer with = picture_layer(&result->image, "");
+    const struct picture_layer empty = picture_layer(&without->image, "");
+    const struct picture_layer seen = picture_layer(&other->image, "");
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
+        if (vec_difference(picture_at(with, i), picture_at(empty, i)) < 0.05)
+            continue;
+        sum += vec_difference(picture_at(seen, i), picture_at(with, i));
+        count++;
+    }
+    print_message("%.3g on %zu pixels\n", sum / (double)count, count);
+    assert_true(count > 500);
+    return sum / (double)count;
+}
+
+static struct render_result at_level(struct gpu *gpu, const struct scene *scene, uint32_t level,
+                                     bool is_nested)
+{
+    struct picture_request request = request_of(scene, 0, 4, 40);
+    struct settings settings = picture_settings("bubbles.count=2");
+    quality_apply(&settings, level, SETTING_QUALITY);
+    if (is_nested)
+        settings_set_value(&settings, settings_find("refract_bounce.nested"), 2);
+    request.settings = &settings;
+    request.refraction = "bounce";
+    return picture_render(gpu, &request);
+}
+
+/* Bubbles off the axis are in the same places at all quality levels, and in nested objects. */
+static void levels_agree(void **state)
+{
+    static const struct bubble spheres[2] = { { { { 0.5F, 0.1F, 0.3F } }, 0.2F },
+                                              { { { -0.4F, -0.3F, 0.2F } }, 0.15F } };
+    struct scene with = open_scene(spheres, 2), without = open_scene(spheres, 0);
+    const uint32_t high = QUALITY_COUNT - 1;
+    struct render_result empty = at_level(*state, &without, high, false);
+    struct render_result top = at_level(*state, &with, high, false);
+    for (uint32_t level = 0; level < high; level++) {
+        struct render_result other = at_level(*state, &with, level, false);
+        CHECK_NEAR(bubble_difference(&top, &empty, &other), 0, 0.01);
+        render_result_finish(&other);
+    }
+    struct model *model = &with.model;
+    model->objects = calloc(1, sizeof(*model->objects));
+    model->materials = calloc(1, sizeof(*model->materials));
+    assert_true(model->objects && model->materials);
+    model->objects[0].index_count = model->object.index_count;
+    model->objects[0].box = with.box;
+    model->materials[0].flags = MATERIAL_FROM_SETTINGS;
+    model->materials[0].transmission = 1;
+    model->object_count = model->material_count = 1;
+    with.is_convex = false;
+    struct render_result nested = at_level(*state, &with, high, true);
+    CHECK_NEAR(bubble_difference(&top, &empty, &nested), 0, 0.01);
+    render_result_finish(&nested);
+    render_result_finish(&empty);
+    render_result_finish(&top);
+    scene_finish(&with);
+    scene_finish(&without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -439,6 +507,7 @@ int main(void)
         cmocka_unit_test(clipped_to_the_ice),
         cmocka_unit_test(close_up),
         cmocka_unit_test(extremes),
+        cmocka_unit_test(levels_agree),
         cmocka_unit_test(in_even_light),
         cmocka_unit_test(spheres_as_shapes),
         cmocka_unit_test(long_ones),

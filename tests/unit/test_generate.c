@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "shaders/water/water.h"
+#include "src/file/srgb.h"
+#include "src/scene/stage/stage_textures.h"
 #include "tests/support/assertions.h"
 
 typedef bool (*generate_fn)(struct mesh *mesh, uint32_t triangles);
@@ -444,6 +446,63 @@ static void test_floor(void **state)
     mesh_finish(&mesh);
 }
 
+/* The stage is level, whole, wound upwards, and fades to the colours of the horizon. */
+static void test_stage(void **state)
+{
+    struct generate_stage stage = { .foot = { { 1, 2, 3 } }, .radius = 2, .uv_scale = 0.5F };
+    struct mesh mesh = { 0 };
+    (void)state;
+    stage.near_color = glms_vec3_fill(0.2F);
+    for (uint32_t i = 0; i < GENERATE_STAGE_SIDES; i++)
+        stage.far_colors[i] = glms_vec3_fill(0.5F + 0.001F * (float)i);
+    assert_true(generate_stage(&mesh, &stage));
+    double area = 0;
+    for (uint32_t i = 0; i < mesh.index_count; i += 3) {
+        const vec3s normal = facet(&mesh, i);
+        assert_true(normal.y > 0);
+        area += 0.5 * (double)normal.y;
+    }
+    const double round = GENERATE_STAGE_SIDES / 2.0 * sin(2 * CGLM_PI / GENERATE_STAGE_SIDES);
+    CHECK_NEAR(area / (600.0 * 600.0 * round), 1, 1e-4);
+    for (uint32_t i = 0; i < mesh.vertex_count; i++) {
+        const struct mesh_vertex *v = &mesh.vertices[i];
+        const float distance = glms_vec3_distance(v->position, stage.foot);
+        CHECK_NEAR(v->position.y, 2, 0);
+        CHECK_NEAR(v->uv.x, 0.25F * (v->position.x - 1), 1e-3);
+        if (distance <= 3)
+            CHECK_NEAR(v->color.x, 0.2F, 1e-6);
+        if (distance >= 26.1F)
+            CHECK_NEAR(v->color.x, stage.far_colors[i % GENERATE_STAGE_SIDES].x, 1e-6);
+    }
+    CHECK_NEAR(generate_stage_fade(0), 0, 0);
+    CHECK_NEAR(generate_stage_fade(GENERATE_STAGE_RINGS - 1), 1, 0);
+    mesh_finish(&mesh);
+}
+
+/* Opposite edges of the textures differ no more than neighbouring columns and rows. */
+static void test_floor_textures(void **state)
+{
+    const size_t size = STAGE_TEXTURE_SIZE;
+    (void)state;
+    for (int is_wood = 0; is_wood < 2; is_wood++) {
+        struct stage_textures made;
+        double inside = 0, across = 0, sum = 0;
+        assert_true(stage_textures_generate(&made, is_wood));
+        for (size_t i = 0; i < size; i++) {
+            const uint8_t *row = &made.colors[4 * i * size], *column = &made.colors[4 * i];
+            const size_t last = size - 1;
+            across += abs(row[0] - row[4 * last]) + abs(column[0] - column[4 * last * size]);
+            inside += abs(row[400] - row[404]) + abs(column[400 * size] - column[404 * size]);
+        }
+        assert_true(across < 2 * inside + 8.0 * (double)size);
+        for (size_t i = 0; i < size * size; i++)
+            sum += (double)srgb_decode((float)made.colors[4 * i] / 255);
+        CHECK_NEAR(sum / (double)(size * size), made.mean.x, 2e-3);
+        free(made.colors);
+        free(made.normals);
+    }
+}
+
 /* Six whole walls; the object lies on the table, off the middle. */
 static void test_room(void **state)
 {
@@ -542,6 +601,8 @@ int main(void)
         cmocka_unit_test(test_teapot_looks_like_one),
         cmocka_unit_test(test_landscape),
         cmocka_unit_test(test_floor),
+        cmocka_unit_test(test_stage),
+        cmocka_unit_test(test_floor_textures),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_pool),
         cmocka_unit_test(test_floe),

@@ -39,9 +39,9 @@ static void test_names_and_finishes(void **state)
     assert_true(parse(&choice, "glass") && !choice.finish);
     assert_true(material_choice_parse(&choice, "bk7:rough,ior=2", 9));
     assert_string_equal(choice.preset->name, "bk7");
-    CHECK_NEAR(material_of_choice(&choice).roughness, 0.2f, 1e-6f);
+    CHECK_NEAR(material_of_choice(&choice).roughness, 0.2f, 1e-6);
     assert_true(parse(&choice, "glass:frosted"));
-    CHECK_NEAR(material_of_choice(&choice).roughness, 0.5f, 1e-6f);
+    CHECK_NEAR(material_of_choice(&choice).roughness, 0.5f, 1e-6);
     assert_false(parse(&choice, "glass:"));
     assert_false(parse(&choice, "glass:frost"));
     assert_string_equal(choice.preset->name, "glass"); /* for the message */
@@ -56,8 +56,8 @@ static void test_absorption_is_that_of_the_table(void **state)
     assert_true(parse(&choice, "red-wine"));
     const struct material material = material_of_choice(&choice);
     for (int k = 0; k < 3; k++)
-        CHECK_NEAR(material_absorption(&material).raw[k], choice.preset->absorption.raw[k], 0.01f);
-    CHECK_NEAR(material_preset_color(choice.preset).x, 0.3135f, 1e-3f);
+        CHECK_NEAR(material_absorption(&material).raw[k], choice.preset->absorption.raw[k], 0.01);
+    CHECK_NEAR(material_preset_color(choice.preset).x, 0.3135f, 1e-3);
 }
 
 static void test_settings_of_each_preset_find_it(void **state)
@@ -83,10 +83,10 @@ static void test_put_keeps_what_the_user_sets(void **state)
     setup_put_material(&settings, &choice, 1.0f, SETTING_PRESET);
     const struct absorb_params *absorb = settings_of(&settings, &absorb_settings);
     const struct refract_params *refract = settings_of(&settings, &refract_settings);
-    CHECK_NEAR(absorb->red, 7.0f, 1e-6f);
-    CHECK_NEAR(absorb->green, choice.preset->absorption.y, 1e-3f);
-    CHECK_NEAR(refract->roughness, 0.5f, 1e-6f);
-    CHECK_NEAR(refract->dispersion, 20.0f / choice.preset->abbe, 1e-6f);
+    CHECK_NEAR(absorb->red, 7.0f, 1e-6);
+    CHECK_NEAR(absorb->green, choice.preset->absorption.y, 1e-3);
+    CHECK_NEAR(refract->roughness, 0.5f, 1e-6);
+    CHECK_NEAR(refract->dispersion, 20.0f / choice.preset->abbe, 1e-6);
 }
 
 /* Writes the corners and triangles of a box of half width `half`, inside out if `is_inner`. */
@@ -116,8 +116,8 @@ static void test_wall_thickness(void **state)
     (void)state;
     add_box(vertices, indices, 0.1f, 0, false);
     add_box(&vertices[8], &indices[36], 0.0986f, 8, true); /* walls of 1.4 mm */
-    CHECK_NEAR(setup_wall_thickness(&mesh, 0, 36), 0.2f / 3.0f, 1e-5f);
-    CHECK_NEAR(setup_wall_thickness(&mesh, 0, 72), 0.0014f, 2e-5f);
+    CHECK_NEAR(setup_wall_thickness(&mesh, 0, 36), 0.2f / 3.0f, 1e-5);
+    CHECK_NEAR(setup_wall_thickness(&mesh, 0, 72), 0.0014f, 2e-5);
     assert_true(setup_wall_thickness(&mesh, 0, 0) <= 0.0f);
     scene.model.object.index_count = 36;
     assert_false(setup_has_thin_walls(&scene));

@@ -440,6 +440,7 @@ static void objects_are_checked(void **state)
     refuse_word(OBJECTS_AT + offsetof(struct object, container_rank), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, enclosing_object), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, open_edge_count), 7, PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, solid_count), 7, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, first_index), 3, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 6, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 0, PIPE_INDEX);

@@ -104,6 +104,18 @@ static void test_defaults_are_not_said(void **state)
         "-o firn.png");
 }
 
+static void test_levels(void **state)
+{
+    (void)state;
+    check("sphere --quality draft",
+          "firn render sphere --size 320x240 --samples 1 --quality draft -o firn.png");
+    check("sphere --quality high --pixel-filter box --set refract.steps=3",
+          "firn render sphere --size 320x240 --samples 1 --quality high --pixel-filter box "
+          "--set refract.steps=3 --set tonemap.dither=off -o firn.png");
+    check("sphere --set tonemap.dither=on",
+          "firn render sphere --size 320x240 --samples 1 --set tonemap.dither=on -o firn.png");
+}
+
 static void test_time(void **state)
 {
     (void)state;
@@ -193,9 +205,13 @@ static void test_another_size(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults_are_not_said), cmocka_unit_test(test_time),
-        cmocka_unit_test(test_index_of_refraction),   cmocka_unit_test(test_words_come_back),
-        cmocka_unit_test(test_name_like_an_option),   cmocka_unit_test(test_another_size),
+        cmocka_unit_test(test_defaults_are_not_said),
+        cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_time),
+        cmocka_unit_test(test_index_of_refraction),
+        cmocka_unit_test(test_words_come_back),
+        cmocka_unit_test(test_name_like_an_option),
+        cmocka_unit_test(test_another_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -173,11 +173,12 @@ enum status option_quality(const struct option *option, void *at, const char *va
     return STATUS_OK;
 }
 
-void option_default_quality(struct app_options *o)
+void option_default_quality(struct app_options *o, enum app_command command)
 {
     const struct setup_image *image = &o->image;
     const bool has_limit = o->render.noise > 0.0 || o->render.seconds > 0.0;
-    if (!image->level_samples && !image->samples && !image->scene.preset && !has_limit)
+    const bool has_samples = image->samples && command != APP_VIEW; /* a window has a target */
+    if (!image->level_samples && !has_samples && !image->scene.preset && !has_limit)
         apply_level(&o->image, QUALITY_RENDER_DEFAULT);
 }
 

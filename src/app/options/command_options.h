@@ -16,7 +16,7 @@ option_fn option_split;                          /* of struct setup_image */
 option_fn option_quality;
 
 /* Applies the default quality if no --quality, --samples, --preset, --noise or --time is given. */
-void option_default_quality(struct app_options *o);
+void option_default_quality(struct app_options *o, enum app_command command);
 
 /* Sets the defaults of firn ladder: exact refraction, without effects that the path tracer does not
  * draw. Must be called before the options are parsed. */

@@ -1,5 +1,6 @@
 /* image_options.c: setters of the options that select scene, image, camera and output files. */
 #include "src/app/options/image_options.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -247,6 +248,20 @@ enum status option_background(const struct option *option, void *at, const char 
         return option_refuse(option, value, "R,G,B, linear and each at least 0, or none");
     scene->background = color;
     return STATUS_OK;
+}
+
+enum status option_ground(const struct option *option, void *at, const char *value)
+{
+    struct stage_params *stage = at;
+    vec3s *c = &stage->color;
+    const int i = option_find_word(stage_ground_names, STAGE_COLOR, value);
+    stage->ground = i < 0 ? STAGE_COLOR : (enum stage_ground)i;
+    const bool is_valid = i >= 0 || (option_parse_numbers(value, ',', c->raw, 3) &&
+                                     glms_vec3_min(*c) >= 0.0f && glms_vec3_max(*c) <= 1.0f);
+    return is_valid ? STATUS_OK
+                    : option_refuse(option, value,
+                                    "auto, none, shadow, studio, slate, wood, or R,G,B, linear and "
+                                    "each from 0 to 1");
 }
 
 /* ---- the camera ---- */

@@ -188,9 +188,9 @@ static const struct option options[] = {
     { "Rendering", "refraction", 'r', "MODEL", FRAMES | APP_SHEET, IMAGE(option_refraction),
       "refraction model, such as bounce; see firn list refractions (default: by scene)" },
     { "Rendering", "quality", 0, "LEVEL", IMAGES, IMAGE(option_quality),
-      "quality level: draft, normal or high (default: normal; high in firn render)" },
+      "quality level: draft, normal or high (default: high in render and view)" },
     { "Rendering", "material", 'm', "NAME", IMAGES, SCENE(option_material),
-      "material, e.g. ruby:rough, or NODE=glass[,ior=1.5,...]; see firn list materials" },
+      "material, such as ruby:rough or NODE=glass[,ior=1.5,...]; see firn list materials" },
     { "Rendering", "plain", 0, NULL, IMAGES, FLAG(image.scene.plain),
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
@@ -210,7 +210,7 @@ static const struct option options[] = {
     { "Scene", "animation", 0, "NAME|N", IMAGES | APP_INFO, TEXT(image.scene.animation),
       "animation of the model file: name, number from 0, or none (default: the first)" },
     { "Scene", "env", 'e', "FILE", IMAGES, INPUT(image.scene.environment),
-      "environment: name, .exr, .hdr or cube faces (default: sky; studio for models)" },
+      "environment: name, .exr, .hdr or cube faces (default: sky; stage for models)" },
     { "Scene", "env-rotate", 0, "DEG", IMAGES, FLOAT(image.scene.env_rotate),
       "rotation of the --env panorama about +Y, degrees, -360 to 360 (default: 0)", -360, 360,
       " degrees" },
@@ -218,6 +218,9 @@ static const struct option options[] = {
       "exposure of the --env file, stops, -16 to 16 (default: 0)", -16, 16, " stops" },
     { "Scene", "surroundings", 0, "FILE", IMAGES, INPUT(image.scene.surroundings),
       "model file that surrounds the object (default: the scene's own surroundings)" },
+    { "Scene", "ground", 0, "GROUND", IMAGES | APP_INFO,
+      AT(struct stage_params, image.scene.ground, option_ground),
+      "floor of a model: none, shadow, studio, slate, wood or R,G,B (default: auto)" },
     { "Scene", "cracks", 0, "FILE", IMAGES, INPUT(image.scene.cracks),
       "model file of a crack; cracks.count copies of it are placed at random" },
     { "Scene", "bump", 0, "FILE", IMAGES, INPUT(image.scene.bump),
@@ -537,8 +540,9 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     if (command != APP_FARM) /* firn farm adds its default output later */
         app_default_output(o, command);
     enum status status = check_layers(&o->image);
-    if (command & (APP_RENDER | APP_FARM))
-        option_default_quality(o);
+    const bool rests = command == APP_VIEW && !o->window.frame_count;
+    if (command & (APP_RENDER | APP_FARM) || rests)
+        option_default_quality(o, command);
     if (status == STATUS_OK && command & (APP_RENDER | APP_FARM))
         status = option_check_reference(o);
     if (status == STATUS_OK)

@@ -78,6 +78,22 @@ static const struct embree_scene_hit *find_decisive(const struct tracer *tracing
     return decisive;
 }
 
+/* Returns a hit of a ray that enters and leaves the same objects: one where it leaves an object, so
+ * that the continued ray ignores that face. Its facet faces the ray, because the ray stays inside
+ * the object. */
+static struct embree_scene_hit find_passed(const struct embree_scene_hit *hits, uint32_t count,
+                                           vec3s dir)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        struct embree_scene_hit hit = hits[i];
+        if (is_entering(&hit, dir))
+            continue;
+        hit.facet = glms_vec3_negate(hit.facet);
+        return hit;
+    }
+    return hits[0];
+}
+
 void contact_hits_cross(const struct tracer *tracing, const struct embree_scene_ray *ray,
                         const struct nested_media_set *inside, struct surface_hit *surface_hit)
 {
@@ -103,7 +119,7 @@ void contact_hits_cross(const struct tracer *tracing, const struct embree_scene_
     struct nested_media_set before = *inside, after = *inside;
     nested_media_set_apply(&before, changes, false);
     nested_media_set_apply(&after, changes, true);
-    surface_hit->hit = decisive ? *decisive : hits[0];
+    surface_hit->hit = decisive ? *decisive : find_passed(hits, count, ray->dir);
     surface_hit->crossing = (struct nested_media_crossing){
         .before = nested_media_top(tracing->media, &before, NESTED_MEDIA_NONE),
         .after = nested_media_top(tracing->media, &after, NESTED_MEDIA_NONE),

@@ -1,5 +1,5 @@
 /*
- * contact_hits.h: hits on surfaces of several objects that coincide, exactly or within
+ * contact_hits.h: hits on surfaces of several shells that coincide, exactly or within
  * coincident_shells.epsilon. They are one interface. The object of highest priority whose medium
  * begins or ends decides its normal and material. An object that is both entered and left does not
  * count, and neither does a thin wall at the boundary of a medium.

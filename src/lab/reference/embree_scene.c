@@ -41,6 +41,14 @@ static bool is_thin(const struct embree_scene *embree_scene, uint32_t object)
     return !(material->flags & MATERIAL_FROM_SETTINGS) && !(material->thickness > 0.0f);
 }
 
+/* Returns true if a ray enumerates the hits at a contact of an object, which include faces of its
+ * other shells that the ray enters. */
+static bool searches_object(const struct embree_scene *embree_scene,
+                            const struct embree_scene_ray *ray, uint32_t object)
+{
+    return ray->search && object_of(embree_scene, ray->search->found[0]) == object;
+}
+
 /* Returns true if a face at a contact belongs to the surface on which the ray starts. */
 static bool is_crossed_contact(const struct embree_scene *embree_scene,
                                const struct embree_scene_ray *ray, const struct RTCHit *hit,
@@ -54,6 +62,8 @@ static bool is_crossed_contact(const struct embree_scene *embree_scene,
     if (is_thin(embree_scene, object))
         return is_near ||
                (ray->is_wrong_side && object == ray->object && (towards > 0.0f) != ray->is_inside);
+    if (towards < 0.0f && searches_object(embree_scene, ray, object))
+        return false;
     return (is_near || ray->is_wrong_side) &&
            nested_media_set_has(ray->inside, object) != (towards > 0.0f);
 }

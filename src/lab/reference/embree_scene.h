@@ -4,7 +4,7 @@
  * Self-intersection is avoided without offsets: a ray ignores the triangle on which it starts. It
  * also ignores faces of the same object with the wrong orientation if they are closer than epsilon,
  * or if interpolated normals gave the ray a direction on the wrong side (`is_wrong_side`). Cracks
- * and planes of air closer than epsilon are ignored. At a contact with another object, a face that
+ * and planes of air closer than epsilon are ignored. At a contact with another shell, a face that
  * is closer than epsilon is ignored if it does not change the set of objects around the ray.
  * Bubbles are intersected analytically (src/scene/bubble_intersect.h): a ray that starts on a
  * bubble hits it again only from inside.

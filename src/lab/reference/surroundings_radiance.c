@@ -446,6 +446,20 @@ vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex 
     return glms_vec3_mul(vertex->color, glms_vec3(base_texel(radiance, vertex)));
 }
 
+/* Returns the albedo of a material. That of a shadow catcher gives it, where it is unoccluded, the
+ * environment's radiance in the ray's direction. */
+static vec3s albedo_of(const struct radiance *radiance, const struct material *m,
+                       const struct radiance_point *point, vec3s n)
+{
+    const struct globals *g = radiance->globals;
+    if (!(m->flags & MATERIAL_IS_SHADOW_CATCHER))
+        return radiance_albedo(radiance, point->vertex);
+    const float cosine = fmaxf(glms_vec3_dot(n, g->sun_dir), 0.0f);
+    const vec3s light = glms_vec3_muladds(g->sun_light, cosine, diffuse_irradiance(radiance, n));
+    return glms_vec3_div(radiance_at_infinity(radiance, point->dir),
+                         glms_vec3_maxv(light, glms_vec3_fill(1e-6f)));
+}
+
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point)
 {
     const struct mesh_vertex *vertex = point->vertex;
@@ -458,7 +472,8 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)
         return shade_diffuse(radiance, point, n, albedo);
-    return shade_material(radiance, m, point, normals_of(radiance, m, point, n), albedo);
+    return shade_material(radiance, m, point, normals_of(radiance, m, point, n),
+                          albedo_of(radiance, m, point, n));
 }
 
 vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir)
@@ -501,7 +516,8 @@ bool radiance_reflectance_at(const struct radiance *radiance, const struct radia
     if (vertex->material & MESH_UNLIT || !m)
         return !(vertex->material & MESH_UNLIT);
     const struct coordinates uv = coordinates_of(point);
-    const struct lit_surface surface = surface_of(radiance, m, point, albedo);
+    const struct lit_surface surface =
+        surface_of(radiance, m, point, albedo_of(radiance, m, point, reflectance->normal));
     const struct normals n = normals_of(radiance, m, point, reflectance->normal);
     reflectance->normal = n.base;
     reflectance->top = n.top;

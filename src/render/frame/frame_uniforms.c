@@ -359,8 +359,10 @@ static uint32_t textured(const struct model *model)
     const bool any = model->textures.count + model->numbers.count > 0;
     const uint32_t holes = material_table_has_holes(model) ? CONSTANT_TEXTURED_HOLES : 0;
     const uint32_t coat = material_table_has_coat(model) ? CONSTANT_TEXTURED_COAT : 0;
+    const uint32_t catcher =
+        material_table_has_shadow_catcher(model) ? CONSTANT_TEXTURED_CATCHER : 0;
     const uint32_t uses = any ? CONSTANT_TEXTURED_ANY | material_table_uses(model) : 0;
-    return uses | holes | coat;
+    return uses | holes | coat | catcher;
 }
 
 struct frame_constants frame_view_constants(const struct scene *scene,

@@ -47,6 +47,27 @@ bool generate_landscape(struct mesh *mesh, uint32_t triangles);
  * transmits. The floor reaches the horizon, faces up, and is lit (not MESH_UNLIT). */
 bool generate_floor(struct mesh *mesh, struct box object);
 
+enum {
+    GENERATE_STAGE_SIDES = 64,
+    GENERATE_STAGE_RINGS = 34,
+};
+
+struct generate_stage {
+    vec3s foot;       /* centre of the floor */
+    float radius;     /* radius of the object; that of the floor is 300 times as large */
+    float uv_scale;   /* texture repetitions per radius */
+    vec3s near_color; /* vertex colour at the object */
+    /* vertex colours at the horizon, clockwise from -Z as seen from above */
+    vec3s far_colors[GENERATE_STAGE_SIDES];
+};
+
+/* Generates a round level floor that faces up, of concentric rings. Its vertex colours fade from
+ * near_color to far_colors between 1.5 and 13 radii. Ring i, from the centre, has material i. */
+bool generate_stage(struct mesh *mesh, const struct generate_stage *stage);
+
+/* Returns the mean fraction of far_colors in a ring. */
+float generate_stage_fade(uint32_t ring);
+
 /* Generates a closed room, 11.7 x 6.3 x 9.9 m, with an off-centre table under the object. Walls,
  * floor and ceiling are tiled with coloured lines. A lamp and a window emit light. Vertex colours
  * are baked radiances (MESH_UNLIT), with shadows of the furniture. */

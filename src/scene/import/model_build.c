@@ -379,6 +379,10 @@ void model_build_warn(const struct model_import *import)
         log_note("%s: faces of refractive objects that occur again with the opposite winding, and "
                  "were left out: %u",
                  import->path, import->doubled_triangles);
+    if (shells->shared > 0)
+        log_note("%s: faces inside refractive objects, where two shells touch, that were left out: "
+                 "%u",
+                 import->path, shells->shared);
     if (shells->flipped > 0)
         log_note("%s: shells that are wound inside out, and were flipped: %u", import->path,
                  shells->flipped);

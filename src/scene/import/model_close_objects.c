@@ -85,11 +85,14 @@ static bool find_shells(struct model_build *build, const struct member *members,
             .vertex_count = build->objects[k].vertex_count,
         };
     }
+    const bool is_thin = members[0].medium > model->material_count;
     const bool done =
-        parts && model_shells_find(&model->object, parts, count, &build->import->shells);
+        parts && model_shells_find(&model->object, parts, count, !is_thin && !build->is_animated,
+                                   &build->import->shells);
     for (uint32_t i = 0; done && i < count; i++) {
         const uint32_t root = members[parts[i].object].object;
         roots[members[i].object] = root;
+        model->objects[members[i].object].solid_count = is_thin ? 0 : parts[i].solid_count;
         model->objects[root].open_edge_count += parts[i].open_edge_count;
     }
     free(parts);
@@ -139,6 +142,26 @@ static bool join(struct model *model, const uint32_t *roots)
     model->object_count = joined_count;
     model->object.indices = indices;
     return true;
+}
+
+/* Drops triangles of equal corners. */
+static void drop_collapsed(struct model *model)
+{
+    uint32_t *indices = model->object.indices;
+    uint32_t end = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        struct object *object = &model->objects[i];
+        const uint32_t first = object->first_index, count = object->index_count;
+        object->first_index = end;
+        for (uint32_t k = first; k < first + count; k += 3) {
+            if (indices[k] == indices[k + 1] && indices[k] == indices[k + 2])
+                continue;
+            memmove(&indices[end], &indices[k], 3 * sizeof(*indices));
+            end += 3;
+        }
+        object->index_count = end - object->first_index;
+    }
+    model->object.index_count = end;
 }
 
 /* Finds the shells of each group of objects, which are consecutive in the sorted members. */
@@ -217,6 +240,8 @@ enum status model_build_close_objects(struct model_build *build)
         is_joined = is_joined || roots[i] != i;
     if (done && is_joined)
         done = join(model, roots);
+    if (done && build->import->shells.shared > 0)
+        drop_collapsed(model);
     free(media);
     free(roots);
     free(members);

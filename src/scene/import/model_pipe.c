@@ -131,7 +131,7 @@ static enum pipe_fault check_object(const struct model *model, const void *items
     const uint32_t left = model->object.index_count - first;
     if (!IS_TEXT(object->name) || object->rank != 0 || object->container_rank != 0 ||
         object->enclosing_object != 0 || object->material >= model->material_count ||
-        object->open_edge_count > object->index_count)
+        object->open_edge_count > object->index_count || object->solid_count > object->index_count)
         return PIPE_MATERIAL;
     if (object->first_index != first || object->index_count == 0 || object->index_count % 3 != 0 ||
         object->index_count > left || (i + 1 == model->object_count && object->index_count != left))

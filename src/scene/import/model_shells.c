@@ -7,9 +7,16 @@
 #include <string.h>
 #include "src/scene/import/shell_nesting.h"
 
+enum {
+    FOLDED_USES_MAX = 16, /* maximum number of triangles at an edge that are tested for folds */
+};
+
 /* Area of the boundary of a hole, as a fraction of its squared length, below which the boundary is
  * a seam between vertices that do not match (T-junctions). */
 static const double seam = 1e-5;
+
+/* Cosine between the planes of two triangles that are folded onto each other. */
+static const float folded_cosine = 0.999f;
 
 /* Volume of a shell, as a fraction of area ^ 1.5, below which the shell is flat. */
 static const double flat = 1e-12;
@@ -18,6 +25,11 @@ static const double flat = 1e-12;
 struct forest {
     uint32_t *parents;
     uint8_t *parities;
+};
+
+/* Two triangles with the same corners and opposite windings. */
+struct coincident {
+    uint32_t first, second;
 };
 
 /* State of the search. */
@@ -30,6 +42,8 @@ struct search {
     bool *is_turned;    /* of each triangle: true if wound opposite to most of its shell */
     struct shell_edge *boundary;
     uint32_t boundary_count, boundary_capacity;
+    struct coincident *coincident;
+    uint32_t coincident_count, coincident_capacity;
     bool is_out_of_memory;
     uint32_t *shell_of; /* index of each triangle's shell */
     struct shell *shells;
@@ -122,6 +136,105 @@ static void add_to_boundary(struct search *search, const struct shell_edge *use)
     search->boundary[search->boundary_count++] = *use;
 }
 
+static uint32_t next_corner(uint32_t corner)
+{
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+/* Returns the corner of the triangle that is not on an edge. */
+static uint32_t opposite_corner(const struct shell_edge *use)
+{
+    return use->corner % 3 == 0 ? use->corner + 2 : use->corner - 1;
+}
+
+static void add_coincident(struct search *search, struct coincident pair)
+{
+    if (search->coincident_count == search->coincident_capacity) {
+        const size_t capacity = 2 * (size_t)search->coincident_capacity + 64;
+        struct coincident *grown = realloc(search->coincident, capacity * sizeof(*grown));
+        search->is_out_of_memory = search->is_out_of_memory || !grown;
+        if (!grown)
+            return;
+        search->coincident = grown;
+        search->coincident_capacity = (uint32_t)capacity;
+    }
+    search->coincident[search->coincident_count++] = pair;
+}
+
+/* Returns the unit vector from an edge to the opposite corner, perpendicular to the edge. */
+static vec3s height_of(const struct shell_edges *edges, const struct shell_edge *use)
+{
+    const vec3s from = corner_at(edges, use->corner);
+    const vec3s side = glms_vec3_sub(corner_at(edges, opposite_corner(use)), from);
+    const vec3s along =
+        glms_vec3_normalize(glms_vec3_sub(corner_at(edges, next_corner(use->corner)), from));
+    return glms_vec3_normalize(glms_vec3_muladds(along, -glms_vec3_dot(side, along), side));
+}
+
+/* Returns true if two triangles of opposite windings are at the same side of their common edge, so
+ * that they face each other or are the two sides of a sheet. */
+static bool are_folded(const struct shell_edges *edges, const struct shell_edge *a,
+                       const struct shell_edge *b)
+{
+    return shell_edge_is_forward(edges, a) != shell_edge_is_forward(edges, b) &&
+           glms_vec3_dot(height_of(edges, a), height_of(edges, b)) > folded_cosine;
+}
+
+/* If the triangle of use `index` is folded onto another one, returns the index of the nearest use
+ * that closes a shell with it without a fold. Returns `count` if there is none. */
+static uint32_t find_partner(const struct shell_edges *edges, const struct shell_edge *uses,
+                             uint32_t count, uint32_t index, uint32_t matched)
+{
+    const bool is_forward = shell_edge_is_forward(edges, &uses[index]);
+    bool is_folded = false;
+    uint32_t found = count;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t distance = i < index ? index - i : i - index;
+        if (shell_edge_is_forward(edges, &uses[i]) == is_forward)
+            continue;
+        if (are_folded(edges, &uses[i], &uses[index]))
+            is_folded = true;
+        else if (!(matched >> i & 1) &&
+                 (found == count || distance < (found < index ? index - found : found - index)))
+            found = i;
+    }
+    return is_folded ? found : count;
+}
+
+/* Lists the pairs of coincident triangles of one part at an edge of several triangles, only at the
+ * edge between their lower two points. Joins folded triangles with others of their shells.
+ * Returns the number of the remaining uses, which are moved to the front. */
+static uint32_t visit_folded(struct search *search, struct shell_edge *uses, uint32_t count)
+{
+    const struct shell_edges *edges = &search->edges;
+    uint32_t matched = 0, left = 0;
+    edges->parts[edges->owners[uses->corner / 3]].solid_count = 1;
+    if (count > FOLDED_USES_MAX)
+        return count;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t triangle = uses[i].corner / 3;
+        for (uint32_t k = 0; k < i && edges->points[opposite_corner(&uses[i])] > uses[i].to; k++) {
+            const uint32_t other = uses[k].corner / 3;
+            if (edges->points[opposite_corner(&uses[k])] ==
+                    edges->points[opposite_corner(&uses[i])] &&
+                are_folded(edges, &uses[k], &uses[i]) &&
+                edges->owners[other] == edges->owners[triangle])
+                add_coincident(search, (struct coincident){ other, triangle });
+        }
+        const uint32_t partner =
+            matched >> i & 1 ? count : find_partner(edges, uses, count, i, matched);
+        if (partner == count)
+            continue;
+        (void)join_triangles(&search->triangles, triangle, uses[partner].corner / 3, 0);
+        matched |= 1u << i | 1u << partner;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (!(matched >> i & 1))
+            uses[left++] = uses[i];
+    }
+    return left;
+}
+
 /* Joins the triangles at an edge. Each use is matched with the last unmatched opposite one before
  * it, because the triangles of a shell are usually consecutive. `uses` holds the stack of unmatched
  * ones, which all have the same direction. */
@@ -131,7 +244,8 @@ static void visit_triangles(void *user, struct shell_edge *uses, uint32_t count)
     const struct shell_edges *edges = &search->edges;
     uint32_t depth = 0;
     const uint32_t a = uses[0].corner / 3, b = uses[count > 1].corner / 3;
-    for (uint32_t i = 0; i < count; i++) {
+    const uint32_t left = count > 2 ? visit_folded(search, uses, count) : count;
+    for (uint32_t i = 0; i < left; i++) {
         const struct shell_edge use = uses[i];
         const bool is_forward = shell_edge_is_forward(edges, &use);
         if (depth > 0 && shell_edge_is_forward(edges, &uses[depth - 1]) != is_forward)
@@ -157,11 +271,6 @@ struct loop {
     double length;
     uint32_t first; /* 1 + index of the first edge; 0 before it */
 };
-
-static uint32_t next_corner(uint32_t corner)
-{
-    return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
 
 static double length_of(const double v[static 3])
 {
@@ -383,6 +492,59 @@ static bool apply_winding(struct search *search, struct shell_counts *counts)
     return is_done != NULL;
 }
 
+/* ---- shared faces ---- */
+
+/* Returns true if a triangle belongs to a shell that bounds a medium from outside. */
+static bool is_of_solid(const struct search *search, uint32_t triangle)
+{
+    const struct shell *shell = &search->shells[search->shell_of[triangle]];
+    return shell->is_solid && !shell->is_cavity;
+}
+
+/* Makes the corners of a triangle equal. Returns false if they already were. */
+static bool collapse(struct search *search, uint32_t triangle)
+{
+    uint32_t *indices = search->edges.mesh->indices;
+    const uint32_t *corners = &search->edges.corners[(size_t)3 * triangle];
+    const uint32_t first = indices[corners[0]];
+    if (indices[corners[1]] == first)
+        return false;
+    indices[corners[1]] = first;
+    indices[corners[2]] = first;
+    return true;
+}
+
+/* Collapses pairs of coincident triangles of different solids, which are inside their medium. */
+static void collapse_shared(struct search *search, struct shell_counts *counts)
+{
+    for (uint32_t i = 0; i < search->coincident_count; i++) {
+        const uint32_t a = search->coincident[i].first, b = search->coincident[i].second;
+        const struct shell *of_a = &search->shells[search->shell_of[a]],
+                           *of_b = &search->shells[search->shell_of[b]];
+        const bool is_opposite =
+            (search->is_turned[a] ^ of_a->is_flipped) == (search->is_turned[b] ^ of_b->is_flipped);
+        if (of_a == of_b || !is_of_solid(search, a) || !is_of_solid(search, b) || !is_opposite)
+            continue;
+        counts->shared += collapse(search, a);
+        counts->shared += collapse(search, b);
+    }
+}
+
+/* Counts the solids of each object. */
+static void count_solids(struct search *search)
+{
+    struct shell_part *parts = search->edges.parts;
+    for (uint32_t i = 0; i < search->shell_count; i++) {
+        const struct shell *shell = &search->shells[i];
+        parts[parts[shell->part].object].solid_count += shell->is_solid && !shell->is_cavity;
+    }
+    for (uint32_t i = 0; i < search->shell_count; i++) {
+        const struct shell *shell = &search->shells[i];
+        if (!shell->is_solid && shell->area > 0)
+            parts[parts[shell->part].object].solid_count = 0;
+    }
+}
+
 static bool allocate(struct search *search)
 {
     const struct shell_edges *edges = &search->edges;
@@ -414,12 +576,13 @@ static void finish(struct search *search)
     free(search->is_ambiguous);
     free(search->is_turned);
     free(search->boundary);
+    free(search->coincident);
     free(search->shell_of);
     free(search->shells);
 }
 
 bool model_shells_find(struct mesh *mesh, struct shell_part *parts, uint32_t part_count,
-                       struct shell_counts *counts)
+                       bool collapses_shared, struct shell_counts *counts)
 {
     struct search search = { 0 };
     bool done = shell_edges_init(&search.edges, mesh, parts, part_count) && allocate(&search);
@@ -436,6 +599,8 @@ bool model_shells_find(struct mesh *mesh, struct shell_part *parts, uint32_t par
                }) &&
                apply_winding(&search, counts);
     }
+    if (done && collapses_shared)
+        collapse_shared(&search, counts);
     for (uint32_t i = 0; done && i < search.shell_count; i++) {
         const struct shell *shell = &search.shells[i];
         if (shell->is_cavity)
@@ -443,6 +608,8 @@ bool model_shells_find(struct mesh *mesh, struct shell_part *parts, uint32_t par
     }
     for (uint32_t i = 0; done && i < part_count; i++)
         parts[i].object = find_object(search.objects, i);
+    if (done)
+        count_solids(&search);
     finish(&search);
     return done;
 }

@@ -12,6 +12,7 @@ struct shell_part {
     uint32_t first_vertex, vertex_count;
     uint32_t object;          /* result: index of the first part of the same object */
     uint32_t open_edge_count; /* result: number of edges around holes */
+    uint32_t solid_count;     /* result: as of the object, at its first part */
 };
 
 /* Use of an edge by the triangle that owns `corner`, which is the first corner of the edge. */

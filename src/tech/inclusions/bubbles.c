@@ -8,14 +8,16 @@
  * squared distance of the centre less the squared radius. This order is exact for spheres, and for
  * other shapes whose bounding spheres do not overlap.
  *
- * Limits: unless bubbles_are_refracted(), bubbles reflect and transmit the environment cube: the
- * ice's surface refracts neither the ray from the bubble nor the primary ray, and scattering media
- * are left out. In hollow objects only the primary ray is refracted. Because the image behind is
- * already refracted, transmitted light is weighted by the squared sine of its angle inside
- * (bubble_opacity): the middle of a bubble shows the image behind it, which a real bubble would
- * show reduced. Light that is internally reflected in a bubble is treated as transmitted. A bubble
- * around the camera is invisible, as is a non-spherical one whose bounding sphere contains the
- * camera. Convex objects only, as for ice_depth.
+ * If bubbles_are_traced(), the refraction model intersects its rays with the BVH of the bubbles
+ * (shaders/refract/refract_bubbles.glsl), and the billboards are just the layer `bubbles`.
+ *
+ * Limits of billboards: the ice's surface does not refract the rays to and from a bubble, which
+ * reflects and transmits the environment cube map. Scattering media are ignored. Because the image
+ * behind is already refracted, transmitted light is weighted by the squared sine of its angle
+ * inside (bubble_opacity): the middle of a bubble shows the image behind it, which a real bubble
+ * would show reduced in size. Light that is internally reflected in a bubble is treated as
+ * transmitted. A bubble around the camera is invisible, as is a non-spherical one whose bounding
+ * sphere contains the camera. Convex objects only, as for ice_depth.
  */
 #include "src/tech/inclusions/bubbles.h"
 #include <cglm/struct.h>
@@ -24,7 +26,7 @@
 #include "shaders/embedded.h"
 #include "shaders/ice/ice_depth.h"
 #include "shaders/inclusions/bubbles.h"
-#include "shaders/refract/refract.h"
+#include "shaders/specialization_constants.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_depth.h"
@@ -34,16 +36,11 @@
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
 
-static rg_record_fn record_bubbles, record_traced;
+static rg_record_fn record_bubbles;
 
 const struct rg_image bubbles_color = {
     .name = "bubbles.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-};
-
-const struct rg_image bubbles_depth = {
-    .name = "bubbles.depth",
-    .format = VK_FORMAT_R32_SFLOAT,
 };
 
 const struct rg_buffer bubbles_all = {
@@ -85,54 +82,10 @@ static const struct rg_pass shapes_pass = {
     .record = record_bubbles,
 };
 
-static const struct rg_fallback no_cracks = { { 0 } };
-
-static const struct rg_use refracted_uses[] = {
-    FRAME_SAMPLE(cracks_hits, BUBBLES_CRACKS, .same_texel = true, .fallback = &no_cracks),
-    { 0 },
-};
-
-/* Depth and normal maps of the ice, for ray marching from bubbles to the surface. */
-static const struct rg_use traced_uses[] = {
-    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
-    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
-    FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
-    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
-    { 0 },
-};
-
-static const struct rg_use traced_wide_uses[] = {
-    FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
-    FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
-    FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
-    FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT),
-    { 0 },
-};
-
-static const struct rg_target refracted_targets[] = {
-    { &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
-    { &bubbles_depth, RG_LOAD_CLEAR },
-};
-
 static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     if (frame->scene->inclusions.bubbles.count)
         rg_cmd_draw(cmd, 6 * frame->scene->inclusions.bubbles.count);
-}
-
-/* Fragment shaders for bubbles that refracted rays hit. First index: path of light to a bubble
- * (straight, traced in ice, traced in a medium). Second index: 1 if any bubble is not a sphere. */
-static const struct rg_shader *const refracted_frags[3][2] = {
-    { &bubbles_refracted_frag, &bubbles_shapes_refracted_frag },
-    { &bubbles_traced_frag, &bubbles_shapes_traced_frag },
-    { &bubbles_traced_medium_frag, &bubbles_shapes_traced_medium_frag },
-};
-
-static void record_traced(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
-                sizeof(struct refract_bounce_params));
-    record_bubbles(cmd, frame);
 }
 
 static const char *const shape_names[] = { "sphere", "prolate", "oblate", "capsule",
@@ -194,52 +147,39 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* Returns true if refracted rays can hit bubbles. With several objects, they cannot, because the
- * depth and normal maps contain only the nearest faces. */
-bool bubbles_are_refracted(const struct technique_config *config)
+bool bubbles_are_traced(const struct technique_config *config)
 {
-    const struct inclusion_target_params *target =
-        settings_of(config->settings, &inclusions_settings);
     const struct refract_bounce_params *bounce =
         settings_of(config->settings, &refract_bounce_settings);
     return is_on(config->settings) && config->refraction == &refract_bounce &&
-           bounce->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL && config->object_count <= 1 &&
-           target->scale >= 1.0f;
+           bounce->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
+}
+
+static void write_constants(const struct technique_config *config, uint32_t *values)
+{
+    values[CONSTANT_BUBBLES_TRACED] = bubbles_are_traced(config);
 }
 
 static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_arena *builder)
 {
+    (void)builder;
     const struct bubbles_params *params = settings_of(config->settings, &bubbles_settings);
     const bool are_spheres = params->shape == GENERATE_BUBBLES_SPHERE;
-    if (!params->count)
-        return (struct rg_technique){ 0 };
-    const struct rg_pass *pass = are_spheres ? &spheres_pass : &shapes_pass;
-    if (!bubbles_are_refracted(config))
-        return (struct rg_technique){ "bubbles", pass, 1 };
-    struct rg_pass *refracted_pass = pass_arena_copy_passes(builder, pass, 1);
-    if (!refracted_pass)
-        return (struct rg_technique){ 0 };
-    refracted_pass->color = refracted_targets;
-    refracted_pass->color_count = sizeof(refracted_targets) / sizeof(refracted_targets[0]);
-    const bool traces_light = !config->is_nested,
-               renders_media = traces_light && refract_has_medium(config);
-    const struct rg_use *const all_uses[] = {
-        uses,
-        refracted_uses,
-        !traces_light     ? NULL
-        : config->is_wide ? traced_wide_uses
-                          : traced_uses,
-        renders_media ? refract_medium_uses : NULL,
+    return params->count
+               ? (struct rg_technique){ "bubbles", are_spheres ? &spheres_pass : &shapes_pass, 1 }
+               : (struct rg_technique){ 0 };
+}
+
+static struct bubbles_drawn to_world(const struct bubble *bubble, const struct globals *globals)
+{
+    return (struct bubbles_drawn){
+        .center = glms_mat4_mulv3(globals->world_from_object, bubble->center, 1.0f),
+        .radius = bubble->radius,
+        .axis = glms_mat4_mulv3(globals->world_from_object, bubble->axis, 0.0f),
+        .stretch = bubble->stretch,
+        .is_capsule = bubble->is_capsule,
     };
-    refracted_pass->uses =
-        pass_arena_join_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
-    refracted_pass->frag = refracted_frags[traces_light + renders_media][!are_spheres];
-    if (traces_light) {
-        refracted_pass->push_size = sizeof(struct refract_bounce_params);
-        refracted_pass->record = record_traced;
-    }
-    return (struct rg_technique){ "bubbles", refracted_pass, 1 };
 }
 
 struct far_bubble {
@@ -264,14 +204,7 @@ void bubbles_write(void *memory, const struct frame_view *view, const struct glo
     struct bubbles_drawn *sorted = memory;
     struct far_bubble order[BUBBLES_COUNT_MAX];
     for (uint32_t i = 0; i < all->count; i++) {
-        const struct bubble *bubble = &all->all[i];
-        const struct bubbles_drawn drawn = {
-            .center = glms_mat4_mulv3(globals->world_from_object, bubble->center, 1.0f),
-            .radius = bubble->radius,
-            .axis = glms_mat4_mulv3(globals->world_from_object, bubble->axis, 0.0f),
-            .stretch = bubble->stretch,
-            .is_capsule = bubble->is_capsule,
-        };
+        const struct bubbles_drawn drawn = to_world(&all->all[i], globals);
         const vec3s to = glms_vec3_sub(drawn.center, globals->eye);
         const float reach = drawn.radius + fmaxf(drawn.stretch, 0.0f);
         const float power = view->camera.height > 0.0f ? glms_vec3_dot(to, globals->forward)
@@ -283,8 +216,80 @@ void bubbles_write(void *memory, const struct frame_view *view, const struct glo
         sorted[i] = order[i].drawn;
 }
 
+/* Maximum number of bubbles in a box of the BVH that holds no other boxes. */
+#define LEAF_COUNT 4u
+
+static struct box box_of(const struct bubbles_drawn *bubble)
+{
+    const float stretch = fmaxf(bubble->stretch, 0.0f);
+    const vec3s along = glms_vec3_scale(glms_vec3_abs(bubble->axis), stretch);
+    const vec3s half = glms_vec3_adds(along, bubble->radius);
+    return (struct box){ glms_vec3_sub(bubble->center, half), glms_vec3_add(bubble->center, half) };
+}
+
+#define COMPARE_ALONG(axis) \
+    static int compare_##axis(const void *a, const void *b) \
+    { \
+        const float x = ((const struct bubbles_drawn *)a)->center.axis; \
+        const float y = ((const struct bubbles_drawn *)b)->center.axis; \
+        return (x > y) - (x < y); \
+    }
+COMPARE_ALONG(x)
+COMPARE_ALONG(y)
+COMPARE_ALONG(z)
+
+/* Appends the nodes of a BVH by median splits along the longest side. Reorders the bubbles. Returns
+ * the number of nodes, which include the `used` ones before. */
+static uint32_t append_nodes(struct bubbles_node *nodes, uint32_t used, struct bubbles_drawn *all,
+                             uint32_t count)
+{
+    static int (*const compare[3])(const void *, const void *) = { compare_x, compare_y,
+                                                                   compare_z };
+    struct box box = box_of(&all[0]);
+    for (uint32_t i = 1; i < count; i++) {
+        const struct box other = box_of(&all[i]);
+        box =
+            (struct box){ glms_vec3_minv(box.min, other.min), glms_vec3_maxv(box.max, other.max) };
+    }
+    const vec3s half = glms_vec3_scale(glms_vec3_sub(box.max, box.min), 0.5f);
+    struct bubbles_node *node = &nodes[used++];
+    *node = (struct bubbles_node){ .center = box_center(box), .axis = half };
+    if (count > LEAF_COUNT) {
+        const int longest = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
+        qsort(all, count, sizeof(all[0]), compare[longest]);
+        used = append_nodes(nodes, used, all, count / 2);
+        used = append_nodes(nodes, used, all + count / 2, count - count / 2);
+    }
+    for (uint32_t i = 0; i < count && count <= LEAF_COUNT; i++, used++) {
+        nodes[used] = (struct bubbles_node){
+            all[i].center,
+            all[i].radius,
+            all[i].axis,
+            all[i].stretch,
+            all[i].is_capsule ? BUBBLES_NODE_CAPSULE : BUBBLES_NODE_ELLIPSOID,
+            used + 1,
+        };
+    }
+    node->skip = used;
+    return used;
+}
+
+void bubbles_write_bvh(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    const struct bubbles *all = &view->scene->inclusions.bubbles;
+    struct bubbles_node *nodes = memory;
+    struct bubbles_drawn in_world[BUBBLES_COUNT_MAX];
+    for (uint32_t i = 0; i < all->count; i++)
+        in_world[i] = to_world(&all->all[i], globals);
+    if (all->count)
+        append_nodes(nodes, 0, in_world, all->count);
+    else
+        nodes[0] = (struct bubbles_node){ .skip = 0 };
+}
+
 static const struct technique_upload uploads[] = {
     { &bubbles_all, bubbles_write },
+    { &bubbles_bvh, bubbles_write_bvh },
     { 0 },
 };
 
@@ -309,5 +314,6 @@ const struct technique bubbles = {
     .is_hit = true,
     .layers = layers,
     .uploads = uploads,
+    .write_constants = write_constants,
     .pass_groups = { { PHASE_INCLUSIONS, .make_passes = make_passes } },
 };

@@ -5,11 +5,11 @@
 
 extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without bubbles */
 
-/* Depth of the nearest bubbles (inclusion_march.glsl); only written if bubbles_are_refracted(). */
-extern const struct rg_image bubbles_depth;
+/* Returns true if the refraction model intersects bubbles along refracted rays. */
+bool bubbles_are_traced(const struct technique_config *config);
 
-/* Returns true if composite.c shows the bubbles along rays refracted at the ice's surface. */
-bool bubbles_are_refracted(const struct technique_config *config);
+/* Fills bubbles_bvh (refract_bounce.h). */
+void bubbles_write_bvh(void *memory, const struct frame_view *view, const struct globals *globals);
 
 /* Array of struct bubbles_drawn in world space; the first scene->bubbles.count are valid. */
 extern const struct rg_buffer bubbles_all;

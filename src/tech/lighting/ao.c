@@ -133,7 +133,7 @@ static const struct setting rows[] = {
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,
         .help = "strength of the ambient occlusion of objects on the surroundings (0: off); "
-                "refraction models trace and reference use ground.light instead",
+                "reference, and trace unless trace.surroundings=cube, use ground.light instead",
     },
 };
 
@@ -254,8 +254,7 @@ static const struct technique_upload uploads[] = {
 
 static void write_constants(const struct technique_config *config, uint32_t *values)
 {
-    const bool uses_bvh = config->refraction && config->refraction->refraction.traces_bvh;
-    values[CONSTANT_AO] = is_on(config->settings) && !uses_bvh;
+    values[CONSTANT_AO] = is_on(config->settings) && !technique_hits_surroundings(config);
 }
 
 const struct technique ao = {

@@ -31,13 +31,6 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
-static const struct rg_use bent_uses[] = {
-    FRAME_SAMPLE(ice_normal_front_depth, COMPOSITE_FRONT_DEPTH, .same_texel = true),
-    FRAME_SAMPLE(ice_normal_shading, COMPOSITE_SHADING, .same_texel = true),
-    FRAME_READ(bubbles_depth, COMPOSITE_BUBBLE_DEPTH),
-    { 0 },
-};
-
 static const struct rg_pass passes[] = {
     {
         .name = "composite.ice",
@@ -63,7 +56,9 @@ static uint32_t layers_of(const struct technique_config *config)
                     !((uses_bvh || refract_has_medium(config)) && air_is_medium(settings))
                 ? COMPOSITE_HAS_AIR
                 : 0u) |
-           (bubbles.is_on(settings) && !uses_bvh ? COMPOSITE_HAS_BUBBLES : 0u) |
+           (bubbles.is_on(settings) && !uses_bvh && !bubbles_are_traced(config)
+                ? COMPOSITE_HAS_BUBBLES
+                : 0u) |
            (cracks_are_in_ice(settings) && !uses_bvh && !is_without_cracks ? COMPOSITE_HAS_CRACKS
                                                                            : 0u) |
            (target->scale < 1.0f ? COMPOSITE_IS_LOW_RES : 0u);
@@ -83,14 +78,8 @@ static struct rg_technique make_passes(const struct technique_config *config,
                               use->binding == COMPOSITE_CRACKS;
         if (use->image && is_layer && !(bits & 1u << use->binding))
             use->image = &highlight_radiance;
-        if (use->image == &bubbles_color && bubbles_are_refracted(config))
-            use->same_texel = false;
     }
-    const bool shows_refracted = (bits & COMPOSITE_HAS_BUBBLES) && bubbles_are_refracted(config);
-    copies->uses = pass_arena_join_uses(
-        builder, (const struct rg_use *const[]){ changed, shows_refracted ? bent_uses : NULL }, 2);
-    copies->vert = shows_refracted ? &composite_refracted_vert : &composite_vert;
-    copies->frag = shows_refracted ? &composite_refracted_frag : &composite_frag;
+    copies->uses = pass_arena_join_uses(builder, (const struct rg_use *const[]){ changed }, 1);
     return (struct rg_technique){ "over", copies, 1 };
 }
 

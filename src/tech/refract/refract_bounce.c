@@ -14,6 +14,7 @@
 #include "src/tech/refract/refract_bounce.h"
 #include <math.h>
 #include "shaders/embedded.h"
+#include "shaders/inclusions/bubbles.h"
 #include "shaders/refract/refract_bounce.h"
 #include "shaders/specialization_constants.h"
 #include "src/tech/frame_resources.h"
@@ -24,6 +25,12 @@
 
 static rg_record_fn record_screen;
 
+const struct rg_buffer bubbles_bvh = {
+    .name = "bubbles.bvh",
+    .size = BUBBLES_NODES_MAX * sizeof(struct bubbles_node),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
 static const struct rg_fallback no_cracks = { { 0 } };
 
 static const struct rg_use uses[] = {
@@ -33,6 +40,7 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT_MAP),
     FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -43,6 +51,7 @@ static const struct rg_use wide_uses[] = {
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT_MAP),
     FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -62,6 +71,7 @@ static const struct rg_use nested_uses[] = {
     FRAME_READ(ice_nested_depths, ICE_NESTED_DEPTHS),
     FRAME_SAMPLE(ice_nested_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
     { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -70,6 +80,7 @@ static const struct rg_use nested_wide_uses[] = {
     FRAME_READ(ice_nested_wide_depths, ICE_NESTED_DEPTHS),
     FRAME_SAMPLE(ice_nested_wide_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
     { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { .buffer = &bubbles_bvh, .access = RG_STORAGE_READ, .binding = REFRACT_BUBBLES },
     { 0 },
 };
 
@@ -191,7 +202,7 @@ static const struct setting rows[] = {
                       inclusions),
         .renamed_from = "refract_bounce.bent",
         .label = "Inclusions along refracted rays",
-        .initial = REFRACT_BOUNCE_INCLUSIONS_CRACKS,
+        .initial = REFRACT_BOUNCE_INCLUSIONS_ALL,
         .max = REFRACT_BOUNCE_INCLUSIONS_ALL,
         .choices = bent_choices,
         .affects = SETTING_AFFECTS_PLAN,

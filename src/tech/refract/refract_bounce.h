@@ -4,6 +4,9 @@
 #include "shaders/refract/refract_bounce.h"
 #include "src/tech/technique.h"
 
+/* BVH of the bubbles, an array of struct bubbles_node in world space; bubbles.c fills it. */
+extern const struct rg_buffer bubbles_bvh;
+
 extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 

@@ -259,7 +259,7 @@ static const struct setting rows[] = {
         .max = 64,
         .switches = SETTING_AFFECTS_PLAN,
         .help = "ray march steps of screen-space reflections of objects in glossy surroundings (0: "
-                "off); not used by the refraction models trace and reference",
+                "off); not used by reference, and by trace unless trace.surroundings=cube",
     },
     {
         SETTING_FIELD("ssr.refract", SWITCH, struct ssr_params, refract),
@@ -289,7 +289,7 @@ bool ssr_is_drawn(const struct technique_config *config)
            config->scene->tables.materials &&
            material_table_has_reflective(&config->scene->model) && !config->scene->has_pool &&
            config->purpose == TECHNIQUE_IMAGE && config->refraction &&
-           !config->refraction->refraction.traces_bvh;
+           !technique_hits_surroundings(config);
 }
 
 /* Returns the shader that refracts reflected rays in the object, or NULL if the rays read the image

@@ -19,6 +19,7 @@
 #include "shaders/specialization_constants.h"
 #include "shaders/trace/refract_trace.h"
 #include "src/scene/environment/image_based_lighting.h"
+#include "src/scene/gpu_material_table.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/frame_resources.h"
 #include "src/tech/ice/ice_gbuffer.h"
@@ -302,6 +303,11 @@ static const struct refract_shaders refraction = {
     .layers_frag = &refract_trace_aov_frag,
 };
 
+static bool hits_surroundings(const struct technique_config *config)
+{
+    return trace_hits_surroundings(config->scene, config->settings);
+}
+
 /* Returns true if the lighting of all surroundings is ray traced. */
 static bool has_diffuse_light(const struct technique_config *config)
 {
@@ -361,7 +367,8 @@ static bool trace_photons(struct rg_pass *pass, const struct technique_config *c
                           struct pass_arena *builder, const struct rg_use *own)
 {
     const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
-    if (!trace_hits_surroundings(config->scene, config->settings))
+    if (!trace_hits_surroundings(config->scene, config->settings) &&
+        !material_table_has_lit(&config->scene->model.surroundings))
         return false;
     pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     pass->vert = &refract_fullscreen_vert;
@@ -432,6 +439,7 @@ const struct technique refract_trace = {
                     .shaders = &refraction,
                     .shades_fullscreen = true,
                     .traces_bvh = true,
+                    .hits_surroundings = hits_surroundings,
                     .choose = choose,
                     .trace_photons = trace_photons },
     .layers = layers,

@@ -130,7 +130,9 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
 {
     const struct model *model = &scene->model;
     const uint32_t count = object_count(scene);
+    const bool has_contacts = scene->bvh && scene->bvh->has_contacts;
     uint32_t bits = objects_constant(scene, settings);
+    bits |= has_contacts ? TRACE_HAS_MEDIA | TRACE_HAS_CONTACTS : 0;
     bits |= scene->inclusions.bubbles.count || scene->inclusions.cracks.index_count
                 ? TRACE_HAS_INCLUSIONS
                 : 0;
@@ -143,8 +145,6 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
     bits |= trace_has_diffuse_light(scene, settings) ? TRACE_HAS_DIFFUSE_LIGHT : 0;
     bits |= medium_field_exists(scene, settings) ? TRACE_HAS_SCATTERING : 0;
     bits |= scene->bvh && scene->bvh->is_stored ? TRACE_HAS_STORAGE_BUFFERS : 0;
-    bits |=
-        bits & TRACE_HAS_MEDIA && scene->bvh && scene->bvh->has_contacts ? TRACE_HAS_CONTACTS : 0;
     bits |= scene->tables.materials ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     bits |= trace_has_motion(settings) ? TRACE_HAS_MOTION : 0;

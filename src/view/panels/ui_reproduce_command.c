@@ -9,6 +9,7 @@
 #include "src/scene/material_presets.h"
 #include "src/scene/scene.h"
 #include "src/scene/world_position.h"
+#include "src/settings/quality.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
 
@@ -142,15 +143,28 @@ static void print_ior(FILE *out, const struct ui_render_command *c)
         print_setting(out, &c->image->scene.settings, row);
 }
 
+/* Prints the quality level and the settings that differ from it. Dithering that only the level sets
+ * is switched off, because windows do not dither. */
 static void print_settings(FILE *out, const struct ui_render_command *c)
 {
     const struct settings defaults = settings_default();
     const struct settings scene_settings = setup_scene_settings(&c->image->scene, c->scene);
+    const struct setting *dither = settings_find("tonemap.dither");
     struct settings settings = frame_settings(&c->image->scene.settings, c->scene);
+    struct settings of_level = defaults;
+    const uint32_t level = quality_nearest(&settings);
+    quality_apply(&of_level, level, SETTING_QUALITY);
+    const bool has_level = level != quality_nearest(&defaults);
+    if (has_level)
+        print_name(out, "quality", qualities[level].name);
+    if (c->image->filter != PIXEL_FILTER_BOX || (has_level && qualities[level].is_smooth))
+        print_name(out, "pixel-filter", pixel_filter_names[c->image->filter]);
     settings_set_value(&settings, settings_find("motion.time"), (double)c->time);
+    if (settings_source(&settings, dither) == SETTING_QUALITY)
+        settings_set_value(&settings, dither, 0.0);
     for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
         if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
-            (differ(settings_get(&settings, row), settings_get(&defaults, row)) ||
+            (differ(settings_get(&settings, row), settings_get(&of_level, row)) ||
              differ(settings_get(&scene_settings, row), settings_get(&defaults, row))))
             print_setting(out, &settings, row);
     }
@@ -165,8 +179,6 @@ static void print(FILE *out, const struct ui_render_command *c)
     shell_quote_word(p->scene.name, out);
     fprintf(out, " --size %ux%u", p->width, p->height);
     fprintf(out, " --samples %u", p->samples);
-    if (p->filter != PIXEL_FILTER_BOX)
-        print_name(out, "pixel-filter", pixel_filter_names[p->filter]);
     if (p->is_refraction_named)
         print_name(out, "refraction", p->refraction->refraction.name);
     print_ior(out, c);
@@ -184,6 +196,9 @@ static void print(FILE *out, const struct ui_render_command *c)
     print_number(out, "env-rotate", p->scene.env_rotate);
     print_number(out, "env-exposure", p->scene.env_exposure);
     print_name(out, "surroundings", p->scene.surroundings);
+    char ground[SETUP_GROUND_NAME_SIZE];
+    if (stage_has_floor(&p->scene.stage))
+        print_name(out, "ground", setup_ground_name(&p->scene.stage, ground));
     print_name(out, "cracks", p->scene.cracks);
     print_name(out, "bump", p->scene.bump);
     print_name(out, "bump-mask", p->scene.bump_mask);

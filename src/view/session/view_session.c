@@ -32,7 +32,8 @@ void view_apply_session(const struct session_file *session, struct setup_image *
     scene->settings = session->settings;
     settings_set_sources(&scene->settings, SETTING_USER); /* all come from the session */
     scene->user_settings = scene->settings;
-    scene->has_default_environment = false;
+    scene->has_default_environment = setup_is_stage_environment(scene->name, session->environment);
+    scene->ground = (struct stage_params){ 0 };
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
     scene->material_override_count = 0;
@@ -61,7 +62,8 @@ static void unmark_scene_settings(struct view *v)
         settings_copy(&scene->user_settings, row, given);
     }
     scene->has_default_environment =
-        environment && scene->environment && !strcmp(scene->environment, environment->name);
+        setup_is_stage_environment(scene->name, scene->environment) ||
+        (environment && scene->environment && !strcmp(scene->environment, environment->name));
 }
 
 enum status view_resume_session(struct view *v, const struct session_file *session)
@@ -147,6 +149,7 @@ static const char *unsupported(const struct view *v)
         { s->animation, "--animation" },
         { s->material_override_count, "--material NODE=..." },
         { s->background.is_given, "--background" },
+        { s->ground.ground > STAGE_NONE, "--ground" },
         { v->compare.side_b != VIEW_SIDE_B_NONE, "side B" },
     };
 
