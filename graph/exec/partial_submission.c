@@ -4,7 +4,7 @@
 #include "graph/exec/executor_internal.h"
 
 enum {
-    UNKNOWN_ROWS = 16, /* height of a band of unknown cost */
+    UNKNOWN_ROWS = 8, /* greatest height of a band of unknown cost */
 };
 
 /* If a band of at most half the rows takes more than this fraction of the time of the band before,
@@ -52,16 +52,20 @@ static double predict(const struct rg_exec *exec, uint32_t pass, VkRect2D area)
     return sum;
 }
 
-/* Sets part->row_end so that the band takes about `seconds`. Bands end at even rows, because
- * fragment derivatives are computed for 2x2 pixels. */
+/* Sets part->row_end so that the band takes about `seconds`. A row of unknown cost counts like the
+ * row before, at least as 1/UNKNOWN_ROWS of the band. Bands end at even rows, because fragment
+ * derivatives are computed for 2x2 pixels. */
 static void find_band(const struct rg_exec *exec, struct exec_part *part, uint32_t end,
                       double seconds)
 {
-    double sum = 0.0;
+    double sum = 0.0, last = 0.0;
     uint32_t row = part->row;
+    if (row)
+        last = (double)*row_cost(exec, part->first, row - 1);
     while (row < end && (sum < seconds || row < part->row + 2)) {
-        const float cost = *row_cost(exec, part->first, row++);
-        sum += cost > 0.0f ? (double)cost : seconds / UNKNOWN_ROWS;
+        const double cost = (double)*row_cost(exec, part->first, row++);
+        last = cost > 0.0 ? cost : fmax(last, seconds / UNKNOWN_ROWS);
+        sum += last;
     }
     row = (row + 1) & ~1u;
     part->row_end = row < end && can_be_divided(exec, part->first) ? row : end;

@@ -5,6 +5,7 @@
 #include "src/base/clock.h"
 #include "src/settings/quality.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/refract/refract_bounce.h"
 
 /* Upper limits of settings in drafts. A limit applies from draft level `level` upwards. */
 static const struct {
@@ -23,6 +24,7 @@ static const struct {
 
 static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
 static const double budget_seconds = 0.016; /* at half size, for 30 fps */
+static const double hopeless_seconds = 0.2; /* estimate above which half the size is not tried */
 
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level)
@@ -58,6 +60,17 @@ static enum status fit(struct renderer **renderer, struct renderer_params params
     return status;
 }
 
+static const struct technique *faster_model(const struct technique *refraction)
+{
+    return refraction && refraction->refraction.traces_bvh ? &refract_bounce : refraction;
+}
+
+static bool has_faster_model(const struct draft_renderer_params *p)
+{
+    return faster_model(p->left.refraction) != p->left.refraction ||
+           (p->is_split && faster_model(p->right.refraction) != p->right.refraction);
+}
+
 static enum status fit_all(struct draft_renderer *q, const struct draft_renderer_params *p)
 {
     struct renderer_params left = p->left;
@@ -65,6 +78,10 @@ static enum status fit_all(struct draft_renderer *q, const struct draft_renderer
     left.is_coarse = right.is_coarse = q->level >= DRAFT_RENDERER_COARSE_MESH;
     left.settings = &q->settings;
     right.settings = &q->right_settings;
+    if (q->level == DRAFT_RENDERER_BOUNCE) {
+        left.refraction = faster_model(left.refraction);
+        right.refraction = faster_model(right.refraction);
+    }
     q->version = p->version;
     enum status status = fit(&q->left, left);
     if (status == STATUS_OK && p->is_split)
@@ -105,20 +122,27 @@ static enum status draw_timed(struct draft_renderer *q, const struct renderer_sh
     return status;
 }
 
+static enum draft_renderer_level last_level(const struct draft_renderer_params *p)
+{
+    return has_faster_model(p) ? DRAFT_RENDERER_BOUNCE : DRAFT_RENDERER_COARSE_MESH;
+}
+
 static enum status make(struct draft_renderer *q, const struct draft_renderer_params *p,
                         const struct renderer_shot *shot, enum draft_renderer_level level)
 {
     const VkExtent2D half = { p->left.width / 2 + 1, p->left.height / 2 + 1 };
+    const VkExtent2D quarter = { half.width / 2 + 1, half.height / 2 + 1 };
     const VkExtent2D min_extent = { half.width < small.width ? half.width : small.width,
                                     half.height < small.height ? half.height : small.height };
     q->level = level;
     (void)take_settings(q, p);
     enum status status = fit_all(q, p);
     if (status == STATUS_OK)
-        status = draw_timed(q, shot, min_extent);
-    if (status == STATUS_OK) /* draw twice, because the first frame is slower */
-        status = draw_timed(q, shot, half);
+        status = draw_timed(q, shot, min_extent); /* compiles the shaders */
     if (status == STATUS_OK)
+        status = draw_timed(q, shot, quarter);
+    q->seconds *= 4.0;
+    if (status == STATUS_OK && (q->seconds < hopeless_seconds || level == last_level(p)))
         status = draw_timed(q, shot, half);
     return status;
 }
@@ -127,8 +151,8 @@ enum status draft_renderer_create(struct draft_renderer *q, const struct draft_r
                                   const struct renderer_shot *shot)
 {
     enum status status = make(q, p, shot, DRAFT_RENDERER_FULL);
-    if (status == STATUS_OK && q->seconds > budget_seconds)
-        status = make(q, p, shot, DRAFT_RENDERER_COARSE_MESH);
+    while (status == STATUS_OK && q->seconds > budget_seconds && q->level < last_level(p))
+        status = make(q, p, shot, q->seconds > hopeless_seconds ? last_level(p) : q->level + 1);
     return status == STATUS_OK ? status : give_up(q, status);
 }
 

@@ -2,12 +2,13 @@
  * draft_renderer.h: draft renderers, which draw the image while something moves.
  *
  * They use the scene's refraction models with the settings of --quality draft and further limits
- * (draft_renderer_settings()). If half the size is too slow, they also use coarser meshes. They
- * show all inclusions, so that the ice looks the same in motion and at rest.
+ * (draft_renderer_settings()). If half the size is too slow, they also use coarser meshes, and if
+ * that is too slow, too, refraction model bounce instead of one that traces rays. They show all
+ * inclusions, so that the ice looks the same in motion and at rest.
  *
- * Draft renderers are created after the first image or when it stands still, so that the first
- * interaction finds them. They follow later changes of settings, size and models. An image that is
- * fast enough needs none. Animated models have none, because each pose is another scene.
+ * Draft renderers are created before the first image, which they draw, too. They follow later
+ * changes of settings, size and models. An image whose samples are fast enough needs none. Animated
+ * models have none, because each pose is another scene.
  *
  * Errors: logged once where found.
  */
@@ -27,6 +28,7 @@ struct draft_renderer_params {
 enum draft_renderer_level {
     DRAFT_RENDERER_FULL,        /* nothing that is easily noticed */
     DRAFT_RENDERER_COARSE_MESH, /* uses coarser meshes */
+    DRAFT_RENDERER_BOUNCE,      /* uses refraction model bounce, if the scene's model traces rays */
 };
 
 struct draft_renderer {

@@ -111,6 +111,8 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
     const struct setup_image *p = &view->viewport->state;
     const double frame = ui->pace.frame;
     const VkExtent2D drawn = view->viewport->extent;
+    const struct draft_renderer *draft = &view->viewport->draft;
+    const bool by_bounce = view->viewport->shows_draft && draft->level == DRAFT_RENDERER_BOUNCE;
     char left[32] = "";
     if (view->seconds_left >= 0.5)
         snprintf(left, sizeof(left), ", %.0f s left", view->seconds_left);
@@ -118,8 +120,8 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
         snprintf(text, size, "%u\xc3\x97%u  %u/%u%s", p->width, p->height, view->sample_count,
                  view->sample_goal, left);
     else if (frame > 0.0)
-        snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s", drawn.width, drawn.height, frame * 1e3,
-                 ui_frame_pacing_limit(&ui->pace));
+        snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s%s", drawn.width, drawn.height, frame * 1e3,
+                 ui_frame_pacing_limit(&ui->pace), by_bounce ? ", moving: bounce" : "");
     else
         snprintf(text, size, "%u\xc3\x97%u", drawn.width, drawn.height);
 }
