@@ -143,8 +143,9 @@ static void print_ior(FILE *out, const struct ui_render_command *c)
         print_setting(out, &c->image->scene.settings, row);
 }
 
-/* Prints the quality level and the settings that differ from it. Dithering that only the level sets
- * is switched off, because windows do not dither. */
+/* Prints the quality level, the settings that differ from it, and the exposure of a model file,
+ * which would be metered otherwise. Dithering that only the level sets is switched off, because
+ * windows do not dither. */
 static void print_settings(FILE *out, const struct ui_render_command *c)
 {
     const struct settings defaults = settings_default();
@@ -155,6 +156,8 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
     const uint32_t level = quality_nearest(&settings);
     quality_apply(&of_level, level, SETTING_QUALITY);
     const bool has_level = level != quality_nearest(&defaults);
+    const struct setting *metered =
+        scene_find_builtin(c->image->scene.name) ? NULL : settings_find("tonemap.exposure");
     if (has_level)
         print_name(out, "quality", qualities[level].name);
     if (c->image->filter != PIXEL_FILTER_BOX || (has_level && qualities[level].is_smooth))
@@ -164,7 +167,7 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
         settings_set_value(&settings, dither, 0.0);
     for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
         if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
-            (differ(settings_get(&settings, row), settings_get(&of_level, row)) ||
+            (row == metered || differ(settings_get(&settings, row), settings_get(&of_level, row)) ||
              differ(settings_get(&scene_settings, row), settings_get(&defaults, row))))
             print_setting(out, &settings, row);
     }
