@@ -64,7 +64,10 @@ static void find_band(const struct rg_exec *exec, struct exec_part *part, uint32
         last = (double)*row_cost(exec, part->first, row - 1);
     while (row < end && (sum < seconds || row < part->row + 2)) {
         const double cost = (double)*row_cost(exec, part->first, row++);
-        last = cost > 0.0 ? cost : fmax(last, seconds / UNKNOWN_ROWS);
+        if (cost > 0.0)
+            last = cost;
+        else if (last < seconds / UNKNOWN_ROWS)
+            last = seconds / UNKNOWN_ROWS;
         sum += last;
     }
     row = (row + 1) & ~1u;

@@ -25,8 +25,7 @@ void highlight_write_varyings()
     for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
         highlight_lights[i] =
             vec4(frame.lights[i].xyz - frame.eye, frame.highlight.strength * frame.lights[i].w);
-    highlight_surface =
-        vec2(frame.highlight.shininess, float(frame.highlight.fresnel) * frame.eta);
+    highlight_surface = vec2(frame.highlight.shininess, float(frame.highlight.fresnel) * frame.eta);
 }
 #else
 /* Returns the radiance of the highlights towards the camera; e is the view direction. */

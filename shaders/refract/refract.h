@@ -21,7 +21,7 @@
 /* Image of the cracks that refracted rays can hit, as written by cracks_gbuffer.frag. */
 #define REFRACT_CRACKS    6
 #define REFRACT_BUBBLES   28 /* storage buffer of bubbles_node, the BVH of the bubbles */
-#define REFRACT_COMPOSITE 1 /* image that refract_composite.frag composites */
+#define REFRACT_COMPOSITE 1  /* image that refract_composite.frag composites */
 
 /* Varyings written by the vertex shaders of the front faces. */
 #define REFRACT_EYE_TO_POINT           0

@@ -11,7 +11,7 @@
 
 struct adaptive;
 
-/* What a frame in preparation needs until it is submitted. */
+/* Data of a frame that is needed until the frame is submitted. */
 struct renderer_frame {
     struct frame_view view;
     struct globals globals;

@@ -27,7 +27,7 @@ enum {
     /* an object has this material and others, so surface parameters are looked up per triangle */
     MATERIAL_IS_PARTIAL = 512,
     MATERIAL_SCATTERS_EVENLY = 1024, /* the scattering medium has the same density everywhere */
-    MATERIAL_FLAGS = 2047, /* flags that a model file can set */
+    MATERIAL_FLAGS = 2047,           /* flags that a model file can set */
     /* shows the environment behind it, darkened by shadows and brightened by caustics */
     MATERIAL_IS_SHADOW_CATCHER = 2048,
 };

@@ -177,7 +177,7 @@ void view_add_exposure(struct view *view, double stops); /* adds stops to the ex
 MUST_USE enum status view_read_session(struct session_file *session, const char *path,
                                        const struct reader_params *reader);
 
-/* Loads the scene's file anew with one material for all of its nodes, as --material does. */
+/* Loads the scene's file again with one material for all of its nodes, as --material does. */
 void view_replace_materials(struct view *view, const struct material_choice *choice);
 
 /* Copies a session's scene, settings and refraction model to `state`, which borrows the strings.

@@ -75,7 +75,7 @@ MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
 MUST_USE enum status viewport_change(struct viewport **viewport, const struct setup_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
-/* Loads the scene anew with a material (--material) for all nodes. Keeps the camera. */
+/* Loads the scene again with a material (--material) for all nodes. Keeps the camera. */
 MUST_USE enum status viewport_replace_materials(struct viewport **viewport, const char *material);
 
 /* Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.

@@ -90,7 +90,7 @@ struct ui_request {
     bool inspects;                   /* the inspector panel is open */
     enum view_side_b side_b;         /* side B, changed independently of `changed` */
     const struct technique *split;   /* model of side B, or NULL */
-    struct material_choice material; /* replaces all materials of the model; preset NULL: none */
+    struct material_choice material; /* for all of the model; preset NULL if there is none */
 };
 
 /* Shows or hides the panel that belongs to an action. Returns true if the panel is now shown. */
