@@ -108,6 +108,10 @@ static void use_request(struct view *v, const struct ui_request *request)
         view_compare_await(v);
     if (request->action != VIEW_ACTION_NONE)
         view_execute(v, request->action);
+    if (request->fov_deg > 0.0f) {
+        v->viewport->camera.fov_deg = request->fov_deg;
+        v->changed = true;
+    }
     if (request->seeks)
         view_seek(v, request->time);
     if (request->open)

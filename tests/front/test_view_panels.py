@@ -166,6 +166,25 @@ class Panels(PanelsCase):
         wait_until(f'{group}, {row}', is_so, self.words,
                    act=lambda: is_so() or self.click(window, group))
 
+    @long
+    def test_the_camera_group(self):
+        window = self.start_with_panels('--size', '480x400', plain=PLAIN)
+        for group, row, shown in (('Material', 'Material preset', False),
+                                  ('Inside', 'cracks.count', False),
+                                  ('Camera', 'Field of view', True)):
+            self.fold(window, group, row, shown)
+        self.wait_for_command(window, '--fov', act=lambda: self.move(
+            window, *[self.place('Field of view', x) for x in (0.4, 0.6)]))
+        self.wait_for_command(window, without='--fov', act=lambda: self.click(window, 'first'))
+        seen = self.wait_for_command(window, '--eye', act=lambda: self.click(window, 'top'))
+        pictures = []
+        for projection in ('orthographic', 'perspective'):
+            self.click(window, projection)
+            pictures.append(self.at_rest(window))
+        self.assertNotEqual(*pictures)
+        self.assertEqual(self.command(window), seen)
+        self.close(window)
+
     def test_lists_choose_rungs_and_materials(self):
         second = self.names('rungs')[1]
         material, ior = 'diamond', 'refract.ior=2.417 '

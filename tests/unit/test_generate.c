@@ -462,7 +462,7 @@ static void test_stage(void **state)
         assert_true(normal.y > 0);
         area += 0.5 * (double)normal.y;
     }
-    const double round = GENERATE_STAGE_SIDES / 2.0 * sin(2 * CGLM_PI / GENERATE_STAGE_SIDES);
+    const double round = GENERATE_STAGE_SIDES / 2.0 * sin(2 * GLM_PI / GENERATE_STAGE_SIDES);
     CHECK_NEAR(area / (600.0 * 600.0 * round), 1, 1e-4);
     for (uint32_t i = 0; i < mesh.vertex_count; i++) {
         const struct mesh_vertex *v = &mesh.vertices[i];

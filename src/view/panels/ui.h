@@ -90,6 +90,7 @@ struct ui_request {
     bool inspects;                   /* the inspector panel is open */
     enum view_side_b side_b;         /* side B, changed independently of `changed` */
     const struct technique *split;   /* model of side B, or NULL */
+    float fov_deg;                   /* new field of view; 0 to keep it */
     struct material_choice material; /* for all of the model; preset NULL if there is none */
 };
 

@@ -34,6 +34,20 @@ bool ui_named_list(const char *name, const char *const *names, uint32_t count, u
     return changed;
 }
 
+bool ui_named_slider(const char *name, float *value, const struct imgui_slider_range *range,
+                     const char *tip)
+{
+    char id[64];
+    const float x = imgui_available_width() * 0.46f;
+    head(name, x, tip);
+    imgui_same_line(x);
+    imgui_next_width(imgui_available_width());
+    snprintf(id, sizeof(id), "##%s", name);
+    const bool changed = imgui_slider(id, value, range);
+    imgui_tooltip(tip);
+    return changed;
+}
+
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip)
 {

@@ -81,6 +81,10 @@ struct ui_gallery {
 
 bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 
+/* Draws a label and a slider. Returns true if the value has changed. */
+bool ui_named_slider(const char *name, float *value, const struct imgui_slider_range *range,
+                     const char *tip);
+
 /* Draws a label and exclusive buttons on as many lines as needed. Returns true if one is chosen. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip);
@@ -89,5 +93,8 @@ bool ui_named_buttons(const char *name, const char *const *names, uint32_t count
 const char *ui_environment(uint32_t i);
 
 struct imgui_rect ui_rect_of(VkRect2D rectangle);
+
+/* Draws the camera's field of view, directions and projection (ui_camera.c). */
+void ui_camera_rows(const struct ui_view *view, struct ui_request *request);
 
 #endif

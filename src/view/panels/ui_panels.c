@@ -233,6 +233,8 @@ static void lists(struct ui *ui, enum ui_setting_group group, const struct ui_vi
 {
     if (group == UI_MATERIAL)
         material_buttons(ui, view, request);
+    if (group == UI_CAMERA)
+        ui_camera_rows(view, request);
     if (group == UI_LIGHT)
         environment_buttons(view, request);
     if (group == UI_QUALITY) {

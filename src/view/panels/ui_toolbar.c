@@ -11,7 +11,7 @@ static const struct button {
 } buttons[] = {
     { VIEW_PAUSE, "Pause" }, { VIEW_PALETTE, "Find" },  { VIEW_HELP, "Keys" },
     { VIEW_UNDO, "Undo" },   { VIEW_REDO, "Redo" },     { VIEW_SCREENSHOT, "Save" },
-    { VIEW_COPY, "Copy" },   { VIEW_SPLIT, "Compare" }, { VIEW_RESET, "Camera" },
+    { VIEW_COPY, "Copy" },   { VIEW_SPLIT, "Compare" }, { VIEW_RESET, "Reset view" },
 };
 
 enum {
