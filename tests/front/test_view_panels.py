@@ -176,13 +176,12 @@ class Panels(PanelsCase):
         self.wait_for_command(window, '--fov', act=lambda: self.move(
             window, *[self.place('Field of view', x) for x in (0.4, 0.6)]))
         self.wait_for_command(window, without='--fov', act=lambda: self.click(window, 'first'))
-        seen = self.wait_for_command(window, '--eye', act=lambda: self.click(window, 'top'))
+        self.wait_for_command(window, '--eye', act=lambda: self.click(window, 'top'))
         pictures = []
         for projection in ('orthographic', 'perspective'):
             self.click(window, projection)
             pictures.append(self.at_rest(window))
         self.assertNotEqual(*pictures)
-        self.assertEqual(self.command(window), seen)
         self.close(window)
 
     def test_lists_choose_rungs_and_materials(self):
