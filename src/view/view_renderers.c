@@ -506,15 +506,18 @@ static enum status replace(struct viewport **viewport, const struct setup_image 
         next->draft.is_off = (*viewport)->draft.is_off;
         next->flipped = (*viewport)->flipped;
     }
+    if (status == STATUS_OK && keep_camera) {
+        next->camera = (*viewport)->camera;
+        next->first_camera = (*viewport)->first_camera;
+    }
     if (status == STATUS_OK && drawn)
         status = fit_renderers(next);
+    if (status == STATUS_OK && viewport_wants_draft(next))
+        status = viewport_create_draft(
+            next, &(struct renderer_shot){ .camera = next->camera, .time = next->scene.time });
     if (status != STATUS_OK) {
         viewport_destroy(next);
         return status;
-    }
-    if (keep_camera) {
-        next->camera = (*viewport)->camera;
-        next->first_camera = (*viewport)->first_camera;
     }
     next->divider = (*viewport)->divider;
     next->version = (*viewport)->version + 1;

@@ -243,16 +243,33 @@ static void lists(struct ui *ui, enum ui_setting_group group, const struct ui_vi
     }
 }
 
+/* Returns why the settings of a group have no effect in a scene; NULL if they have one. */
+static const char *why_disabled(enum ui_setting_group group, const struct scene *scene)
+{
+    if (group != UI_INSIDE)
+        return NULL;
+    if (!scene->model.object.index_count)
+        return "No effect: the scene has no refractive object.";
+    return scene->model.object_count > 1
+               ? "No effect: only scenes with a single refractive object have inclusions."
+               : NULL;
+}
+
 static void groups(struct ui *ui, const struct ui_view *view, const struct ui_settings *settings,
                    struct ui_request *request)
 {
     for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         imgui_id_begin(ui_setting_groups_name(g));
         request->changed = ui_settings_heading(settings, g, &ui->open[g]) || request->changed;
+        const char *reason = why_disabled(g, &view->viewport->scene);
         if (ui->open[g]) {
+            if (reason)
+                imgui_text_wrapped(reason);
+            imgui_disabled_begin(reason);
             lists(ui, g, view, request);
             request->changed =
                 ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
+            imgui_disabled_end();
         }
         imgui_id_end();
     }
