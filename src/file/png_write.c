@@ -8,6 +8,7 @@
 
 enum {
     MESSAGE_SIZE = 128,
+    MAX_CHUNK = 1 << 23, /* bytes of a text chunk; libpng would allocate what the file states */
 };
 
 /* Keeps libpng's error message, and returns to the setjmp() of the caller. */
@@ -132,6 +133,7 @@ static bool read_image(png_structp png, png_infop info, FILE *file)
     png_init_io(png, file);
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_user_limits(png, IMAGE_MAX_SIDE, IMAGE_MAX_SIDE);
+    png_set_chunk_malloc_max(png, MAX_CHUNK);
     png_read_info(png, info);
     const uint64_t height = png_get_image_height(png, info);
     if (height * png_get_image_width(png, info) > IMAGE_MAX_TEXELS)

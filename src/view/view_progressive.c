@@ -173,8 +173,10 @@ static enum status prepare(struct view *v, bool *drew)
     struct view_progressive *r = &v->progressive;
     struct viewport *p = v->viewport;
     *drew = true;
-    if (r->count == 1 && p->draft.left && is_fluid(p))
+    if (r->count == 1 && p->draft.left && is_fluid(p)) {
+        presenter_disconnect(&v->presenter); /* frames in flight may show a draft */
         draft_renderer_finish(&p->draft);
+    }
     if (r->count == 1 && viewport_wants_draft(p) && !is_fluid(p))
         return begin_draft(v);
     if (!r->count && viewport_is_outgrown(p)) {
