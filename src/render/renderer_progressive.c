@@ -86,16 +86,6 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     return STATUS_OK;
 }
 
-enum status renderer_abandon(struct renderer *r)
-{
-    if (!r->is_partial)
-        return STATUS_OK;
-    r->is_partial = false;
-    r->cube.is_drawn = r->cube.is_drawn && !r->partial.graph.due.cube;
-    r->cube.has_light = r->cube.has_light && !r->partial.graph.due.light;
-    return gpu_status(rg_exec_abandon(r->image.exec));
-}
-
 /* Returns pixel `i` of the mean for display. Keeps the sums. */
 static void find_display(const struct renderer *r, size_t i, uint32_t sample_count, float rgba[4])
 {

@@ -138,6 +138,16 @@ void renderer_mark_drawn(struct renderer *r, const struct renderer_frame *f)
     frame_cube_mark_drawn(&r->cube, &f->view, &f->globals, f->graph.due);
 }
 
+enum status renderer_abandon(struct renderer *r)
+{
+    if (!r->is_partial)
+        return STATUS_OK;
+    r->is_partial = false;
+    r->cube.is_drawn = r->cube.is_drawn && !r->partial.graph.due.cube;
+    r->cube.has_light = r->cube.has_light && !r->partial.graph.due.light;
+    return gpu_status(rg_exec_abandon(r->image.exec));
+}
+
 enum status renderer_run(struct renderer *r, struct compiled_frame *compiled_frame,
                          const struct renderer_shot *shot, uint32_t sample, uint32_t *slot)
 {
