@@ -452,6 +452,28 @@ static void transfer_ownership(struct scene *before, struct scene *scene, bool s
     other->files = (struct scene_files){ 0 };
 }
 
+/* Adds what is computed from the geometry: movers, melted ice, contacts, surfaces, occluders and
+ * inclusions. */
+static enum status add_derived(struct scene *scene, const struct scene_params *params)
+{
+    const bool has_object = scene->model.object.index_count > 0;
+    enum status status = STATUS_OK;
+    if (params->orbiting_ball_count)
+        status = add_movers(scene, params->orbiting_ball_count);
+    if (status == STATUS_OK)
+        status = melt_ice(scene, params);
+    if (status == STATUS_OK)
+        status = find_contacts(scene);
+    if (status == STATUS_OK && !scene->has_pool)
+        status = add_surfaces(scene, params);
+    if (status == STATUS_OK && scene->tables.materials && has_object)
+        status = ao_find(&scene->ao, &scene->model.object, scene->model.objects,
+                         scene->model.object_count);
+    if (status == STATUS_OK && has_object && !scene->has_pool)
+        status = scene_fill_object(scene, params);
+    return status;
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params copy = *given;
@@ -482,19 +504,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = add_stage(scene, params);
     if (status == STATUS_OK)
         status = sort_surroundings(scene);
-    if (status == STATUS_OK && params->orbiting_ball_count)
-        status = add_movers(scene, params->orbiting_ball_count);
     if (status == STATUS_OK)
-        status = melt_ice(scene, params);
-    if (status == STATUS_OK)
-        status = find_contacts(scene);
-    if (status == STATUS_OK && !scene->has_pool)
-        status = add_surfaces(scene, params);
-    if (status == STATUS_OK && scene->tables.materials && has_object)
-        status = ao_find(&scene->ao, &scene->model.object, scene->model.objects,
-                         scene->model.object_count);
-    if (status == STATUS_OK && has_object && !scene->has_pool)
-        status = scene_fill_object(scene, params);
+        status = add_derived(scene, params);
     if (status == STATUS_OK)
         status = allocate_bvh(scene, params->previous_pose);
     if (params->previous_pose)

@@ -125,7 +125,8 @@ bool stage_textures_generate(struct stage_textures *textures, bool is_wood)
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const float u = ((float)(i % SIZE) + 0.5f) / SIZE, v = ((float)(i / SIZE) + 0.5f) / SIZE;
+        const size_t x = i % SIZE, y = i / SIZE;
+        const float u = ((float)x + 0.5f) / SIZE, v = ((float)y + 0.5f) / SIZE;
         const struct sample at = is_wood ? wood_at(u, v) : slate_at(u, v);
         for (int k = 0; k < 3; k++)
             textures->colors[4 * i + (size_t)k] = byte_of(srgb_encode(at.color.raw[k]));

@@ -27,7 +27,7 @@ static rg_record_fn record_screen;
 
 const struct rg_buffer bubbles_bvh = {
     .name = "bubbles.bvh",
-    .size = BUBBLES_NODES_MAX * sizeof(struct bubbles_node),
+    .size = (size_t)BUBBLES_NODES_MAX * sizeof(struct bubbles_node),
     .memory = RG_MEMORY_UPLOAD,
 };
 
