@@ -93,7 +93,10 @@ struct exec_part {
 struct exec_pass_cost {
     float pass;                /* seconds; of passes that are not divided */
     float rows[RG_ZONE_COUNT]; /* seconds per row in equal parts of the target's height */
-    bool is_undivided;         /* bands would not be faster */
+    float sum, last_sum;       /* seconds of all bands, and with the height tried before */
+    uint32_t frames;           /* frames in bands */
+    uint32_t doublings;        /* of the height of bands */
+    bool has_height;           /* no other height is tried */
 };
 
 /* Barriers recorded in one call: those of a pass that runs and of the skipped passes before it. */
@@ -145,8 +148,6 @@ struct rg_exec {
     struct exec_batch batch;
     struct exec_part next_part; /* where a frame in parts continues; `count` 0: no such frame */
     struct exec_pass_cost *costs;
-    double last_band_seconds; /* of the part submitted last */
-    uint32_t last_band_rows;  /* 0 if it was no band */
 };
 
 /* The pass being recorded. */

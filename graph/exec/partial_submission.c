@@ -5,17 +5,19 @@
 
 enum {
     UNKNOWN_ROWS = 8, /* greatest height of a band of unknown cost */
+    MAX_DOUBLINGS = 16,
+    FIRST_TRIAL = 2, /* frame in bands from which their height is tried; compiles no shaders */
 };
 
-/* If a band of at most half the rows takes more than this fraction of the time of the band before,
- * the pass's vertices dominate its cost. */
-static const double vertex_bound = 0.75;
+/* If bands of twice the height take less than this fraction of the time, vertices, which each band
+ * processes, dominate the cost of a pass. */
+static const double vertex_bound = 0.7;
 
 static bool can_be_divided(const struct rg_exec *exec, uint32_t pass)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[pass];
-    bool is_divisible = plan->pass->kind == RG_RASTER && !exec->costs[pass].is_undivided &&
-                        !exec->slots[exec->slot].times.measure.statistics;
+    bool is_divisible =
+        plan->pass->kind == RG_RASTER && !exec->slots[exec->slot].times.measure.statistics;
     for (uint32_t i = 0; i < plan->use_count; i++) {
         const enum rg_access access = exec->plan->uses[plan->first_use + i].use->access;
         is_divisible =
@@ -58,11 +60,12 @@ static double predict(const struct rg_exec *exec, uint32_t pass, VkRect2D area)
 static void find_band(const struct rg_exec *exec, struct exec_part *part, uint32_t end,
                       double seconds)
 {
+    const double limit = seconds * (double)(1u << exec->costs[part->first].doublings);
     double sum = 0.0, last = 0.0;
     uint32_t row = part->row;
     if (row)
         last = (double)*row_cost(exec, part->first, row - 1);
-    while (row < end && (sum < seconds || row < part->row + 2)) {
+    while (row < end && (sum < limit || row < part->row + 2)) {
         const double cost = (double)*row_cost(exec, part->first, row++);
         if (cost > 0.0)
             last = cost;
@@ -70,7 +73,7 @@ static void find_band(const struct rg_exec *exec, struct exec_part *part, uint32
             last = seconds / UNKNOWN_ROWS;
         sum += last;
     }
-    row = (row + 1) & ~1u;
+    row += row & 1u;
     part->row_end = row < end && can_be_divided(exec, part->first) ? row : end;
     part->ends = part->row_end == end;
 }
@@ -116,18 +119,33 @@ static void learn_pass(struct rg_exec *exec, const struct exec_part *part, VkRec
         *row_cost(exec, part->first, row) = (float)(taken / (end - begin));
 }
 
-/* Stores the time of a part, and notes if shorter bands are not faster than `last`. */
-static void learn(struct rg_exec *exec, const struct rg_frame *frame, const struct exec_part *part,
-                  double taken, double seconds)
+/* Doubles the height of a pass's bands as long as that makes the pass much faster. */
+static void learn_height(struct exec_pass_cost *cost, const struct exec_part *part, double taken)
 {
-    const double last = exec->last_band_seconds;
-    const uint32_t rows = part->row_end - part->row, last_rows = exec->last_band_rows;
+    cost->sum = (part->begins ? 0.0f : cost->sum) + (float)taken;
+    if (!part->ends || cost->has_height)
+        return;
+    cost->frames++;
+    if (cost->frames < FIRST_TRIAL)
+        return;
+    const bool is_faster = (double)cost->sum < vertex_bound * (double)cost->last_sum;
+    if (cost->frames > FIRST_TRIAL && !is_faster) {
+        cost->doublings--;
+        cost->has_height = true;
+        return;
+    }
+    cost->last_sum = cost->sum;
+    cost->doublings += cost->doublings < MAX_DOUBLINGS;
+    cost->has_height = cost->doublings == MAX_DOUBLINGS;
+}
+
+/* Stores the time of a part. */
+static void learn(struct rg_exec *exec, const struct rg_frame *frame, const struct exec_part *part,
+                  double taken)
+{
     double predicted = 0.0;
-    exec->last_band_seconds = taken;
-    exec->last_band_rows = part->row_end ? rows : 0;
-    if (part->row_end && !part->begins && 2 * rows <= last_rows && taken > seconds &&
-        taken > vertex_bound * last)
-        exec->costs[part->first].is_undivided = true;
+    if (part->row_end)
+        learn_height(&exec->costs[part->first], part, taken);
     if (part->count == 1) {
         learn_pass(exec, part, rg_exec_pass_area(exec, part->first, frame), taken);
         return;
@@ -170,7 +188,7 @@ VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
     const struct exec_part part = find_part(exec, frame, seconds);
     const uint64_t start = rg_time_now();
     RG_TRY(run(exec, frame, &part));
-    learn(exec, frame, &part, (double)(rg_time_now() - start) * 1e-9, seconds);
+    learn(exec, frame, &part, (double)(rg_time_now() - start) * 1e-9);
     return exec->next_part.count ? VK_NOT_READY : VK_SUCCESS;
 fail:
     exec->next_part.count = 0;

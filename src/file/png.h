@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include "src/base/status.h"
 #include "src/file/image.h"
 
@@ -33,6 +34,10 @@ MUST_USE enum status png_encode(const struct png_image_source *picture, void **d
  */
 MUST_USE enum status png_read(const char *path, struct image *image, image_size_fn *begin,
                               void *user);
+
+/* Returns false if a chunk of a PNG file ends after the file. libpng might allocate and clear 2 GiB
+ * for it. Returns true for other files. Leaves the position at the start. */
+bool png_has_whole_chunks(FILE *file, int64_t size);
 
 /* Checks a file by decoding it and comparing all CRCs. Reads the header into *head, which the
  * caller frees. png_read() describes the errors. */

@@ -13,13 +13,21 @@ static enum status out_of_memory(const char *path, const png_image *png)
     return STATUS_TRY_AGAIN;
 }
 
-/* Returns true if all chunks end within the file. Without this check, libpng might allocate and
- * clear 2 GiB for a file of a few bytes. */
-static bool has_whole_chunks(FILE *file, int64_t size)
+static bool is_png(FILE *file)
+{
+    uint8_t signature[8];
+    const bool is_read = fread(signature, sizeof(signature), 1, file) == 1;
+    rewind(file);
+    return is_read && png_sig_cmp(signature, 0, sizeof(signature)) == 0;
+}
+
+bool png_has_whole_chunks(FILE *file, int64_t size)
 {
     uint8_t head[8]; /* length, type */
     int64_t at = sizeof(head);
     bool has_ended = false;
+    if (!is_png(file))
+        return true;
     while (!has_ended && at <= size && fseeko(file, (off_t)at, SEEK_SET) == 0 &&
            fread(head, sizeof(head), 1, file) == 1) {
         at += 12 + (int64_t)png_get_uint_32(head);
@@ -27,14 +35,6 @@ static bool has_whole_chunks(FILE *file, int64_t size)
     }
     rewind(file);
     return at <= size;
-}
-
-static bool is_png(FILE *file)
-{
-    uint8_t signature[8];
-    const bool is_read = fread(signature, sizeof(signature), 1, file) == 1;
-    rewind(file);
-    return is_read && png_sig_cmp(signature, 0, sizeof(signature)) == 0;
 }
 
 static enum status damaged(const char *path, const char *why)
@@ -92,7 +92,7 @@ static enum status read_texels(const char *path, png_image *png, struct image *i
 /* Reads the header and checks the size. */
 static enum status begin_read(const char *path, png_image *png, FILE *file, int64_t size)
 {
-    if (is_png(file) && !has_whole_chunks(file, size))
+    if (!png_has_whole_chunks(file, size))
         return damaged(path, "a chunk is longer than the file");
     if (!png_image_begin_read_from_stdio(png, file))
         return damaged(path, png->message);

@@ -8,7 +8,6 @@
 
 enum {
     MESSAGE_SIZE = 128,
-    MAX_CHUNK = 1 << 23, /* bytes of a text chunk; libpng would allocate what the file states */
 };
 
 /* Keeps libpng's error message, and returns to the setjmp() of the caller. */
@@ -133,7 +132,6 @@ static bool read_image(png_structp png, png_infop info, FILE *file)
     png_init_io(png, file);
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_user_limits(png, IMAGE_MAX_SIDE, IMAGE_MAX_SIDE);
-    png_set_chunk_malloc_max(png, MAX_CHUNK);
     png_read_info(png, info);
     const uint64_t height = png_get_image_height(png, info);
     if (height * png_get_image_width(png, info) > IMAGE_MAX_TEXELS)
@@ -173,7 +171,10 @@ enum status png_check(const char *path, struct image_header *head)
         return status;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, message, fail, ignore_warning);
     png_infop info = png ? png_create_info_struct(png) : NULL;
-    const bool is_whole = info && read_image(png, info, file) && fgetc(file) == EOF;
+    const bool has_chunks = png_has_whole_chunks(file, size);
+    if (!has_chunks)
+        snprintf(message, sizeof(message), "a chunk ends after the file");
+    const bool is_whole = info && has_chunks && read_image(png, info, file) && fgetc(file) == EOF;
     if (!info || (is_whole && !fill_head(head, png, info))) {
         status = log_out_of_memory(path);
         image_header_finish(head);
