@@ -93,6 +93,7 @@ class WindowCase(Case):
         """What it shows when it draws no frames any more."""
         def look():
             turns, spent = self.turns()
+            time.sleep(0.3)  # samples are drawn in short parts, after each of which it waits
             wait_until('turns of its loop', lambda: self.turns()[0] >= turns + 6, self.words)
             return self.turns()[1] <= spent + 1
         wait_until('a window at rest', look, self.words)
