@@ -153,8 +153,8 @@ RG_API VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame 
                                     double seconds);
 
 /* Ends a frame of which only some parts have been submitted, without the other passes' commands.
- * What these would have written is undefined, also in persistent images and buffers. Does nothing
- * if there is no such frame. */
+ * Resources that these passes write have undefined content, persistent ones too. Does nothing if
+ * there is no such frame. */
 RG_API VkResult rg_exec_abandon(struct rg_exec *exec);
 
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */

@@ -5,6 +5,7 @@
 #include "src/view/panels/ui_internal.h"
 
 enum {
+    ID_SIZE = 64,
     BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
 };
 
@@ -20,15 +21,22 @@ static void head(const char *name, float x, const char *tip)
     imgui_tooltip(tip);
 }
 
-bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
-                   const char *tip)
+/* Draws the label of a control that fills the rest of the row. Writes the control's label to `id`.
+ */
+static void begin_row(const char *name, const char *tip, char id[static ID_SIZE])
 {
-    char id[64];
     const float x = imgui_available_width() * 0.46f;
     head(name, x, tip);
     imgui_same_line(x);
     imgui_next_width(imgui_available_width());
-    snprintf(id, sizeof(id), "##%s", name);
+    snprintf(id, ID_SIZE, "##%s", name);
+}
+
+bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                   const char *tip)
+{
+    char id[ID_SIZE];
+    begin_row(name, tip, id);
     const bool changed = imgui_combo(id, names, count, index);
     imgui_tooltip(tip);
     return changed;
@@ -37,12 +45,8 @@ bool ui_named_list(const char *name, const char *const *names, uint32_t count, u
 bool ui_named_slider(const char *name, float *value, const struct imgui_slider_range *range,
                      const char *tip)
 {
-    char id[64];
-    const float x = imgui_available_width() * 0.46f;
-    head(name, x, tip);
-    imgui_same_line(x);
-    imgui_next_width(imgui_available_width());
-    snprintf(id, sizeof(id), "##%s", name);
+    char id[ID_SIZE];
+    begin_row(name, tip, id);
     const bool changed = imgui_slider(id, value, range);
     imgui_tooltip(tip);
     return changed;
