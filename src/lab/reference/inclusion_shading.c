@@ -12,20 +12,6 @@
 #include "src/tech/inclusions/frost.h"
 #include "src/tech/lighting/bump.h"
 
-/* Returns the radiance of planes of air, which scatter isotropically without absorption. */
-static vec3s air_radiance(const struct radiance *radiance)
-{
-    const struct globals *g = radiance->globals;
-    if (radiance->scene->background.kind == SCENE_COLOR)
-        return g->background_color;
-    if (radiance->scene->background.kind == SCENE_ENVIRONMENT)
-        return radiance_mean(radiance);
-    const vec3s away = glms_vec3_negate(g->sun_dir);
-    const vec3s light = glms_vec3_add(sky_reflected(g->sun_dir, g->sun_dir, g->sun_strength),
-                                      sky_reflected(away, g->sun_dir, g->sun_strength));
-    return glms_vec3_scale(light, 0.5f * g->sky_strength);
-}
-
 struct inclusions inclusions_of(const struct radiance *radiance, const struct settings *settings)
 {
     const struct cracks_params *cracks_params = settings_of(settings, &cracks_settings);
@@ -49,8 +35,8 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
         .air = air_is_medium(settings)
                    ? (struct air_push){ 0 }
                    : (struct air_push){ air_params->strength, air_params->haze },
-        .air_light =
-            radiance->scene->inclusions.air.index_count ? air_radiance(radiance) : glms_vec3_zero(),
+        .air_light = radiance->scene->inclusions.air.index_count ? radiance_mean(radiance, 1)
+                                                                 : glms_vec3_zero(),
     };
 }
 

@@ -159,16 +159,17 @@ bool ray_branch_is_exhausted(const struct tracer *tracing, const struct ray_bran
     return b->bounces >= limit || b->scatterings >= SCATTERINGS_MAX;
 }
 
-bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b)
+float ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b)
 {
     const float probability = glms_vec3_max(b->throughput) / tracing->params.cutoff;
     b->is_single_path =
         b->is_single_path || probability < 1.0f || b->bounces >= tracing->params.bounces;
     if (probability >= 1.0f)
-        return true;
-    b->throughput = glms_vec3_scale(b->throughput, 1.0f / probability);
-    return microfacet_point(tracing->sample, microfacet_hash(b->seed, ROULETTE_SEED)).x <
-           probability;
+        return 1.0f;
+    const float at = microfacet_point(tracing->sample, microfacet_hash(b->seed, ROULETTE_SEED)).x;
+    const float weight = at < probability ? 1.0f / probability : 0.0f;
+    b->throughput = glms_vec3_scale(b->throughput, weight);
+    return weight;
 }
 
 const struct frame_medium *ray_branch_surface(const struct tracer *tracing,

@@ -31,8 +31,11 @@
 enum {
     TILE = 16, /* tile side in pixels */
     PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
-    ROUND_MAX = 16, /* samples per pixel and round */
+    ROUND_MAX = 16,     /* samples per pixel and round */
+    EXPECTED_STEP = 16, /* texels of the environment map between two that expected_radiance reads */
 };
+
+#define EXPECTED_MAX 4.0f /* maximum of expected_radiance, which the sun would raise */
 
 struct reference {
     struct reference_request request;
@@ -401,6 +404,8 @@ static struct tracer tracing_of(const struct job *job)
         .pool_scene = job->reference->request.scene->has_pool ? &job->pool_scene : NULL,
         .earlier = &job->earlier,
         .has_layers = job->reference->request.layers != 0,
+        .expected_radiance = glms_vec3_minv(radiance_mean(&job->radiance, EXPECTED_STEP),
+                                            glms_vec3_fill(EXPECTED_MAX)),
         .guide = image_based_lighting_dominant_cone(&job->radiance.scene->background.environment,
                                                     job->radiance.scene->background.prefiltered),
         .params = *params,

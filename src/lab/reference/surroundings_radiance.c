@@ -117,22 +117,37 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
     return glms_vec3_muladds(g->sun_light, sky_disc(dir, g->sun_dir, g->sun_radius, 0.0f), light);
 }
 
-vec3s radiance_mean(const struct radiance *radiance)
+/* Returns the mean radiance of the environment map over all directions, from every `step`th texel
+ * of every `step`th row. */
+static vec3s environment_mean(const struct radiance *radiance, uint32_t step)
 {
     const struct environment *environment = &radiance->scene->background.environment;
     double sum[3] = { 0 };
     double weights = 0.0;
-    for (uint32_t y = 0; y < environment->height; y++) {
+    for (uint32_t y = 0; y < environment->height; y += step) {
         const double weight = sin(((double)y + 0.5) / environment->height * 3.14159265358979);
-        for (uint32_t x = 0; x < environment->width; x++) {
+        for (uint32_t x = 0; x < environment->width; x += step) {
             const vec4s texel = fetch_environment(radiance, 0, x, y);
             for (int c = 0; c < 3; c++)
                 sum[c] += weight * (double)texel.raw[c];
+            weights += weight;
         }
-        weights += weight * environment->width;
     }
     return (vec3s){ { (float)(sum[0] / weights), (float)(sum[1] / weights),
                       (float)(sum[2] / weights) } };
+}
+
+vec3s radiance_mean(const struct radiance *radiance, uint32_t step)
+{
+    const struct globals *g = radiance->globals;
+    if (radiance->scene->background.kind == SCENE_COLOR)
+        return g->background_color;
+    if (radiance->scene->background.kind == SCENE_ENVIRONMENT)
+        return environment_mean(radiance, step);
+    const vec3s away = glms_vec3_negate(g->sun_dir);
+    const vec3s light = glms_vec3_add(sky_reflected(g->sun_dir, g->sun_dir, g->sun_strength),
+                                      sky_reflected(away, g->sun_dir, g->sun_strength));
+    return glms_vec3_scale(light, 0.5f * g->sky_strength);
 }
 
 /* Returns a vertex's glTF material, or NULL if the settings alone determine its shading. */

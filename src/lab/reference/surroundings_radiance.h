@@ -53,8 +53,9 @@ vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s u
 /* Returns the radiance of sky, environment map or background colour in unit direction `dir`. */
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 
-/* Returns the mean radiance of the environment map over all directions. */
-vec3s radiance_mean(const struct radiance *radiance);
+/* Returns the mean radiance of sky, environment map or background colour over all directions. Of an
+ * environment map, it averages every `step`th texel of every `step`th row. */
+vec3s radiance_mean(const struct radiance *radiance, uint32_t step);
 
 /* Returns a surface's textured base colour. */
 vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex);

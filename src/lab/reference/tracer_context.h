@@ -24,6 +24,7 @@ struct tracer {
     const struct pool_scene *pool_scene;          /* NULL if the scene has none */
     const struct photons *photons;                /* NULL without effects on sunlight */
     const struct first_surface_previous *earlier; /* NULL if nothing moves */
+    vec3s expected_radiance;                      /* of paths that Russian roulette may terminate */
     vec4s guide;                           /* guide of image_based_lighting_dominant_cone() */
     struct nested_media_set camera_inside; /* objects that contain the camera */
     bool has_layers;                       /* computes all layers of the image */

@@ -20,6 +20,18 @@ struct sum {
     vec3s light, remaining;
 };
 
+/* Applies Russian roulette to a ray, with the mean radiance of the surroundings as a control variate
+ * (Owen, "Monte Carlo theory, methods and examples", 8.9): the sum gets it for what is not followed,
+ * and loses it for what is followed with too much weight. The mean is exact for any estimate.
+ * Returns false if the ray is terminated. */
+static bool survives(const struct tracer *tracing, struct ray_branch *branch, struct sum *sum)
+{
+    const vec3s expected = glms_vec3_mul(branch->throughput, tracing->expected_radiance);
+    const float weight = ray_branch_roulette(tracing, branch);
+    sum->light = glms_vec3_muladds(expected, 1.0f - weight, sum->light);
+    return weight > 0.0f;
+}
+
 /* Pushes a ray onto the stack. If the ray is terminated, adds its throughput to `remaining`. */
 static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_t *count,
                  struct ray_branch branch, struct sum *sum)
@@ -28,7 +40,7 @@ static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_
     const bool is_weak = glms_vec3_max(branch.throughput) < tracing->params.cutoff;
     if (ray_branch_is_exhausted(tracing, &branch) || (is_weak && !is_roulette))
         sum->remaining = glms_vec3_add(sum->remaining, branch.throughput);
-    else if (!is_roulette || ray_branch_roulette(tracing, &branch))
+    else if (!is_roulette || survives(tracing, &branch, sum))
         stack[(*count)++] = branch;
 }
 

@@ -12,7 +12,7 @@ static const struct setting rows[] = {
     {
         SETTING_FIELD("reference.cutoff", FLOAT, struct reference_params, cutoff),
         .label = "Reference: minimum throughput",
-        .initial = 0.003,
+        .initial = 0.008,
         .min = 1e-6, /* branches multiply in concave objects */
         .max = 1,
         .help =
