@@ -111,10 +111,16 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
  * cheap.
  *
  * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user are used.
- * Waits for all submitted frames; must not be called between rg_exec_begin() and a submit. The
- * previous plan and its tables must exist until it returns. Results of rg_exec_image(),
- * rg_exec_block() and rg_exec_mapped() become invalid, and the region is reset. Returns an error if
- * a Vulkan call fails.
+ * Must not be called between rg_exec_begin() and a submit. The previous plan and its tables must
+ * exist until it returns. Results of rg_exec_image(), rg_exec_block() and rg_exec_mapped() become
+ * invalid, and the region is reset. Returns an error if a Vulkan call fails.
+ *
+ * Does not wait: frames that are in flight continue with the previous plan's objects, which are
+ * destroyed once the last of these frames has been waited for, and the first frame of the new plan
+ * begins after them on the device. Imported objects that only the previous plan uses must exist
+ * until then, and so must objects bound by rg_cmd_bind_set() (rg_exec_wait_all()). Times of these
+ * frames are lost (rg_profile.h). A readback buffer keeps their results if both plans have it with
+ * equal name and size.
  */
 RG_API VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params);
 
@@ -159,6 +165,9 @@ RG_API VkResult rg_exec_abandon(struct rg_exec *exec);
 
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
+
+/* Waits for all submitted frames, as rg_exec_wait() does for each slot. */
+RG_API VkResult rg_exec_wait_all(struct rg_exec *exec);
 
 /* Returns the mapped memory of a slot's upload or readback buffer, or NULL if the plan does not use
  * the buffer. The executor owns it. Write it between rg_exec_begin() and rg_exec_submit(). */

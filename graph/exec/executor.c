@@ -3,21 +3,24 @@
 #include <stdlib.h>
 #include "graph/exec/executor_internal.h"
 
-/* Creates fences and command buffers, which are kept when the plan changes. */
+/* Creates fences and command buffers, or keeps them when the plan changes. */
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
-    RG_MAKE_KEYED(exec, NULL, 1, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
-                  &(VkCommandPoolCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                      .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                      .queueFamilyIndex = exec->params.queue_family,
-                  });
+    RG_KEY(exec, exec->slot_count);
+    RG_MAKE(exec, NULL, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
+            &(VkCommandPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                .queueFamilyIndex = exec->params.queue_family,
+            });
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         struct exec_slot *slot = &exec->slots[i];
         slot->passes = NULL; /* they belonged to the previous plan */
-        RG_MAKE_KEYED(exec, NULL, i + 1, FENCE, CreateFence, &slot->fence,
-                      &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
+        slot->times = (struct rg_times){ 0 };
+        RG_KEY(exec, i);
+        RG_MAKE(exec, NULL, FENCE, CreateFence, &slot->fence,
+                &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
         if (exec->found)
             continue;
         RG_CALL(exec, NULL, AllocateCommandBuffers, exec->device,
@@ -47,21 +50,32 @@ static VkResult count_image_sets(struct rg_exec *exec)
     return VK_SUCCESS;
 }
 
+/* Returns how many barriers may be pending: those of the largest batch, or of several. */
+static uint32_t batch_room(const struct rg_plan *plan)
+{
+    uint32_t room = RG_MERGED_MAX;
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        if (plan->passes[p].barrier_count > room)
+            room = plan->passes[p].barrier_count;
+    }
+    if (plan->final_barrier_count > room)
+        room = plan->final_barrier_count;
+    return plan->initial_barrier_count > room ? plan->initial_barrier_count : room;
+}
+
 static VkResult make_arrays(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
     size_t slot_count = exec->slot_count;
-    size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
     size_t resource_count = (size_t)plan->image_count + plan->buffer_count;
+    exec->batch.room = batch_room(plan);
     bool done = RG_MAKE_ARRAY(exec, exec->blocks, plan->block_count) &&
                 RG_MAKE_ARRAY(exec, exec->buffers, plan->buffer_count * slot_count) &&
                 RG_MAKE_ARRAY(exec, exec->fallbacks, plan->fallback_count) &&
-                RG_MAKE_ARRAY(exec, exec->has_content, resource_count) &&
+                RG_MAKE_ARRAY(exec, exec->origins, resource_count) &&
                 RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
-                RG_MAKE_ARRAY(exec, exec->costs, plan->pass_count) &&
-                RG_MAKE_KEYED_ARRAY(exec, 1, exec->slots, slot_count) &&
-                RG_MAKE_ARRAY(exec, exec->batch.images, barrier_count) &&
-                RG_MAKE_ARRAY(exec, exec->batch.buffers, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->batch.images, exec->batch.room) &&
+                RG_MAKE_ARRAY(exec, exec->batch.buffers, exec->batch.room) &&
                 RG_MAKE_ARRAY(exec, exec->image_sets, exec->image_set_count);
     for (uint32_t i = 0; done && i < exec->image_set_count; i++) {
         struct exec_image_set *set = &exec->image_sets[i];
@@ -150,7 +164,9 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     if (exec) {
         *exec = start;
         rg_exec_adopt_pipelines(exec);
-        outcome = make_all(exec);
+        exec->slots = calloc(exec->slot_count, sizeof(*exec->slots));
+        outcome = exec->slots ? make_all(exec)
+                              : rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
         rg_exec_free_former(exec);
     } else if (outcome == VK_SUCCESS) {
         outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
@@ -166,8 +182,6 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
 VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
 {
     VkResult result = VK_SUCCESS;
-    for (uint32_t slot = 0; slot < exec->slot_count; slot++)
-        RG_TRY(rg_exec_wait(exec, slot));
     const struct rg_exec former = *exec;
     struct rg_exec next = {
         .params = former.params,
@@ -176,7 +190,12 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
         .device = former.device,
         .slot_count = former.slot_count,
         .slot = former.slot,
+        .slots = former.slots,
+        .frame = former.frame,
         .former = former.objects,
+        .retired = former.retired,
+        .key = former.key,
+        .is_update = true,
     };
     next.params.plan = params->plan;
     next.params.imports = params->imports;
@@ -188,11 +207,14 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     const char *wrong = params_problem(&next.params);
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
+    assert(!exec->next_part.count);
     *exec = next;
+    rg_exec_link_former(exec);
     RG_TRY(make_all(exec));
     RG_TRY(rg_exec_keep_content(exec, &former));
     rg_time_keep(exec, &former);
-    rg_exec_free_former(exec);
+    RG_TRY(rg_exec_retire_former(exec));
+    rg_exec_free_retired(exec);
 fail:
     return result;
 }
@@ -200,6 +222,17 @@ fail:
 static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
+}
+
+bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame)
+{
+    for (uint32_t i = 0; i < exec->slot_count; i++) {
+        const struct exec_slot *slot = &exec->slots[i];
+        if (slot->submitted && slot->frame <= frame &&
+            exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT)
+            return true;
+    }
+    return false;
 }
 
 void rg_exec_destroy(struct rg_exec *exec)
@@ -211,6 +244,7 @@ void rg_exec_destroy(struct rg_exec *exec)
             (void)wait_fence(exec, &exec->slots[i]);
     }
     rg_exec_free_objects(exec);
+    free(exec->slots);
     free(exec);
 }
 
@@ -274,6 +308,7 @@ VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *fr
     const uint64_t recorded = rg_time_now();
     RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
     slot->submitted = true;
+    slot->frame = ++exec->frame;
     slot->times.record += recorded - start;
     slot->times.submit += rg_time_now() - recorded;
 fail:
@@ -334,9 +369,18 @@ VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
         return VK_SUCCESS;
     RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
     exec->slots[slot].submitted = false;
+    rg_exec_free_retired(exec);
     RG_TRY(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
     RG_TRY(rg_time_finish(exec, slot, start));
 fail:
+    return result;
+}
+
+VkResult rg_exec_wait_all(struct rg_exec *exec)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t slot = 0; slot < exec->slot_count && result == VK_SUCCESS; slot++)
+        result = rg_exec_wait(exec, slot);
     return result;
 }
 

@@ -179,6 +179,8 @@ fail:
 VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame, double seconds)
 {
     VkResult result;
+    if (!exec->costs && !RG_MAKE_ARRAY(exec, exec->costs, exec->plan->pass_count))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
     if (!exec->next_part.count) {
         exec->next_part = (struct exec_part){ .count = 1, .begins = true };
         exec->external_sync = (struct rg_exec_external_sync){ 0 };

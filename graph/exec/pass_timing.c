@@ -265,7 +265,7 @@ VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_star
     VkResult result = VK_SUCCESS;
     slot->times.wait += end - wait_start;
     slot->times.whole = end - slot->times.start;
-    if (!time)
+    if (!time || !slot->passes) /* the frame belongs to a previous plan */
         return result;
     RG_TRY(read_results(exec, index));
     memcpy(time->finished, slot->passes, exec->plan->pass_count * sizeof(*slot->passes));

@@ -136,8 +136,11 @@ static enum status realise(struct presenter *s, const struct presenter_images *i
         .replace_shader = s->replace,
         .user = s->replace_user,
     };
-    if (s->exec)
-        return gpu_status(rg_exec_update(s->exec, &params));
+    if (s->exec) {
+        /* the images shown before are destroyed by their owners */
+        const enum status status = gpu_status(rg_exec_wait_all(s->exec));
+        return status == STATUS_OK ? gpu_status(rg_exec_update(s->exec, &params)) : status;
+    }
     s->exec = rg_exec_create(&params, &result);
     if (s->exec)
         rg_exec_measure(s->exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
@@ -230,10 +233,5 @@ enum status presenter_end(struct presenter *s, const struct window_frame *frame)
 
 enum status presenter_wait(struct presenter *s)
 {
-    enum status status = STATUS_OK;
-    for (uint32_t slot = 0; slot < GPU_SWAPCHAIN_SLOT_COUNT && s->exec; slot++) {
-        const enum status waited = gpu_status(rg_exec_wait(s->exec, slot));
-        status = status == STATUS_OK ? waited : status;
-    }
-    return status;
+    return s->exec ? gpu_status(rg_exec_wait_all(s->exec)) : STATUS_OK;
 }
