@@ -288,6 +288,8 @@ struct rg_pass {
     struct rg_depth_bias depth_bias;         /* {0} means none */
     const struct rg_stencil *stencil;        /* borrowed; NULL: no stencil test */
     const struct rg_set *set;                /* the program's set 1, or NULL */
+    /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute(); excludes `more` */
+    bool secondary;
 };
 
 /* Passes that belong together, in execution order. */

@@ -3,7 +3,8 @@
  *
  * The pipeline, descriptor set 0, targets, viewport and scissor of the pass are already bound. All
  * functions record into the pass's command buffer and return no error. They may be called only in
- * the thread of rg_exec_submit(). A `cmd` is valid only until its record function returns.
+ * the thread of rg_exec_submit() or rg_exec_record(), but rg_cmd_record_secondary() in any thread.
+ * A `cmd` is valid only until its record function returns.
  */
 #ifndef RG_CMD_H
 #define RG_CMD_H
@@ -104,6 +105,28 @@ RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_imag
  * declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
+
+/* ---- secondary command buffers, for recording in several threads ---- */
+
+/* Records commands into a secondary command buffer, as rg_record_fn does into the pass's own. */
+typedef void rg_secondary_fn(struct rg_cmd *cmd, void *user);
+
+/*
+ * Records a secondary command buffer for the pass: begins it, binds what a record function finds
+ * bound, calls `record` with `user`, and ends it. The program owns the command buffer, which is in
+ * the initial state, from a pool of rg_exec_params.queue_family, and must exist until the frame has
+ * been executed. Returns the error of a Vulkan call, which is logged.
+ *
+ * The record function of the pass calls it directly, or in other threads for which it waits: at the
+ * same time for command buffers of different pools. The pass has rg_pass.secondary; otherwise
+ * submitting fails with VK_ERROR_VALIDATION_FAILED_EXT. In a frame in parts, the record function of
+ * a pass may be called several times, each after the previous part has finished.
+ */
+RG_API VkResult rg_cmd_record_secondary(const struct rg_cmd *cmd, VkCommandBuffer secondary,
+                                        rg_secondary_fn *record, void *user);
+
+/* Executes `count` secondary command buffers in this order. Afterwards nothing is bound. */
+RG_API void rg_cmd_execute(struct rg_cmd *cmd, const VkCommandBuffer *secondary, uint32_t count);
 
 /* ---- direct Vulkan access ---- */
 

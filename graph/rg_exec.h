@@ -21,8 +21,8 @@
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
  *                After a failure only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
- *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit()
- *                and rg_exec_submit_synced().
+ *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
+ *                rg_exec_submit_synced(), rg_exec_submit_part() and rg_exec_abandon().
  */
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
@@ -75,7 +75,8 @@ struct rg_exec_params {
     PFN_vkGetInstanceProcAddr get_proc_addr; /* the loader's vkGetInstanceProcAddr, or volk's */
     VkPhysicalDevice physical;
     VkDevice device;
-    VkQueue queue;                        /* must support graphics and compute */
+    /* must support graphics and compute; VK_NULL_HANDLE if only rg_exec_record() is used */
+    VkQueue queue;
     uint32_t queue_family;                /* of the queue */
     VkPipelineCache pipeline_cache;       /* VK_NULL_HANDLE is allowed */
     struct rg_pipelines *pipelines;       /* cache to reuse, or NULL */
@@ -135,17 +136,43 @@ RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 /* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
-/* Synchronisation of a frame with work outside its queue. A zeroed struct means none. */
+/* Synchronisation of a frame with work outside its queue. A zeroed struct means none. The arrays,
+ * as in VkSubmitInfo2, are read during the call; the caller owns the semaphores, which are binary
+ * or timeline semaphores (with `value`). */
 struct rg_exec_external_sync {
-    uint32_t image_index;              /* index into rg_exec_import.images */
-    VkSemaphore wait;                  /* binary semaphore, or VK_NULL_HANDLE */
-    VkPipelineStageFlags2 wait_stages; /* stages that wait; 0 means all */
-    VkSemaphore signal;                /* binary semaphore, or VK_NULL_HANDLE */
+    uint32_t image_index;               /* index into rg_exec_import.images */
+    uint32_t wait_count, signal_count;  /* of the arrays */
+    const VkSemaphoreSubmitInfo *waits; /* stageMask: stages of the frame that wait */
+    const VkSemaphoreSubmitInfo *signals;
 };
 
-/* Submits as rg_exec_submit() does, with an image index and semaphores, which the caller owns. */
+/* Submits as rg_exec_submit() does, with an image index, and waits for and signals semaphores. */
 RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                       const struct rg_exec_external_sync *sync);
+
+/* Where rg_exec_record() records a frame. */
+struct rg_exec_recording {
+    VkCommandBuffer commands; /* primary, in the recording state, outside of rendering */
+    uint32_t slot;            /* below frames_in_flight; the program counts the slots */
+    uint32_t image_index;     /* index into rg_exec_import.images */
+};
+
+/*
+ * Records a frame into a command buffer of the program, which may record other commands before and
+ * after it, and submits it with semaphores and a fence of its own. Bindings and dynamic state are
+ * undefined afterwards. The command buffer is submitted once, to a queue of queue_family, and
+ * frames of an executor in the order in which they were recorded; rg_exec_params.queue is not used.
+ *
+ * The previous frame of the slot must have finished, as its buffers and descriptors are reused: the
+ * program waits for its fence or timeline value, and then writes rg_exec_mapped() of the slot.
+ * rg_exec_wait() with the slot does not wait for such a frame, but makes its readback buffers and
+ * times available; call it once the frame has finished. All frames must have finished when
+ * rg_exec_destroy() is called. Objects that rg_exec_update() replaces are destroyed when
+ * rg_exec_wait() or rg_exec_record() has been called for the slots of all frames that use them.
+ * RG_CLOCK_SUBMITS measures nothing.
+ */
+RG_API VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
+                               const struct rg_frame *frame);
 
 /*
  * Submits the next part of the frame begun last, and waits for it. A part is a group of passes, or

@@ -36,7 +36,8 @@ struct rg_measure {
     bool statistics; /* pipeline statistics; costs some time */
 };
 
-/* Cost of one pass. Without a clock, times are 0. Without statistics, counts are 0. If a pass is
+/* Cost of one pass. Without a clock, times are 0. Without statistics, and for passes with
+ * rg_pass.secondary, counts are 0. If a pass is
  * skipped (rg_pass.when), `end` is equal to `begin`. */
 struct rg_pass_time {
     uint64_t begin, end;   /* GPU time from first pass's start */

@@ -254,6 +254,8 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     check_shader(c, pass->comp);
     check_vertices(c, pass->vertices);
     check_depth(c, pass);
+    rg_fault_if(c, pass->secondary && pass->more, RG_ERROR_VALUE, NULL,
+                "secondary: expected no .more");
     rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,
                 "give the descriptor set a name");
     if (pass->set && pass->kind == RG_TRANSFER)

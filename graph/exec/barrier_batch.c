@@ -89,7 +89,11 @@ static void add_image(struct rg_exec *exec, VkCommandBuffer commands, const stru
                       uint32_t older)
 {
     struct exec_batch *batch = &exec->batch;
-    const VkImageMemoryBarrier2 barrier = image_barrier(exec, b);
+    VkImageMemoryBarrier2 barrier = image_barrier(exec, b);
+    if (exec->is_update && !exec->initialized) { /* after another plan's last accesses */
+        barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    }
     for (uint32_t i = 0; i < older && i < batch->image_count; i++) {
         VkImageMemoryBarrier2 *pending = &batch->images[i];
         if (!overlap_subresources(pending, &barrier))

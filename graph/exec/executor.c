@@ -228,8 +228,11 @@ bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame)
 {
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         const struct exec_slot *slot = &exec->slots[i];
-        if (slot->submitted && slot->frame <= frame &&
-            exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT)
+        if (slot->frame > frame)
+            continue;
+        if (slot->recorded ||
+            (slot->submitted &&
+             exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT))
             return true;
     }
     return false;
@@ -259,15 +262,6 @@ VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
     return result;
 }
 
-static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages)
-{
-    return (VkSemaphoreSubmitInfo){
-        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-        .semaphore = semaphore,
-        .stageMask = stages ? stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-    };
-}
-
 /* Returns the name of the pass if there is only one, otherwise NULL. */
 static const char *pass_name(const struct rg_exec *exec, const struct exec_part *part)
 {
@@ -277,6 +271,24 @@ static const char *pass_name(const struct rg_exec *exec, const struct exec_part 
 VkResult rg_exec_wait_fence(const struct rg_exec *exec)
 {
     return rg_exec_check(exec, wait_fence(exec, &exec->slots[exec->slot]), "vkWaitForFences", NULL);
+}
+
+/* Records a part of a frame into the command buffer of the slot. */
+static VkResult record_own(struct rg_exec *exec, const struct rg_frame *frame,
+                           const struct exec_part *part)
+{
+    VkCommandBuffer commands = exec->slots[exec->slot].commands;
+    VkResult result;
+    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
+            &(VkCommandBufferBeginInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+            });
+    result = rg_exec_record_part(exec, commands, frame, part);
+    RG_CALL(exec, NULL, EndCommandBuffer, commands);
+    result = exec->record_result;
+fail:
+    return result;
 }
 
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
@@ -289,21 +301,20 @@ VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *fr
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
         .commandBuffer = slot->commands,
     };
-    const VkSemaphoreSubmitInfo wait = semaphore_info(sync->wait, sync->wait_stages);
-    const VkSemaphoreSubmitInfo signal = semaphore_info(sync->signal, 0);
+    const bool is_first = part->begins && part->first == 0;
     const bool is_last = part->ends && part->first + part->count == exec->plan->pass_count;
     const char *of = pass_name(exec, part);
     const VkSubmitInfo2 info = {
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-        .waitSemaphoreInfoCount = part->begins && part->first == 0 && sync->wait,
-        .pWaitSemaphoreInfos = &wait,
+        .waitSemaphoreInfoCount = is_first ? sync->wait_count : 0,
+        .pWaitSemaphoreInfos = sync->waits,
         .commandBufferInfoCount = 1,
         .pCommandBufferInfos = &commands,
-        .signalSemaphoreInfoCount = is_last && sync->signal,
-        .pSignalSemaphoreInfos = &signal,
+        .signalSemaphoreInfoCount = is_last ? sync->signal_count : 0,
+        .pSignalSemaphoreInfos = sync->signals,
     };
     const uint64_t start = rg_time_now();
-    RG_TRY(rg_exec_record(exec, frame, part));
+    RG_TRY(record_own(exec, frame, part));
     RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
     const uint64_t recorded = rg_time_now();
     RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
@@ -361,14 +372,42 @@ fail:
     return result;
 }
 
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
+                        const struct rg_frame *frame)
+{
+    const struct exec_part whole = { .count = exec->plan->pass_count,
+                                     .begins = true,
+                                     .ends = true };
+    const uint64_t start = rg_time_now();
+    VkResult result;
+    assert(recording->slot < exec->slot_count && recording->image_index < exec->image_set_count);
+    assert(!exec->next_part.count);
+    struct exec_slot *slot = &exec->slots[recording->slot];
+    RG_TRY(rg_exec_wait(exec, recording->slot));
+    exec->slot = recording->slot;
+    exec->image_set = &exec->image_sets[recording->image_index];
+    RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    rg_time_begin(exec, start);
+    if (slot->times.measure.clock == RG_CLOCK_SUBMITS)
+        slot->times.measure.clock = RG_CLOCK_NONE;
+    RG_TRY(rg_exec_record_part(exec, recording->commands, frame, &whole));
+    slot->times.record = rg_time_now() - start - slot->times.begin;
+    slot->recorded = true;
+    slot->frame = ++exec->frame;
+    exec->initialized = true;
+fail:
+    return result;
+}
+
 VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
 {
     VkResult result;
     const uint64_t start = rg_time_now();
-    if (!exec->slots[slot].submitted)
+    if (exec->slots[slot].submitted)
+        RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
+    else if (!exec->slots[slot].recorded)
         return VK_SUCCESS;
-    RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
-    exec->slots[slot].submitted = false;
+    exec->slots[slot].submitted = exec->slots[slot].recorded = false;
     rg_exec_free_retired(exec);
     RG_TRY(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
     RG_TRY(rg_time_finish(exec, slot, start));

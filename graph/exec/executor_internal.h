@@ -62,8 +62,9 @@ struct exec_descriptor {
 struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
-    bool submitted;
-    uint64_t frame;              /* number of the frame submitted last */
+    bool submitted;              /* and not known to have finished */
+    bool recorded;               /* the same, of a frame of rg_exec_record(), without fence */
+    uint64_t frame;              /* number of its last frame */
     struct rg_times times;       /* of the current frame, perhaps incomplete */
     struct rg_pass_time *passes; /* per pass; NULL if not measured */
     uint32_t stamp_count;        /* timestamps written in its current frame */
@@ -125,7 +126,7 @@ struct rg_exec {
     struct exec_objects objects;  /* of the current plan (object_cache.c) */
     struct exec_objects former;   /* of previous plans, during updates */
     struct exec_retired *retired; /* objects of previous plans that frames may still use */
-    uint64_t frame;               /* number of frames submitted */
+    uint64_t frame;               /* number of frames submitted or recorded */
     bool is_update;               /* frames of a previous plan may be in flight */
 
     struct exec_key key; /* of the object created next */
@@ -277,6 +278,10 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 /* pipelines.c */
 VkResult rg_exec_make_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
+/* Returns the formats of a pass's targets, with pointers into `formats`. */
+VkPipelineRenderingCreateInfo rg_exec_target_formats(const struct rg_exec *exec,
+                                                     const struct rg_plan_pass *plan,
+                                                     VkFormat formats[RG_COLOR_COUNT]);
 /* Returns a shader, or its replacement (rg_exec_params.replace_shader). */
 const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
 
@@ -321,8 +326,10 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
 /* record_commands.c */
 /* Records a part of a frame, with the final barriers if it contains the last pass. */
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
-                        const struct exec_part *part);
+VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
+                             const struct rg_frame *frame, const struct exec_part *part);
+/* Binds the pass's pipeline and descriptor set 0, and sets viewport and scissor. */
+void rg_exec_bind(const struct rg_cmd *cmd);
 /* Returns the render area of a pass in a frame; empty if the pass does not run. */
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 

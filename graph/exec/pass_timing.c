@@ -178,6 +178,19 @@ void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands)
     }
 }
 
+static bool is_secondary(const struct rg_exec *exec, uint32_t pass)
+{
+    return exec->plan->passes[pass].pass->secondary;
+}
+
+static void end_queries(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t query)
+{
+    if (!exec->slots[exec->slot].times.measure.statistics)
+        return;
+    exec->vk.CmdEndQuery(commands, exec->time->samples, query);
+    exec->vk.CmdEndQuery(commands, exec->time->counts, query);
+}
+
 void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass)
 {
     const struct exec_slot *slot = &exec->slots[exec->slot];
@@ -189,6 +202,9 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
         exec->vk.CmdBeginQuery(commands, exec->time->counts, query, 0);
         exec->vk.CmdBeginQuery(commands, exec->time->samples, query, VK_QUERY_CONTROL_PRECISE_BIT);
     }
+    if (is_secondary(exec, pass))
+        end_queries(exec, commands,
+                    query); /* secondary command buffers would have to inherit them */
 }
 
 /* Ends the measurement of a pass. A skipped pass writes no timestamp, because llvmpipe flushes all
@@ -199,10 +215,8 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
     const uint32_t query = exec->slot * exec->plan->pass_count + pass;
     if (!slot->passes)
         return;
-    if (slot->times.measure.statistics) {
-        exec->vk.CmdEndQuery(commands, exec->time->samples, query);
-        exec->vk.CmdEndQuery(commands, exec->time->counts, query);
-    }
+    if (!is_secondary(exec, pass))
+        end_queries(exec, commands, query);
     if (is_stamped(slot)) {
         if (drawn)
             stamp(exec, commands);

@@ -99,25 +99,33 @@ struct target_state {
     VkPipelineRenderingCreateInfo rendering;
 };
 
+VkPipelineRenderingCreateInfo rg_exec_target_formats(const struct rg_exec *exec,
+                                                     const struct rg_plan_pass *plan,
+                                                     VkFormat formats[RG_COLOR_COUNT])
+{
+    const struct rg_plan_image *images = exec->plan->images;
+    VkPipelineRenderingCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = plan->color_count,
+        .pColorAttachmentFormats = formats,
+    };
+    for (uint32_t i = 0; i < plan->color_count; i++)
+        formats[i] = images[plan->color[i].image].image->format;
+    if (plan->depth.image == RG_NONE)
+        return info;
+    const struct rg_plan_image *depth = &images[plan->depth.image];
+    info.depthAttachmentFormat = depth->image->format;
+    if (depth->aspects & VK_IMAGE_ASPECT_STENCIL_BIT)
+        info.stencilAttachmentFormat = depth->image->format;
+    return info;
+}
+
 static void fill_target_state(struct target_state *state, const struct rg_exec *exec,
                               const struct rg_plan_pass *plan)
 {
-    const struct rg_plan_image *images = exec->plan->images;
-    state->rendering = (VkPipelineRenderingCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-        .colorAttachmentCount = plan->color_count,
-        .pColorAttachmentFormats = state->formats,
-    };
-    for (uint32_t i = 0; i < plan->color_count; i++) {
+    state->rendering = rg_exec_target_formats(exec, plan, state->formats);
+    for (uint32_t i = 0; i < plan->color_count; i++)
         state->blends[i] = blend_state(&plan->pass->color[i]);
-        state->formats[i] = images[plan->color[i].image].image->format;
-    }
-    if (plan->depth.image == RG_NONE)
-        return;
-    const struct rg_plan_image *depth = &images[plan->depth.image];
-    state->rendering.depthAttachmentFormat = depth->image->format;
-    if (depth->aspects & VK_IMAGE_ASPECT_STENCIL_BIT)
-        state->rendering.stencilAttachmentFormat = depth->image->format;
 }
 
 /* Vertex input state of a row. */

@@ -42,6 +42,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
     bool has_stencil = has_depth && images[plan->depth.image].aspects & VK_IMAGE_ASPECT_STENCIL_BIT;
     const VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+        .flags = plan->pass->secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0,
         .renderArea = cmd->area,
         .layerCount = 1,
         .colorAttachmentCount = color_count,
@@ -67,10 +68,13 @@ static void begin_render_pass(const struct rg_cmd *cmd)
         .clearValueCount = plan->color_count + 1,
         .pClearValues = clears,
     };
-    cmd->exec->vk.CmdBeginRenderPass(cmd->commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+    cmd->exec->vk.CmdBeginRenderPass(cmd->commands, &info,
+                                     plan->pass->secondary
+                                         ? VK_SUBPASS_CONTENTS_SECONDARY_COMMAND_BUFFERS
+                                         : VK_SUBPASS_CONTENTS_INLINE);
 }
 
-static void bind(const struct rg_cmd *cmd)
+void rg_exec_bind(const struct rg_cmd *cmd)
 {
     const struct rg_plan_pass *plan = cmd->plan_pass;
     VkPipelineBindPoint point = plan->pass->kind == RG_COMPUTE ? VK_PIPELINE_BIND_POINT_COMPUTE
@@ -112,7 +116,7 @@ static void record_merged_rows(const struct rg_cmd *cmd, const struct rg_frame *
     const struct rg_pass *row = cmd->plan_pass->pass;
     while (row->more && (row = row->more(row, frame))) {
         skip_to(&other, row);
-        bind(&other);
+        rg_exec_bind(&other);
         row->record(&other, frame);
     }
 }
@@ -125,7 +129,8 @@ static void record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
         begin_render_pass(cmd);
     else if (raster)
         begin_rendering(cmd);
-    bind(cmd);
+    if (!cmd->plan_pass->pass->secondary)
+        rg_exec_bind(cmd);
     cmd->plan_pass->pass->record(cmd, frame);
     record_merged_rows(cmd, frame);
     if (raster && cmd->pass->render_pass)
@@ -201,18 +206,11 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
-                        const struct exec_part *part)
+VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
+                             const struct rg_frame *frame, const struct exec_part *part)
 {
-    VkCommandBuffer commands = exec->slots[exec->slot].commands;
     const struct rg_plan *plan = exec->plan;
     const bool is_first = part->first == 0 && part->begins;
-    VkResult result;
-    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
-            &(VkCommandBufferBeginInfo){
-                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-            });
     if (is_first && !exec->initialized) {
         rg_exec_record_clear(exec, commands);
         rg_exec_record_fallbacks(exec, commands);
@@ -224,10 +222,7 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
     if (part->ends && part->first + part->count == plan->pass_count)
         rg_exec_add_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     rg_exec_record_batch(exec, commands);
-    RG_CALL(exec, NULL, EndCommandBuffer, commands);
-    result = exec->record_result;
-fail:
-    return result;
+    return exec->record_result;
 }
 
 /* ---- rg_cmd.h ---- */

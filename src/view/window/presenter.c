@@ -204,6 +204,15 @@ enum status presenter_begin(struct presenter *s, bool *ready)
     return status;
 }
 
+static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore)
+{
+    return (VkSemaphoreSubmitInfo){
+        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+        .semaphore = semaphore,
+        .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+    };
+}
+
 enum status presenter_end(struct presenter *s, const struct window_frame *frame)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
@@ -216,11 +225,9 @@ enum status presenter_end(struct presenter *s, const struct window_frame *frame)
     window.panels = &s->overlay.panels;
     window.window_image = &s->tables.window;
     const struct rg_frame inputs = { .window = &window };
-    const struct rg_exec_external_sync sync = {
-        .image_index = s->index,
-        .wait = chain->acquired[s->slot],
-        .signal = chain->drawn[s->index],
-    };
+    const VkSemaphoreSubmitInfo wait = semaphore_info(chain->acquired[s->slot]);
+    const VkSemaphoreSubmitInfo signal = semaphore_info(chain->drawn[s->index]);
+    const struct rg_exec_external_sync sync = { s->index, 1, 1, &wait, &signal };
     enum status status = gpu_status(rg_exec_submit_synced(s->exec, &inputs, &sync));
     if (status == STATUS_OK && window.overlay)
         s->panels_version = window.overlay->version;
