@@ -25,8 +25,11 @@
 
 #include "graph/rg_plan.h"
 
-#ifdef __GNUC__
-#define RG_API __attribute__((visibility("default"))) /* exported; all other symbols are hidden */
+/* Marks exported functions. Only building the libraries defines RG_BUILD. */
+#if defined(_WIN32) && defined(RG_BUILD)
+#define RG_API __declspec(dllexport)
+#elif defined(__GNUC__) && !defined(_WIN32)
+#define RG_API __attribute__((visibility("default")))
 #else
 #define RG_API
 #endif

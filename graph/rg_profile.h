@@ -55,7 +55,7 @@ struct rg_times {
     struct rg_measure measure;         /* how it was measured */
     const struct rg_pass_time *passes; /* per plan pass; NULL without measurement */
     uint32_t pass_count;
-    uint64_t start;  /* CLOCK_MONOTONIC of the host */
+    uint64_t start;  /* CLOCK_MONOTONIC; on Windows QueryPerformanceCounter() */
     uint64_t begin;  /* waiting for the slot's previous frame */
     uint64_t record; /* recording all commands */
     uint64_t submit; /* submitting them to the queue */

@@ -529,8 +529,9 @@ static void check_constants(const struct shaders *s)
                 s->c->known_constants[g] = true;
                 if (given->pMapEntries[g].size != constant->size)
                     fault(s, RG_ERROR_CONSTANT, NULL,
-                          "constant %u has %u bytes in '%s', but %zu in the params", constant->id,
-                          constant->size, shader_of(s->stages[i]), given->pMapEntries[g].size);
+                          "constant %u has %u bytes in '%s', but %u in the params", constant->id,
+                          constant->size, shader_of(s->stages[i]),
+                          (unsigned)given->pMapEntries[g].size);
             }
         }
     }

@@ -288,7 +288,7 @@ const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg
 /* pass_timing.c */
 VkResult rg_exec_make_time(struct rg_exec *exec);
 void rg_time_keep(struct rg_exec *exec, const struct rg_exec *former); /* keeps rg_measure */
-uint64_t rg_time_now(void); /* nanoseconds of CLOCK_MONOTONIC */
+uint64_t rg_time_now(void); /* nanoseconds of the monotonic clock */
 void rg_time_begin(struct rg_exec *exec, uint64_t start);
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
 void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);

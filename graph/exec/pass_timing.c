@@ -2,7 +2,12 @@
  * pass's timestamp comes before the next barriers. After them, a tile-based software rasteriser may
  * write the timestamp only when the next pass has finished. */
 #include <string.h>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
 #include <time.h>
+#endif
 #include "graph/exec/executor_internal.h"
 
 /* Pipeline statistics to query. The results of a query are in the order of these bits. */
@@ -27,12 +32,23 @@ struct exec_time {
     struct rg_times times;
 };
 
+#ifdef _WIN32
+uint64_t rg_time_now(void)
+{
+    LARGE_INTEGER count, frequency;
+    QueryPerformanceCounter(&count);
+    QueryPerformanceFrequency(&frequency);
+    const uint64_t ticks = (uint64_t)count.QuadPart, second = (uint64_t)frequency.QuadPart;
+    return ticks / second * 1000000000u + ticks % second * 1000000000u / second;
+}
+#else
 uint64_t rg_time_now(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (uint64_t)t.tv_sec * 1000000000u + (uint64_t)t.tv_nsec;
 }
+#endif
 
 static VkResult make_pool(struct rg_exec *exec, VkQueryType type, uint32_t count, VkQueryPool *pool)
 {
