@@ -7,6 +7,38 @@
  * barriers, load and store operations and memory, without a VkDevice or Vulkan calls. rg_exec.h
  * executes a plan on a device.
  *
+ *     static const struct rg_image scene = {
+ *         .name = "scene",
+ *         .format = VK_FORMAT_R16G16B16A16_SFLOAT, // of the view's size
+ *     };
+ *     static const struct rg_image shown = {
+ *         .name = "shown",
+ *         .format = VK_FORMAT_R8G8B8A8_UNORM,
+ *     };
+ *     static const struct rg_pass passes[] = {
+ *         { .name = "draw", .vert = &draw_vert, .frag = &draw_frag, .record = record_draw,
+ *           .color = RG_TARGETS({ &scene, RG_LOAD_CLEAR }) },
+ *         { .name = "show", .vert = &full_vert, .frag = &tone_frag, .record = record_show,
+ *           .color = RG_TARGETS({ &shown, RG_LOAD_DISCARD }),
+ *           .uses = RG_USES({ .image = &scene, .access = RG_SAMPLED, .binding = 0 }) },
+ *     };
+ *     static const struct rg_technique technique = RG_TECHNIQUE("example", passes);
+ *
+ *     const struct rg_technique *techniques[] = { &technique };
+ *     const struct rg_output output = { .image = &shown, .access = RG_COPY_SRC };
+ *     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
+ *         .techniques = techniques,
+ *         .technique_count = 1,
+ *         .view = { 640, 480 },
+ *         .outputs = &output,
+ *         .output_count = 1,
+ *     });
+ *     rg_dump(plan, stdout); // the plan, or all faults
+ *
+ * A shader is a struct rg_shader, and a record function calls rg_cmd.h. Begin with struct rg_pass,
+ * whose first fields are those that most passes need, then rg_target and rg_use, rg_image and
+ * rg_buffer, rg_compile_params. The others are for single features.
+ *
  * Order:         passes execute in the order of the tables.
  * Zero:          the default of every field; the field's comment says what zero means.
  * Ownership:     tables outlive the plan. The caller of rg_compile() destroys the plan.
@@ -37,6 +69,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Version of the libraries: x.y.z; a change of x or y changes the ABI. */
+#define RG_VERSION "0.3.0"
 
 /* Limits of pass tables. Only RG_COLOR_COUNT exceeds what some mobile devices support. */
 enum {
@@ -270,27 +305,30 @@ typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct
 struct rg_pass {
     const char *name;                        /* unique; shown in dumps and captures */
     enum rg_kind kind;                       /* raster, compute or transfer */
-    enum rg_repeat repeat;                   /* whether it expands to several passes */
     const struct rg_target *color;           /* array by RG_TARGETS(); NULL if none */
     uint32_t color_count;                    /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
-    VkCompareOp depth_compare;               /* depth test; 0 means LESS_OR_EQUAL */
     struct rg_target depth;                  /* depth-stencil target; image may be NULL */
     const struct rg_use *uses;               /* zero-terminated array by RG_USES(), or NULL */
     const struct rg_shader *vert, *frag;     /* raster; without `frag` only writes depth */
     const struct rg_shader *comp;            /* of a compute pass */
     const struct rg_vertex_layout *vertices; /* vertex buffer layout; NULL if none */
-    VkPrimitiveTopology topology;            /* TRIANGLE_LIST if 0; up to TRIANGLE_FAN */
-    VkCullModeFlags cull;                    /* faces to cull; 0 means none */
-    VkFrontFace front;                       /* front-face winding; 0 means counter-clockwise */
     uint32_t push_size;                      /* push constant bytes, multiple of 4 */
     rg_record_fn *record;                    /* required */
-    rg_when_fn *when;                        /* condition; NULL means every frame */
-    rg_area_fn *area;                        /* rectangle to draw; NULL: whole targets */
-    rg_more_fn *more;                        /* rows to merge; NULL if none */
-    bool depth_read_only;                    /* depth-stencil is tested, not written */
-    struct rg_depth_bias depth_bias;         /* {0} means none */
-    const struct rg_stencil *stencil;        /* borrowed; NULL: no stencil test */
-    const struct rg_set *set;                /* the program's set 1, or NULL */
+
+    /* what most passes leave at 0 */
+
+    enum rg_repeat repeat;            /* whether it expands to several passes */
+    rg_when_fn *when;                 /* condition; NULL means every frame */
+    VkCompareOp depth_compare;        /* depth test; 0 means LESS_OR_EQUAL */
+    bool depth_read_only;             /* depth-stencil is tested, not written */
+    VkPrimitiveTopology topology;     /* TRIANGLE_LIST if 0; up to TRIANGLE_FAN */
+    VkCullModeFlags cull;             /* faces to cull; 0 means none */
+    VkFrontFace front;                /* front-face winding; 0 means counter-clockwise */
+    struct rg_depth_bias depth_bias;  /* {0} means none */
+    const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
+    const struct rg_set *set;         /* the program's set 1, or NULL */
+    rg_area_fn *area;                 /* rectangle to draw; NULL: whole targets */
+    rg_more_fn *more;                 /* rows to merge; NULL if none */
     /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute(); excludes `more` */
     bool secondary;
 };
