@@ -176,8 +176,9 @@ struct rg_use {
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     /* placeholder if a single-sample image is missing; without one, a missing image is a fault */
     const struct rg_fallback *fallback;
-    /* shader stages of the access; 0 means compute or fragment, plus vertex for RG_UNIFORM */
-    VkPipelineStageFlags2 stages;
+    /* shaders that access the resource: VK_SHADER_STAGE_VERTEX_BIT, FRAGMENT_BIT or COMPUTE_BIT; 0
+     * means compute or fragment, plus vertex for RG_UNIFORM */
+    VkShaderStageFlags stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
 };
 

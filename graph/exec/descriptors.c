@@ -1,18 +1,6 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
 #include "graph/exec/executor_internal.h"
 
-static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
-{
-    VkShaderStageFlags stages = 0;
-    if (use->stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_VERTEX_BIT;
-    if (use->stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_FRAGMENT_BIT;
-    if (use->stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_COMPUTE_BIT;
-    return stages ? stages : rg_exec_stages(pass);
-}
-
 static VkImageViewType view_type(const struct rg_plan_image *image, const struct rg_plan_use *use)
 {
     bool storage = use->use->access != RG_SAMPLED;
@@ -115,7 +103,7 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
             bindings[count++] = (VkDescriptorSetLayoutBinding){
                 .binding = d.use->binding,
                 .descriptorType = d.type,
-                .stageFlags = use_stages(plan->pass, d.use),
+                .stageFlags = d.use->stages ? d.use->stages : rg_exec_stages(plan->pass),
             };
         bindings[at].descriptorCount++;
     }

@@ -166,9 +166,9 @@ static void draw_stages(struct random_tables *t, const struct rg_pass *pass, str
                          use->access == RG_STORAGE_READ || use->access == RG_TRACE;
     if (pass->kind != RG_RASTER || !shader_access || random_graph_chance(t, 70))
         return;
-    use->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
+    use->stages = VK_SHADER_STAGE_VERTEX_BIT;
     if (random_graph_chance(t, 50))
-        use->stages |= VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+        use->stages |= VK_SHADER_STAGE_FRAGMENT_BIT;
 }
 
 static void draw_reads(struct random_tables *t, const struct rg_pass *pass)

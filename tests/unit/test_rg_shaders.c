@@ -36,7 +36,7 @@ static const struct rg_vertex_layout elsewhere = { 12, 1, late };
 #define PICTURE_OF_VERTICES \
     { \
         .image = &fault_case_picture, .access = RG_SAMPLED, .binding = 2, \
-        .stages = 0x8 /* that of vertices */ \
+        .stages = VK_SHADER_STAGE_VERTEX_BIT \
     }
 #define STORE(to) \
     { \
