@@ -417,6 +417,7 @@ enum rg_error {
     RG_ERROR_SHADER,             /* invalid SPIR-V, or no `main` */
     RG_ERROR_SHADER_PUSH,        /* push constant size differs from shaders' */
     RG_ERROR_SHADER_BINDING,     /* missing, mismatched or unused binding */
+    RG_ERROR_SHADER_ACCESS,      /* loads or stores that the use does not declare */
     RG_ERROR_SHADER_VERTEX,      /* missing or mismatched vertex attribute */
     RG_ERROR_SHADER_INPUT,       /* fragment input without vertex output */
     RG_ERROR_SHADER_OUTPUT,      /* output without target, or vice versa */

@@ -278,6 +278,33 @@ static uint32_t element_count(const struct rg_use *first)
     return count;
 }
 
+/* Returns what all shaders of the row do to the content of a storage binding. */
+static uint32_t access_of(const struct shaders *s, uint32_t binding)
+{
+    uint32_t access = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
+            const struct spirv_variable *v = &s->stages[i]->variables[k];
+            access |= v->used && v->binding == binding && !v->set ? v->access : 0;
+        }
+    }
+    return access;
+}
+
+/* Checks that a shader loads from and stores to a storage resource only as its use declares. */
+static void check_access(const struct shaders *s, const struct spirv *stage,
+                         const struct spirv_variable *v, const struct rg_use *use)
+{
+    static const char *const names[] = { "RG_STORAGE_READ", "RG_STORAGE_READ", "RG_STORAGE_WRITE",
+                                         "RG_STORAGE_READ_WRITE" };
+    const bool is_stored_to = use->access == RG_STORAGE_READ && v->access & SPIRV_STORES;
+    const bool is_loaded = use->access == RG_STORAGE_WRITE && v->access & SPIRV_LOADS;
+    if (is_stored_to || is_loaded)
+        fault(s, RG_ERROR_SHADER_ACCESS, use_name(use), "binding %u: '%s' %s '%s': expected %s",
+              v->binding, shader_of(stage), is_loaded ? "loads from" : "stores to",
+              rg_spirv_name(stage, v), names[access_of(s, v->binding)]);
+}
+
 static void check_use(const struct shaders *s, const struct spirv *stage,
                       const struct spirv_variable *v, const struct rg_use *use,
                       VkPipelineStageFlags2 in)
@@ -299,6 +326,7 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
         check_texels(s, rg_spirv_name(stage, v), v, &image, use);
     else if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         check_uniform(s, stage, v, use);
+    check_access(s, stage, v, use);
 }
 
 /* Checks the resource or the array of resources that is bound to a shader variable. */

@@ -33,6 +33,7 @@ static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_SHADER] = "is not a valid shader",
     [RG_ERROR_SHADER_PUSH] = "push constants differ from those of the shader",
     [RG_ERROR_SHADER_BINDING] = "binding differs from that of the shader",
+    [RG_ERROR_SHADER_ACCESS] = "access differs from that of the shader",
     [RG_ERROR_SHADER_VERTEX] = "vertex attribute differs from that of the shader",
     [RG_ERROR_SHADER_INPUT] = "is not an output of the vertex shader",
     [RG_ERROR_SHADER_OUTPUT] = "target differs from the output of the shader",
