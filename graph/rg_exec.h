@@ -19,7 +19,10 @@
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
- *                After a failure only rg_exec_destroy() may be called.
+ *                After a failure only rg_exec_destroy() may be called, except that a function
+ *                which returns VK_ERROR_VALIDATION_FAILED_EXT was misused and did nothing: a
+ *                refused frame is not submitted (of a frame in parts, only its earlier parts), its
+ *                semaphores are untouched, and rg_exec_begin() may begin another one.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
  *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit()
  *                and rg_exec_submit_synced().
@@ -123,7 +126,8 @@ RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* ---- a frame ---- */
 
-/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. */
+/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. A frame
+ * that was begun and not submitted is dropped. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
 /* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */

@@ -1,5 +1,4 @@
 /* executor.c: creates, updates and destroys an executor; begins, submits and waits for frames. */
-#include <assert.h>
 #include <stdlib.h>
 #include "graph/exec/executor_internal.h"
 
@@ -166,6 +165,8 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
 VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
 {
     VkResult result = VK_SUCCESS;
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_update() before the last part");
     for (uint32_t slot = 0; slot < exec->slot_count; slot++)
         RG_TRY(rg_exec_wait(exec, slot));
     const struct rg_exec former = *exec;
@@ -197,6 +198,11 @@ fail:
     return result;
 }
 
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse)
+{
+    return rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, misuse, NULL);
+}
+
 static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
@@ -217,7 +223,9 @@ void rg_exec_destroy(struct rg_exec *exec)
 VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
 {
     const uint64_t start = rg_time_now();
-    assert(!exec->next_part.count);
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_begin() before the last part");
+    exec->begun = true;
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
     VkResult result = rg_exec_wait(exec, exec->slot);
@@ -313,7 +321,11 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
                                      .begins = true,
                                      .ends = true };
     VkResult result;
-    assert(sync->image_index < exec->image_set_count && !exec->next_part.count);
+    if (!exec->begun || exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_submit() without rg_exec_begin()");
+    exec->begun = false;
+    if (sync->image_index >= exec->image_set_count)
+        return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");
     exec->external_sync = *sync;
     exec->image_set = &exec->image_sets[sync->image_index];
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
@@ -330,6 +342,8 @@ VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
 {
     VkResult result;
     const uint64_t start = rg_time_now();
+    if (slot >= exec->slot_count)
+        return rg_exec_refuse(exec, "rg_exec_wait() for a slot beyond frames_in_flight");
     if (!exec->slots[slot].submitted)
         return VK_SUCCESS;
     RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
@@ -342,7 +356,7 @@ fail:
 
 void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
 {
-    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+    for (uint32_t i = 0; i < exec->plan->buffer_count && slot < exec->slot_count; i++) {
         if (exec->plan->buffers[i].buffer == buffer)
             return rg_exec_buffer(exec, i, slot)->mapped;
     }

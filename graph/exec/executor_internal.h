@@ -142,7 +142,8 @@ struct rg_exec {
     bool *has_content;
     struct exec_transition *transitions;
     uint32_t transition_count;
-    VkResult record_result;  /* error of a record function */
+    VkResult record_result;  /* first error of the record functions of the frame */
+    bool begun;              /* rg_exec_begin() was called, and the frame is not submitted */
     bool has_indirect_count; /* the device has drawIndirectCount */
     bool has_structures;     /* plan has acceleration structures */
     struct exec_batch batch;
@@ -158,6 +159,9 @@ struct rg_cmd {
     const struct exec_pass *pass;
     VkCommandBuffer commands;
     VkRect2D area; /* render area of a raster pass */
+    /* what the record function may rely on: bound by the executor or by the function itself */
+    bool has_pipeline, has_push, has_set;
+    bool is_direct; /* the record function has the command buffer and may bind anything */
 };
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
@@ -298,6 +302,11 @@ void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t 
 /* Records the pending barriers. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
+/* commands.c */
+/* Logs a misuse by a record function, for which the frame is refused. Only the first of a frame. */
+__attribute__((cold, format(printf, 3, 4))) void
+rg_exec_misuse(const struct rg_cmd *cmd, const char *resource, const char *format, ...);
+
 /* record_commands.c */
 /* Records a part of a frame, with the final barriers if it contains the last pass. */
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
@@ -306,6 +315,8 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 
 /* executor.c */
+/* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 /* Records a part of the frame begun last, and submits it. */
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);
