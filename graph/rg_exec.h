@@ -45,6 +45,11 @@ struct rg_exec_import {
      * have equally many, and a frame uses one index for all of them */
     const VkImage *images;
     uint32_t image_count;
+    /* how the object was created; if given, it must suit the plan, else rg_exec_create() and
+     * rg_exec_update() fail and log the member that does not. Only read by these; NULL: the program
+     * vouches for it. Without info, a buffer's size is only compared with its memory's */
+    const VkImageCreateInfo *image_info; /* of `image` or of each of `images` */
+    const VkBufferCreateInfo *buffer_info;
 };
 
 /* Layout of a descriptor set that the program owns (set 1 in shaders). */

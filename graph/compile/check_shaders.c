@@ -1,5 +1,4 @@
 /* check_shaders.c: validates a pass against the SPIR-V interfaces of its shaders. */
-#include <stdarg.h>
 #include "graph/compile/compiler.h"
 
 /* The pass declaration being checked, with its shaders. */
@@ -10,23 +9,7 @@ struct shaders {
     uint32_t count;
 };
 
-/* Adds a fault whose hint is formatted as by printf(). */
-__attribute__((cold, format(printf, 4, 5))) static void
-fault(const struct shaders *s, enum rg_error error, const char *resource, const char *format, ...)
-{
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(text, sizeof(text), format, arguments);
-    va_end(arguments);
-    size_t size = length < (int)sizeof(text) ? (size_t)length + 1 : sizeof(text);
-    char *hint = ARENA_ARRAY(s->c->arena, char, size);
-    if (!hint)
-        return;
-    for (size_t i = 0; i < size; i++)
-        hint[i] = text[i];
-    rg_fault(s->c, error, resource, hint);
-}
+#define fault(s, ...) rg_fault_with((s)->c, __VA_ARGS__)
 
 static const char *shader_of(const struct spirv *s)
 {

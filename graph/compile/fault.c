@@ -1,4 +1,5 @@
 /* fault.c: collects faults and formats a fault as one line of text. */
+#include <stdarg.h>
 #include <string.h>
 #include "graph/compile/compiler.h"
 
@@ -90,6 +91,23 @@ void rg_fault(struct compiler *c, enum rg_error error, const char *resource, con
                .row = c->row,
                .hint = hint,
            });
+}
+
+void rg_fault_with(struct compiler *c, enum rg_error error, const char *resource,
+                   const char *format, ...)
+{
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    size_t size = length < (int)sizeof(text) ? (size_t)length + 1 : sizeof(text);
+    char *hint = ARENA_ARRAY(c->arena, char, size);
+    if (!hint)
+        return;
+    memcpy(hint, text, size);
+    hint[size - 1] = '\0';
+    rg_fault(c, error, resource, hint);
 }
 
 void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint)

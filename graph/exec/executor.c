@@ -75,10 +75,12 @@ static VkResult make_arrays(struct rg_exec *exec)
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        rg_exec_check_features,   count_image_sets,       make_arrays,
-        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
-        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,        rg_exec_make_coverage,
+        rg_exec_check_features, rg_exec_check_imports,
+        count_image_sets,       make_arrays,
+        rg_exec_make_memory,    rg_exec_make_fallbacks,
+        rg_exec_make_targets,   rg_exec_make_descriptors,
+        rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,      rg_exec_make_coverage,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);

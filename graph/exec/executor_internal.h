@@ -283,6 +283,9 @@ VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 /* check_features.c: checks that the device has the features that the plan needs */
 VkResult rg_exec_check_features(struct rg_exec *exec);
 
+/* check_imports.c: checks imported objects against their declarations, as far as they are known */
+VkResult rg_exec_check_imports(struct rg_exec *exec);
+
 /* zero_fill_resources.c: finds the persistent resources that keep the content of the previous plan
  */
 VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
