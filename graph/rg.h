@@ -144,7 +144,8 @@ struct rg_range {
     bool each;
 };
 
-/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. */
+/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. With
+ * rg_exec_params.samplers, a VkSampler of the program takes its place. */
 struct rg_sampler {
     bool linear;      /* linear filter, also between mip levels */
     bool mips;        /* mip chain; otherwise only mip 0 */
@@ -152,6 +153,15 @@ struct rg_sampler {
     bool repeat_v;    /* wraps around vertically */
     bool repeat_w;    /* wraps around in depth */
     float anisotropy; /* maximum; limited by rg_exec_params.max_anisotropy */
+    bool mirror;      /* every other repetition is mirrored */
+    bool border;      /* `border_color` outside of the image, in directions that do not repeat */
+    VkBorderColor border_color; /* an INT constant for integer formats, else a FLOAT constant */
+    /* comparison of a depth image, for shadow samplers of GLSL, which need it; 0 means none */
+    VkCompareOp compare;
+    /* MIN or MAX of the texels that a linear filter averages; needs samplerFilterMinmax */
+    VkSamplerReductionMode reduction;
+    /* added to the mip level, and its limits; max_lod 0 means no limit. Used only with `mips` */
+    float lod_bias, min_lod, max_lod;
 };
 
 /* Colour of the 1x1 placeholder that a use samples if no pass and no import provides its image. */

@@ -64,7 +64,7 @@ struct rg_mesh {
 /* Draws a whole mesh; does nothing if it has no indices. */
 RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 
-/* Draws `count` indices of a mesh, starting at index number `first`; does nothing if `count` is 0. */
+/* Draws `count` indices of a mesh from index number `first` on; does nothing if `count` is 0. */
 RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
                                   uint32_t count);
 

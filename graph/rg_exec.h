@@ -58,6 +58,12 @@ struct rg_exec_set {
     VkDescriptorSetLayout layout; /* outlives executor and rg_exec_params.pipelines */
 };
 
+/* Sampler that the program owns. The graph relies on the members of `sampler` for its checks. */
+struct rg_exec_sampler {
+    const struct rg_sampler *sampler; /* as referenced by uses */
+    VkSampler handle;                 /* outlives executor */
+};
+
 /* Cache of pipelines that outlives executors, so a later executor of the same device need not
  * compile them again. If two consecutive executors do not use a pipeline, it is freed. The cache
  * must be destroyed before the device. */
@@ -92,6 +98,8 @@ struct rg_exec_params {
     size_t import_count;
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
+    const struct rg_exec_sampler *samplers; /* replace rg_sampler structs; outlives executor */
+    size_t sampler_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
     /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
     bool render_passes;

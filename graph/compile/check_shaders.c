@@ -208,6 +208,21 @@ static void check_texels(const struct shaders *s, const char *name, const struct
               component_name(declared->component));
 }
 
+/* Checks that a combined image sampler compares depths if its sampler does, and vice versa. */
+static void check_comparison(const struct shaders *s, const struct spirv *stage,
+                             const struct spirv_variable *v, const struct spirv_image *declared,
+                             const struct rg_use *use)
+{
+    uint32_t count;
+    const bool compares = use->sampler && use->sampler->compare;
+    if (declared->depth <= 1 && declared->depth != compares &&
+        rg_spirv_descriptor(stage, v, &count) == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
+              "binding %u: '%s' %s: %s rg_sampler.compare of '%s'", v->binding, shader_of(stage),
+              compares ? "does not compare depths" : "compares depths", compares ? "remove" : "set",
+              use_name(use));
+}
+
 static void check_image(const struct shaders *s, const struct spirv *stage,
                         const struct spirv_variable *v, const struct spirv_image *declared,
                         const struct rg_use *use)
@@ -234,6 +249,8 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
               use_name(use), is);
     else
         check_texels(s, name, v, declared, use);
+    if (use->access == RG_SAMPLED)
+        check_comparison(s, stage, v, declared, use);
 }
 
 static void check_uniform(const struct shaders *s, const struct spirv *stage,

@@ -261,6 +261,7 @@ bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *im
     *image = (struct spirv_image){
         .dim = words[3],
         .format = words[8],
+        .depth = words[4],
         .component = rg_spirv_component(s, words[2], NULL),
         .arrayed = words[5],
         .multisampled = words[6],

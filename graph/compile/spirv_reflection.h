@@ -55,6 +55,7 @@ struct spirv_member {
 
 struct spirv_image {
     uint32_t dim, format; /* SPIR-V Image Format; 0 if unknown */
+    uint32_t depth;       /* 1: compares depths, 0: does not, 2: unknown */
     char component;       /* as rg_spirv_component() returns */
     bool arrayed, multisampled;
 };

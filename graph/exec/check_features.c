@@ -73,6 +73,21 @@ static bool limits_depth_bias(const struct rg_plan *plan)
     return false;
 }
 
+/* Returns true if a use has a sampler with a reduction, which the executor creates. */
+static bool reduces(const struct rg_exec *exec)
+{
+    const struct rg_exec_params *p = &exec->params;
+    for (uint32_t i = 0; i < exec->plan->use_count; i++) {
+        const struct rg_sampler *s = exec->plan->uses[i].use->sampler;
+        bool is_own = false;
+        for (size_t k = 0; k < p->sampler_count; k++)
+            is_own = is_own || p->samplers[k].sampler == s;
+        if (s && s->reduction && !is_own)
+            return true;
+    }
+    return false;
+}
+
 /* Returns true if a raster pass writes storage in a shader stage, by default the fragment stage. */
 static bool writes_in(const struct rg_plan *plan, VkShaderStageFlagBits stage)
 {
@@ -202,6 +217,7 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
           writes_in(exec->plan, VK_SHADER_STAGE_FRAGMENT_BIT), core->fragmentStoresAndAtomics },
         { "the feature vertexPipelineStoresAndAtomics",
           writes_in(exec->plan, VK_SHADER_STAGE_VERTEX_BIT), core->vertexPipelineStoresAndAtomics },
+        { "the feature samplerFilterMinmax", reduces(exec), f.v12.samplerFilterMinmax },
         { "the feature samplerAnisotropy", p->max_anisotropy >= 1.0f, core->samplerAnisotropy },
         { "the feature pipelineStatisticsQuery", p->statistics, core->pipelineStatisticsQuery },
         { "the feature occlusionQueryPrecise", p->statistics, core->occlusionQueryPrecise },

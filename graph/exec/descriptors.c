@@ -13,6 +13,14 @@ static VkImageViewType view_type(const struct rg_plan_image *image, const struct
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
+static VkSamplerAddressMode address_mode(const struct rg_sampler *s, bool repeats)
+{
+    if (repeats)
+        return s->mirror ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT : VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    return s->border ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER
+                     : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+}
+
 static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct rg_sampler *key)
 {
     float anisotropy = key->anisotropy < exec->params.max_anisotropy ? key->anisotropy
@@ -23,27 +31,44 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
         .magFilter = filter,
         .minFilter = filter,
         .mipmapMode = key->linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
-        .addressModeU =
-            key->repeat_u ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeV =
-            key->repeat_v ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeW =
-            key->repeat_w ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .addressModeU = address_mode(key, key->repeat_u),
+        .addressModeV = address_mode(key, key->repeat_v),
+        .addressModeW = address_mode(key, key->repeat_w),
+        .mipLodBias = key->mips ? key->lod_bias : 0.0f,
         .anisotropyEnable = anisotropy >= 1.0f,
         .maxAnisotropy = anisotropy,
-        .maxLod = key->mips ? VK_LOD_CLAMP_NONE : 0.0f,
+        .compareEnable = key->compare != 0,
+        .compareOp = key->compare,
+        .minLod = key->mips ? key->min_lod : 0.0f,
+        .maxLod = !key->mips            ? 0.0f
+                  : key->max_lod > 0.0f ? key->max_lod
+                                        : VK_LOD_CLAMP_NONE,
+        .borderColor = key->border_color,
     };
 }
 
-/* Finds or creates the sampler of a use; equal rg_sampler structs share one VkSampler. */
+/* Finds the program's sampler for a use, or finds or creates one; equal structs share it. */
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
     const struct rg_sampler *s = use->sampler ? use->sampler : &nearest;
-    const VkSamplerCreateInfo info = sampler_info(exec, s);
-    uint64_t key = rg_exec_key(RG_NO_KEY, &info.maxAnisotropy, sizeof(info.maxAnisotropy));
+    const VkSamplerReductionModeCreateInfo reduction = {
+        .sType = VK_STRUCTURE_TYPE_SAMPLER_REDUCTION_MODE_CREATE_INFO,
+        .reductionMode = s->reduction,
+    };
+    VkSamplerCreateInfo info = sampler_info(exec, s);
     VkResult result;
-    RG_KEY(key, s->linear | s->mips << 1 | s->repeat_u << 2 | s->repeat_v << 3 | s->repeat_w << 4);
+    for (size_t i = 0; i < exec->params.sampler_count; i++) {
+        if (exec->params.samplers[i].sampler != s)
+            continue;
+        *sampler = exec->params.samplers[i].handle;
+        return VK_SUCCESS;
+    }
+    info.pNext = s->reduction ? &reduction : NULL;
+    /* from `flags` on, all members have 4 bytes */
+    uint64_t key =
+        rg_exec_key(RG_NO_KEY, &info.flags, sizeof(info) - offsetof(VkSamplerCreateInfo, flags));
+    RG_KEY(key, s->reduction);
     RG_MAKE_KEYED(exec, use->image->name, key, SAMPLER, CreateSampler, sampler, &info);
 fail:
     return result;

@@ -97,6 +97,8 @@ static const char *params_problem(const struct rg_exec_params *p)
         return "params without a plan free of faults, or without get_proc_addr";
     if (p->set_count && !p->sets)
         return "params with a set_count but no sets";
+    if (p->sampler_count && !p->samplers)
+        return "params with a sampler_count but no samplers";
     if (p->import_count && !p->imports)
         return "params with an import_count but no imports";
     for (size_t i = 0; i < p->import_count; i++) {
