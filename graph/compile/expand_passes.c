@@ -239,6 +239,10 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
+    /* tested and sampled in one pass: both in the layout of the test, whatever the range */
+    if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
+        use->image == c->pass->pass->depth.image)
+        a->layout = rg_access_table[RG_DEPTH_READ].layout;
     if (use->texels || (use->buffer && use->access == RG_SAMPLED))
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)

@@ -427,6 +427,24 @@ static bool draw_layer_copy(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
+/* Sometimes samples the depth target that a pass only tests. */
+static void draw_tested_depth(struct random_tables *t, const struct rg_pass *pass)
+{
+    if (!pass->depth_read_only || !pass->depth.image || random_graph_chance(t, 50))
+        return;
+    uint32_t resource = (uint32_t)(pass->depth.image - t->images);
+    struct random_known *known = &t->known[resource];
+    struct rg_range range = random_graph_chance(t, 50)
+                                ? draw_range(t, known)
+                                : target_range(known, pass, pass->depth.mip, pass->depth.layer);
+    if (!is_defined(t, resource, &range))
+        return;
+    struct rg_use *use = add_use(t, resource, RG_SAMPLED);
+    use->range = written_range(t, known, range);
+    use->range.aspect = known->stencil ? VK_IMAGE_ASPECT_DEPTH_BIT : 0;
+    draw_stages(t, pass, use);
+}
+
 static bool draw_body(struct random_tables *t, struct rg_pass *pass)
 {
     if (random_graph_chance(t, 15) && draw_mip_chain(t, pass))
@@ -434,6 +452,7 @@ static bool draw_body(struct random_tables *t, struct rg_pass *pass)
     if (pass->kind == RG_RASTER) {
         if (t->claim_count || !draw_targets(t, pass))
             return false;
+        draw_tested_depth(t, pass);
         if (random_graph_chance(t, 10) && pass->repeat == RG_ONCE)
             draw_writes(t, pass);
         return true;
