@@ -276,16 +276,19 @@ typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct
 
 /* Declaration of a pass in a table; expands to one pass or to several repetitions. */
 struct rg_pass {
-    const char *name;                        /* unique; shown in dumps and captures */
-    enum rg_kind kind;                       /* raster, compute or transfer */
-    enum rg_repeat repeat;                   /* whether it expands to several passes */
-    const struct rg_target *color;           /* array by RG_TARGETS(); NULL if none */
-    uint32_t color_count;                    /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
-    VkCompareOp depth_compare;               /* depth test; 0 means LESS_OR_EQUAL */
-    struct rg_target depth;                  /* depth-stencil target; image may be NULL */
-    const struct rg_use *uses;               /* zero-terminated array by RG_USES(), or NULL */
-    const struct rg_shader *vert, *frag;     /* raster; without `frag` only writes depth */
-    const struct rg_shader *comp;            /* of a compute pass */
+    const char *name;              /* unique; shown in dumps and captures */
+    enum rg_kind kind;             /* raster, compute or transfer */
+    enum rg_repeat repeat;         /* whether it expands to several passes */
+    const struct rg_target *color; /* array by RG_TARGETS(); NULL if none */
+    uint32_t color_count;          /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
+    VkCompareOp depth_compare;     /* depth test; 0 means LESS_OR_EQUAL */
+    struct rg_target depth;        /* depth-stencil target; image may be NULL */
+    const struct rg_use *uses;     /* zero-terminated array by RG_USES(), or NULL */
+    /* shaders of a raster pass, which without `frag` only writes depth, or of a compute pass. A row
+     * with neither has no pipeline: `record` binds those of the program (rg_cmd_bind_pipeline()),
+     * and the state below is theirs; only `vertices` tells how many buffers a mesh has */
+    const struct rg_shader *vert, *frag;
+    const struct rg_shader *comp;
     const struct rg_vertex_layout *vertices; /* vertex buffer layout; NULL if none */
     VkPrimitiveTopology topology;            /* TRIANGLE_LIST if 0; up to TRIANGLE_FAN */
     VkCullModeFlags cull;                    /* faces to cull; 0 means none */
@@ -410,7 +413,7 @@ enum rg_error {
     RG_ERROR_DUPLICATE_BINDING,  /* two uses share a binding */
     RG_ERROR_TARGET_SIZE,        /* a pass's targets differ in size */
     RG_ERROR_NO_TARGET,          /* no target, or gap between targets */
-    RG_ERROR_NO_SHADER,          /* vert, frag or comp is missing */
+    RG_ERROR_NO_SHADER,          /* one of vert and frag is missing */
     RG_ERROR_NO_RECORD,          /* a pass without record function */
     RG_ERROR_PUSH_SIZE,          /* above RG_MAX_PUSH, or not 4n */
     RG_ERROR_CONFLICT,           /* conflicting accesses in one pass */

@@ -200,6 +200,27 @@ RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region
 /* Returns the VkImage of a declared image; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
+/* Returns a view of an image that is not imported, for example for a bindless set of the program.
+ * The type is that of a sampled use: 3D, cube (6 layers of a cube), 2D array or 2D; NULL as `range`
+ * means all, `each` is ignored. A view to be sampled has one aspect. During a pass that declares
+ * the image, its layout is rg_access_info(access)->layout of the use, or that of RG_DEPTH_READ if
+ * it is also the read-only depth. The view is created on the first call, also before any frame, and
+ * is valid until rg_exec_update() or rg_exec_destroy(). VK_NULL_HANDLE if the plan does not use the
+ * image, on an import, or if Vulkan fails. */
+RG_API VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
+                                const struct rg_range *range);
+
+/* Return the layouts of a row, for pipelines of the program (rg_cmd_bind_pipeline()). They are
+ * valid until rg_exec_update() or rg_exec_destroy(); an update with an equal row keeps their
+ * content. VK_NULL_HANDLE for transfer rows and for rows that the plan does not have.
+ * Set 0 has a binding for each binding of the row's uses, with the type rg_use_descriptor(), for
+ * the use's `stages`, or, if these are 0, for vertex and fragment or for compute shaders. Set 1 is
+ * the row's `set`, if any. Push constants are push_size bytes from 0 on, for vertex and fragment or
+ * for compute shaders. */
+RG_API VkPipelineLayout rg_exec_layout(const struct rg_exec *exec, const struct rg_pass *row);
+RG_API VkDescriptorSetLayout rg_exec_set_layout(const struct rg_exec *exec,
+                                                const struct rg_pass *row);
+
 /* Returns the VkDeviceMemory of a block of the plan. Between frames, its content is undefined. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
 

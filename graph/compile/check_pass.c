@@ -286,13 +286,14 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
 void rg_check_row(struct compiler *c, const struct rg_pass *pass)
 {
     uint32_t color_count = rg_color_count(pass);
-    bool draws = pass->vert && (pass->frag || !color_count);
+    bool has_shaders = pass->vert || pass->frag;
+    bool draws = !has_shaders || (pass->vert && (pass->frag || !color_count));
     check_fields(c, pass, color_count);
     rg_fault_if(c, !pass->record, RG_ERROR_NO_RECORD, NULL, "set .record");
     rg_fault_if(c, pass->kind == RG_RASTER && !draws, RG_ERROR_NO_SHADER, NULL,
-                "a raster pass needs .vert, and .frag unless it only writes depth");
-    rg_fault_if(c, pass->kind == RG_COMPUTE && !pass->comp, RG_ERROR_NO_SHADER, NULL,
-                "a compute pass needs .comp");
+                "set .vert, and .frag unless the pass only writes depth, or neither");
+    rg_fault_if(c, pass->kind == RG_RASTER ? pass->comp != NULL : has_shaders, RG_ERROR_NO_SHADER,
+                NULL, "a raster pass has .vert and .frag, a compute pass .comp");
     rg_fault_if(c, pass->push_size > RG_MAX_PUSH || pass->push_size % 4, RG_ERROR_PUSH_SIZE, NULL,
                 "push_size: expected at most 128 bytes, a multiple of 4");
     check_targets(c, pass, color_count);

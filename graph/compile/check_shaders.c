@@ -606,7 +606,7 @@ static bool has_words(const struct rg_shader *shader)
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
 {
     bool is_raster = row->kind == RG_RASTER;
-    if (row->kind == RG_TRANSFER || c->params->skip_shaders)
+    if (!(is_raster ? row->vert : row->comp) || row->kind == RG_TRANSFER || c->params->skip_shaders)
         return;
     if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp))) {
         c->has_shaders_without_code = true;

@@ -218,7 +218,7 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
         return;
     if (!bind_mesh(cmd, mesh, "a draw"))
         return;
-    if ((uint64_t)first + count > mesh->index_count)
+    if (mesh->index_count && (uint64_t)first + count > mesh->index_count)
         rg_exec_misuse(cmd, NULL, "a draw of indices %u to %llu of a mesh with %u", first,
                        (unsigned long long)first + count - 1, mesh->index_count);
     else

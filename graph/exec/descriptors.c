@@ -1,12 +1,11 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
 #include "graph/exec/executor_internal.h"
 
-static VkImageViewType view_type(const struct rg_plan_image *image, const struct rg_plan_use *use)
+static VkImageViewType view_type(const struct rg_plan_image *image, uint32_t layers, bool storage)
 {
-    bool storage = use->use->access != RG_SAMPLED;
     if (image->image->depth)
         return VK_IMAGE_VIEW_TYPE_3D;
-    if (image->image->cube && !storage && use->range.layerCount == 6)
+    if (image->image->cube && !storage && layers == 6)
         return VK_IMAGE_VIEW_TYPE_CUBE;
     if (image->layers > 1 || image->image->array)
         return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
@@ -195,8 +194,10 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         if (d->buffer == RG_NONE && !d->image.imageView) {
             const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
             const struct rg_plan_image *image = &exec->plan->images[use->image];
-            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
-                                     &use->range, &d->image.imageView));
+            const VkImageViewType type =
+                view_type(image, use->range.layerCount, use->use->access != RG_SAMPLED);
+            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], type, &use->range,
+                                     &d->image.imageView));
         }
         RG_KEY(*key, d->image.imageView);
         RG_KEY(*key, d->image.sampler);
@@ -336,4 +337,29 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec)
             result = make_sets(exec, &exec->image_sets[i], p);
     }
     return result;
+}
+
+VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
+                         const struct rg_range *range)
+{
+    static const struct rg_range whole = { 0 };
+    const struct rg_range *r = range ? range : &whole;
+    const struct rg_plan_image *plan = exec->plan->images;
+    const struct rg_plan_image *end = plan + exec->plan->image_count;
+    VkImageView view = VK_NULL_HANDLE;
+    while (plan < end && plan->image != image)
+        plan++;
+    if (plan == end || plan->imported || r->mip >= plan->mips || r->layer >= plan->layers)
+        return VK_NULL_HANDLE;
+    const VkImageSubresourceRange all = {
+        .aspectMask = r->aspect ? r->aspect : plan->aspects,
+        .baseMipLevel = r->mip,
+        .levelCount = r->mip_count ? r->mip_count : plan->mips - r->mip,
+        .baseArrayLayer = r->layer,
+        .layerCount = r->layer_count ? r->layer_count : plan->layers - r->layer,
+    };
+    VkResult result =
+        rg_exec_make_view(exec, plan, exec->image_set->images[plan - exec->plan->images],
+                          view_type(plan, all.layerCount, false), &all, &view);
+    return result == VK_SUCCESS ? view : VK_NULL_HANDLE;
 }

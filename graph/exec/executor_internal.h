@@ -260,6 +260,13 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 /* pipelines.c */
 VkResult rg_exec_make_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
+
+/* Returns true if the executor creates a pipeline for a row. */
+static inline bool rg_exec_has_pipeline(const struct rg_pass *row)
+{
+    return row->kind == RG_COMPUTE ? row->comp != NULL : row->vert != NULL;
+}
+
 /* Returns a shader, or its replacement (rg_exec_params.replace_shader). */
 const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
 
