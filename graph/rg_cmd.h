@@ -56,7 +56,7 @@ RG_API void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count,
 struct rg_mesh {
     VkBuffer vertices;       /* first binding of rg_pass.vertices */
     VkBuffer indices;        /* uint32_t per index */
-    uint32_t index_count;    /* 0: none, or unknown to rg_cmd_draw_mesh_part() */
+    uint32_t index_count;    /* may be 0 for rg_cmd_draw_mesh_part() */
     uint32_t instance_count; /* 0 means 1 */
     const VkBuffer *more;    /* buffers for rg_vertex_layout.next; may be NULL */
 };

@@ -26,7 +26,7 @@ static bool fits_format(const struct rg_use *use)
     return true;
 }
 
-/* Returns a hint if the sampler of an image has invalid or contradictory members, otherwise NULL. */
+/* Returns a hint if the sampler of an image has invalid or contradictory members, or NULL. */
 static const char *sampler_problem(const struct rg_sampler *s, const struct rg_format_info *format)
 {
     const bool is_integer = format && (format->is_uint || format->is_sint);
