@@ -114,6 +114,10 @@ static VkPipelineShaderStageCreateInfo stage(const struct gpu *gpu, VkShaderStag
     return out;
 }
 
+static const VkPipelineVertexInputStateCreateInfo no_vertices = {
+    .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+};
+
 static VkPipeline draw_pipeline(const struct gpu *gpu, VkPipelineLayout layout,
                                 const struct rg_shader *frag, bool has_depth, bool tests)
 {
@@ -140,9 +144,7 @@ static VkPipeline draw_pipeline(const struct gpu *gpu, VkPipelineLayout layout,
         .pStages = stages,
         .layout = layout,
     };
-    info.pVertexInputState = &(VkPipelineVertexInputStateCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
-    };
+    info.pVertexInputState = &no_vertices;
     info.pInputAssemblyState = &(VkPipelineInputAssemblyStateCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
