@@ -182,7 +182,8 @@ struct rg_range {
     bool each;
 };
 
-/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. */
+/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. With
+ * rg_exec_params.samplers, a VkSampler of the program takes its place. */
 struct rg_sampler {
     bool linear;      /* linear filter, also between mip levels */
     bool mips;        /* mip chain; otherwise only mip 0 */
@@ -190,6 +191,15 @@ struct rg_sampler {
     bool repeat_v;    /* wraps around vertically */
     bool repeat_w;    /* wraps around in depth */
     float anisotropy; /* maximum; limited by rg_exec_params.max_anisotropy */
+    bool mirror;      /* every other repetition is mirrored */
+    bool border;      /* `border_color` outside of the image, in directions that do not repeat */
+    VkBorderColor border_color; /* an INT constant for integer formats, else a FLOAT constant */
+    /* comparison of a depth image, for shadow samplers of GLSL, which need it; 0 means none */
+    VkCompareOp compare;
+    /* MIN or MAX of the texels that a linear filter averages; needs samplerFilterMinmax */
+    VkSamplerReductionMode reduction;
+    /* added to the mip level, and its limits; max_lod 0 means no limit. Used only with `mips` */
+    float lod_bias, min_lod, max_lod;
 };
 
 /* Colour of the 1x1 placeholder that a use samples if no pass and no import provides its image. */
@@ -214,8 +224,9 @@ struct rg_use {
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     /* placeholder if a single-sample image is missing; without one, a missing image is a fault */
     const struct rg_fallback *fallback;
-    /* shader stages of the access; 0 means compute or fragment, plus vertex for RG_UNIFORM */
-    VkPipelineStageFlags2 stages;
+    /* shaders that access the resource: VK_SHADER_STAGE_VERTEX_BIT, FRAGMENT_BIT or COMPUTE_BIT; 0
+     * means compute or fragment, plus vertex for RG_UNIFORM */
+    VkShaderStageFlags stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
 };
 
@@ -303,14 +314,17 @@ typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct
 
 /* Declaration of a pass in a table; expands to one pass or to several repetitions. */
 struct rg_pass {
-    const char *name;                        /* unique; shown in dumps and captures */
-    enum rg_kind kind;                       /* raster, compute or transfer */
-    const struct rg_target *color;           /* array by RG_TARGETS(); NULL if none */
-    uint32_t color_count;                    /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
-    struct rg_target depth;                  /* depth-stencil target; image may be NULL */
-    const struct rg_use *uses;               /* zero-terminated array by RG_USES(), or NULL */
-    const struct rg_shader *vert, *frag;     /* raster; without `frag` only writes depth */
-    const struct rg_shader *comp;            /* of a compute pass */
+    const char *name;              /* unique; shown in dumps and captures */
+    enum rg_kind kind;             /* raster, compute or transfer */
+    const struct rg_target *color; /* array by RG_TARGETS(); NULL if none */
+    uint32_t color_count;          /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
+    struct rg_target depth;        /* depth-stencil target; image may be NULL */
+    const struct rg_use *uses;     /* zero-terminated array by RG_USES(), or NULL */
+    /* shaders of a raster pass, which without `frag` only writes depth, or of a compute pass. A row
+     * with neither has no pipeline: `record` binds those of the program (rg_cmd_bind_pipeline()),
+     * and the state below is theirs; only `vertices` tells how many buffers a mesh has */
+    const struct rg_shader *vert, *frag;
+    const struct rg_shader *comp;
     const struct rg_vertex_layout *vertices; /* vertex buffer layout; NULL if none */
     uint32_t push_size;                      /* push constant bytes, multiple of 4 */
     rg_record_fn *record;                    /* required */
@@ -442,7 +456,7 @@ enum rg_error {
     RG_ERROR_DUPLICATE_BINDING,  /* two uses share a binding */
     RG_ERROR_TARGET_SIZE,        /* a pass's targets differ in size */
     RG_ERROR_NO_TARGET,          /* no target, or gap between targets */
-    RG_ERROR_NO_SHADER,          /* vert, frag or comp is missing */
+    RG_ERROR_NO_SHADER,          /* one of vert and frag is missing */
     RG_ERROR_NO_RECORD,          /* a pass without record function */
     RG_ERROR_PUSH_SIZE,          /* above RG_MAX_PUSH, or not 4n */
     RG_ERROR_CONFLICT,           /* conflicting accesses in one pass */
@@ -459,6 +473,7 @@ enum rg_error {
     RG_ERROR_SHADER,             /* invalid SPIR-V, or no `main` */
     RG_ERROR_SHADER_PUSH,        /* push constant size differs from shaders' */
     RG_ERROR_SHADER_BINDING,     /* missing, mismatched or unused binding */
+    RG_ERROR_SHADER_ACCESS,      /* loads or stores that the use does not declare */
     RG_ERROR_SHADER_VERTEX,      /* missing or mismatched vertex attribute */
     RG_ERROR_SHADER_INPUT,       /* fragment input without vertex output */
     RG_ERROR_SHADER_OUTPUT,      /* output without target, or vice versa */

@@ -19,7 +19,10 @@
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
- *                After a failure only rg_exec_destroy() may be called.
+ *                After a failure only rg_exec_destroy() may be called, except that a function
+ *                which returns VK_ERROR_VALIDATION_FAILED_EXT was misused and did nothing: a
+ *                refused frame is not submitted (of a frame in parts, only its earlier parts), its
+ *                semaphores are untouched, and rg_exec_begin() may begin another one.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
  *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
  *                rg_exec_submit_synced(), rg_exec_submit_part() and rg_exec_abandon().
@@ -42,12 +45,23 @@ struct rg_exec_import {
      * have equally many, and a frame uses one index for all of them */
     const VkImage *images;
     uint32_t image_count;
+    /* how the object was created; if given, it must suit the plan, else rg_exec_create() and
+     * rg_exec_update() fail and log the member that does not. Only read by these; NULL: the program
+     * vouches for it. Without info, a buffer's size is only compared with its memory's */
+    const VkImageCreateInfo *image_info; /* of `image` or of each of `images` */
+    const VkBufferCreateInfo *buffer_info;
 };
 
 /* Layout of a descriptor set that the program owns (set 1 in shaders). */
 struct rg_exec_set {
     const struct rg_set *set;     /* as referenced by passes */
     VkDescriptorSetLayout layout; /* outlives executor and rg_exec_params.pipelines */
+};
+
+/* Sampler that the program owns. The graph relies on the members of `sampler` for its checks. */
+struct rg_exec_sampler {
+    const struct rg_sampler *sampler; /* as referenced by uses */
+    VkSampler handle;                 /* outlives executor */
 };
 
 /* Cache of pipelines that outlives executors, so a later executor of the same device need not
@@ -85,6 +99,8 @@ struct rg_exec_params {
     size_t import_count;
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
+    const struct rg_exec_sampler *samplers; /* replace rg_sampler structs; outlives executor */
+    size_t sampler_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
     /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
     bool render_passes;
@@ -130,7 +146,8 @@ RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* ---- a frame ---- */
 
-/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. */
+/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. A frame
+ * that was begun and not submitted is dropped. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
 /* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */
@@ -218,6 +235,27 @@ RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region
 
 /* Returns the VkImage of a declared image; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
+
+/* Returns a view of an image that is not imported, for example for a bindless set of the program.
+ * The type is that of a sampled use: 3D, cube (6 layers of a cube), 2D array or 2D; NULL as `range`
+ * means all, `each` is ignored. A view to be sampled has one aspect. During a pass that declares
+ * the image, its layout is rg_access_info(access)->layout of the use, or that of RG_DEPTH_READ if
+ * it is also the read-only depth. The view is created on the first call, also before any frame, and
+ * is valid until rg_exec_update() or rg_exec_destroy(). VK_NULL_HANDLE if the plan does not use the
+ * image, on an import, or if Vulkan fails. */
+RG_API VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
+                                const struct rg_range *range);
+
+/* Return the layouts of a row, for pipelines of the program (rg_cmd_bind_pipeline()). They are
+ * valid until rg_exec_update() or rg_exec_destroy(); an update with an equal row keeps their
+ * content. VK_NULL_HANDLE for transfer rows and for rows that the plan does not have.
+ * Set 0 has a binding for each binding of the row's uses, with the type rg_use_descriptor(), for
+ * the use's `stages`, or, if these are 0, for vertex and fragment or for compute shaders. Set 1 is
+ * the row's `set`, if any. Push constants are push_size bytes from 0 on, for vertex and fragment or
+ * for compute shaders. */
+RG_API VkPipelineLayout rg_exec_layout(const struct rg_exec *exec, const struct rg_pass *row);
+RG_API VkDescriptorSetLayout rg_exec_set_layout(const struct rg_exec *exec,
+                                                const struct rg_pass *row);
 
 /* Returns the VkDeviceMemory of a block of the plan. Between frames, its content is undefined. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);

@@ -177,6 +177,12 @@ struct compiler {
 __attribute__((cold)) void rg_fault(struct compiler *c, enum rg_error error, const char *resource,
                                     const char *hint);
 
+/* As rg_fault(), with a hint that is formatted as by printf(). */
+__attribute__((cold, format(printf, 4, 5))) void rg_fault_with(struct compiler *c,
+                                                               enum rg_error error,
+                                                               const char *resource,
+                                                               const char *format, ...);
+
 /* Adds a fault outside any row. */
 __attribute__((cold)) void rg_fault_of(struct compiler *c, enum rg_error error,
                                        const char *resource, const char *hint);

@@ -10,11 +10,30 @@ static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when
             c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
 }
 
-/* Returns true if an access conflicts with the pass's earlier access to the same subresource. */
-static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
+/* Returns the pass's earlier access to the same subresource if an access conflicts with it. */
+static const struct access *find_conflict(const struct compiler *c, const struct cell *cell,
+                                          const struct access *a)
 {
     const struct access *before = &c->accesses[cell->last_access - 1];
-    return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
+    bool conflicts = ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
+    return conflicts ? before : NULL;
+}
+
+static void report_conflict(struct compiler *c, const struct access *before, const struct access *a)
+{
+    char names[2][64];
+    const struct access *both[] = { before, a };
+    for (int i = 0; i < 2; i++) {
+        const char *kind = rg_access_table[both[i]->kind].name;
+        const struct rg_use *use = both[i]->declared;
+        if (rg_is_shader_access(both[i]->kind))
+            snprintf(names[i], sizeof(names[i]), "%s at binding %u", kind, use->binding);
+        else
+            snprintf(names[i], sizeof(names[i]), "%s", kind);
+    }
+    rg_fault_with(c, RG_ERROR_CONFLICT, a->resource->name,
+                  "'%s' and '%s': split the pass in two, or read another mip, layer or image",
+                  names[0], names[1]);
 }
 
 static bool is_in_range(const struct resource *r, const VkImageSubresourceRange *range)
@@ -67,7 +86,7 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     rg_when_fn *when = c->pass->pass->when;
     uint32_t first = c->passes[c->pass_count].first_access;
     uint32_t filled_now = when ? CELL_FILLED_BY + c->pass_count : CELL_FILLED;
-    bool conflict = false;
+    const struct access *conflict = NULL;
     bool all_filled = true;
     if (when)
         a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
@@ -76,13 +95,14 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         bool filled = is_filled(c, w.cell, when);
         all_filled = all_filled && filled;
-        conflict = conflict || (w.cell->last_access > first && is_conflict(c, w.cell, a));
+        if (!conflict && w.cell->last_access > first)
+            conflict = find_conflict(c, w.cell, a);
         if (a->flags & ACCESS_WRITES && !(when && filled))
             w.cell->filled = filled_now;
         w.cell->last_access = c->access_count + 1;
     }
-    rg_fault_if(c, conflict, RG_ERROR_CONFLICT, name,
-                "split the pass in two, or read another mip, layer or image");
+    if (conflict)
+        report_conflict(c, conflict, a);
     rg_fault_if(c, !all_filled && a->flags & ACCESS_READS, RG_ERROR_READ_BEFORE_WRITE, name,
                 unfilled_hint);
     c->access_count++;
@@ -219,6 +239,10 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
+    /* tested and sampled in one pass: both in the layout of the test, whatever the range */
+    if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
+        use->image == c->pass->pass->depth.image)
+        a->layout = rg_access_table[RG_DEPTH_READ].layout;
     if (use->texels || (use->buffer && use->access == RG_SAMPLED))
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)

@@ -23,24 +23,43 @@ enum {
     OP_SPEC_CONSTANT_FALSE = 49,
     OP_SPEC_CONSTANT = 50,
     OP_FUNCTION = 54,
+    OP_FUNCTION_PARAMETER = 55,
     OP_FUNCTION_CALL = 57,
     OP_VARIABLE = 59,
     OP_IMAGE_TEXEL_POINTER = 60,
     OP_LOAD = 61,
     OP_STORE = 62,
     OP_COPY_MEMORY = 63,
+    OP_COPY_MEMORY_SIZED = 64,
     OP_ACCESS_CHAIN = 65,
     OP_PTR_ACCESS_CHAIN = 67,
     OP_ARRAY_LENGTH = 68,
+    OP_IN_BOUNDS_PTR_ACCESS_CHAIN = 70,
     OP_DECORATE = 71,
     OP_MEMBER_DECORATE = 72,
     OP_COPY_OBJECT = 83,
+    OP_IMAGE_READ = 98,
+    OP_IMAGE_WRITE = 99,
+    OP_SELECT = 169,
+    OP_ATOMIC_LOAD = 227,
+    OP_ATOMIC_STORE = 228,
+    OP_ATOMIC_XOR = 242,
+    OP_PHI = 245,
+    OP_RETURN_VALUE = 254,
+    OP_ATOMIC_FLAG_TEST_AND_SET = 318,
+    OP_ATOMIC_FLAG_CLEAR = 319,
+    OP_IMAGE_SPARSE_READ = 320,
     OP_TYPE_ACCELERATION_STRUCTURE = 5341,
+    OP_ATOMIC_FLOAT_MIN = 5614,
+    OP_ATOMIC_FLOAT_MAX = 5615,
+    OP_ATOMIC_FLOAT_ADD = 6035,
     DECORATION_SPEC_ID = 1,
     DECORATION_BUFFER_BLOCK = 3,
     DECORATION_ROW_MAJOR = 4,
     DECORATION_ARRAY_STRIDE = 6,
     DECORATION_MATRIX_STRIDE = 7,
+    DECORATION_NON_WRITABLE = 24,
+    DECORATION_NON_READABLE = 25,
     DECORATION_LOCATION = 30,
     DECORATION_BINDING = 33,
     DECORATION_SET = 34,
@@ -50,6 +69,7 @@ enum {
     MAGIC = 0x07230203,
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
+    MAX_CALLS = 64,           /* nesting of calls */
 };
 
 /* Parsed properties of a SPIR-V id. `definition` and `name` are word indices; 0 means none. */
@@ -59,6 +79,9 @@ struct spirv_id {
     uint32_t stride;                       /* of an array in bytes */
     uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
     uint32_t variable;                     /* `variables` index plus 1, or 0 */
+    uint32_t root;              /* storage variable or parameter that a pointer or image is from */
+    uint32_t access, denied;    /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
+    uint32_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
     bool buffer_block, in_interface;
 };
 
@@ -238,6 +261,7 @@ bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *im
     *image = (struct spirv_image){
         .dim = words[3],
         .format = words[8],
+        .depth = words[4],
         .component = rg_spirv_component(s, words[2], NULL),
         .arrayed = words[5],
         .multisampled = words[6],
@@ -344,6 +368,12 @@ static void decorate(struct spirv *s, const struct instruction *in)
     if (!id)
         return;
     switch (in->words[2]) {
+    case DECORATION_NON_WRITABLE:
+        id->denied |= SPIRV_STORES;
+        break;
+    case DECORATION_NON_READABLE:
+        id->denied |= SPIRV_LOADS;
+        break;
     case DECORATION_BUFFER_BLOCK:
         id->buffer_block = true;
         break;
@@ -382,19 +412,26 @@ static void add_variable(struct spirv *s, struct arena *arena, const struct inst
                          struct spirv_id *id)
 {
     const uint32_t *pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
+    uint32_t count;
     if (in->count < 4 || !pointer || id->variable ||
         !ARENA_ROOM(arena, s->variables, s->variable_count, s->variable_room, 32))
         return;
-    s->variables[s->variable_count] = (struct spirv_variable){
+    struct spirv_variable *v = &s->variables[s->variable_count];
+    *v = (struct spirv_variable){
         .name = id->name ? (const char *)&s->shader->words[id->name] : "",
         .storage = in->words[3],
         .type = pointer[3],
         .binding = id->binding - 1, /* 0 becomes SPIRV_NONE */
         .set = id->set - 1,
         .location = id->location - 1,
+        .id = in->words[2],
         .in_interface = id->in_interface,
     };
     id->variable = ++s->variable_count;
+    VkDescriptorType type = rg_spirv_descriptor(s, v, &count);
+    if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ||
+        type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER)
+        id->root = v->id;
 }
 
 static void add_constant(struct spirv *s, struct arena *arena, const struct instruction *in,
@@ -417,6 +454,10 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
     struct spirv_id *id;
     if (in->op == OP_DECORATE)
         decorate(s, in);
+    if (in->op == OP_MEMBER_DECORATE && in->count > 3 && (id = find_id(s, in->words[1]))) {
+        id->unread += in->words[3] == DECORATION_NON_READABLE;
+        id->unwritten += in->words[3] == DECORATION_NON_WRITABLE;
+    }
     if (in->op == OP_NAME && text_of(in, 2) && (id = find_id(s, in->words[1])))
         id->name = (uint32_t)(&in->words[2] - s->shader->words);
     if (!result || in->count <= result || !(id = find_id(s, in->words[result])))
@@ -426,6 +467,113 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
         add_variable(s, arena, in, id);
     if (in->op >= OP_SPEC_CONSTANT_TRUE && in->op <= OP_SPEC_CONSTANT)
         add_constant(s, arena, in, id);
+}
+
+/* ---- loads and stores ---- */
+
+/* Adds to what the module does to the variable or parameter that a pointer or image is from. */
+static void add_access(struct spirv *s, const struct instruction *in, uint32_t word,
+                       uint32_t access)
+{
+    const struct spirv_id *id = word < in->count ? find_id(s, in->words[word]) : NULL;
+    if (id && id->root)
+        s->ids[id->root].access |= access;
+}
+
+/* Makes an instruction's result point into the same variable as the operand at word 3. */
+static void derive(struct spirv *s, const struct instruction *in)
+{
+    struct spirv_id *result = in->count > 3 ? find_id(s, in->words[2]) : NULL;
+    const struct spirv_id *base = in->count > 3 ? find_id(s, in->words[3]) : NULL;
+    if (result && base)
+        result->root = base->root;
+}
+
+static bool is_atomic_update(uint32_t op)
+{
+    return (op > OP_ATOMIC_STORE && op <= OP_ATOMIC_XOR) || op == OP_ATOMIC_FLAG_TEST_AND_SET ||
+           op == OP_ATOMIC_FLOAT_MIN || op == OP_ATOMIC_FLOAT_MAX || op == OP_ATOMIC_FLOAT_ADD;
+}
+
+/* Records what an instruction of a function loads from and stores to. */
+static void trace_access(struct spirv *s, const struct instruction *in)
+{
+    const uint32_t op = in->op;
+    const uint32_t both = SPIRV_LOADS | SPIRV_STORES;
+    if ((op >= OP_ACCESS_CHAIN && op <= OP_PTR_ACCESS_CHAIN) || op == OP_IMAGE_TEXEL_POINTER ||
+        op == OP_IN_BOUNDS_PTR_ACCESS_CHAIN || op == OP_COPY_OBJECT ||
+        (op == OP_LOAD && in->count > 3 && definition(s, in->words[1], OP_TYPE_IMAGE, 9))) {
+        derive(s, in);
+    } else if (op == OP_LOAD || op == OP_IMAGE_READ || op == OP_IMAGE_SPARSE_READ ||
+               op == OP_ATOMIC_LOAD) {
+        add_access(s, in, 3, SPIRV_LOADS);
+    } else if (op == OP_STORE || op == OP_ATOMIC_STORE || op == OP_IMAGE_WRITE ||
+               op == OP_ATOMIC_FLAG_CLEAR) {
+        add_access(s, in, 1, SPIRV_STORES);
+        if (op == OP_STORE)
+            add_access(s, in, 2, both);
+    } else if (op == OP_COPY_MEMORY || op == OP_COPY_MEMORY_SIZED) {
+        add_access(s, in, 1, SPIRV_STORES);
+        add_access(s, in, 2, SPIRV_LOADS);
+    } else if (is_atomic_update(op)) {
+        add_access(s, in, 3, both);
+    } else if (op == OP_SELECT || op == OP_PHI || op == OP_RETURN_VALUE) {
+        for (uint32_t i = 1; i < in->count; i++)
+            add_access(s, in, i, both);
+    } else if (op == OP_FUNCTION_PARAMETER && in->count > 2 && find_id(s, in->words[2])) {
+        find_id(s, in->words[2])->root = in->words[2];
+    }
+}
+
+/* Returns the parameter of a function that receives argument `index`; NULL if there is none. */
+static const struct spirv_id *parameter(const struct spirv *s, uint32_t function, uint32_t index)
+{
+    const uint32_t *words = definition(s, function, OP_FUNCTION, 5);
+    struct instruction in = { OP_FUNCTION, 5, words };
+    while (words && next(s->shader, &in) && in.op == OP_FUNCTION_PARAMETER && in.count > 2) {
+        if (!index--)
+            return find_id(s, in.words[2]);
+    }
+    return NULL;
+}
+
+/* Adds what functions do to their parameters to the arguments. Returns true if that adds any. */
+static bool trace_calls(struct spirv *s)
+{
+    bool changed = false;
+    struct instruction in = { 0 };
+    while (next(s->shader, &in)) {
+        for (uint32_t i = 4; in.op == OP_FUNCTION_CALL && i < in.count; i++) {
+            const struct spirv_id *given = find_id(s, in.words[i]);
+            if (!given || !given->root)
+                continue;
+            const struct spirv_id *to = parameter(s, in.words[3], i - 4);
+            const uint32_t access = to ? to->access : SPIRV_LOADS | SPIRV_STORES;
+            changed = changed || access & ~s->ids[given->root].access;
+            s->ids[given->root].access |= access;
+        }
+    }
+    return changed;
+}
+
+/* Sets what the module does to each storage variable, once all instructions are known. */
+static void find_accesses(struct spirv *s, bool has_calls)
+{
+    uint32_t count;
+    for (uint32_t depth = 0; has_calls && depth < MAX_CALLS && trace_calls(s); depth++)
+        continue;
+    for (uint32_t i = 0; i < s->variable_count; i++) {
+        struct spirv_variable *v = &s->variables[i];
+        const struct spirv_id *id = &s->ids[v->id];
+        const struct spirv_id *type = find_id(s, element_of(s, v->type));
+        if (!id->root)
+            continue;
+        uint32_t denied = id->denied;
+        if (type && rg_spirv_struct(s, element_of(s, v->type), &count))
+            denied |= (type->unread == count ? (uint32_t)SPIRV_LOADS : 0) |
+                      (type->unwritten == count ? (uint32_t)SPIRV_STORES : 0);
+        v->access = id->access & ~denied;
+    }
 }
 
 /* Marks the variables that an instruction accesses as used. */
@@ -458,7 +606,7 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
                                                                    /* execution model GLCompute */
                                                                    : 5;
     bool found = false;
-    bool in_function = false;
+    bool in_function = false, has_calls = false;
     s->shader = shader;
     s->variable_count = s->constant_count = 0;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
@@ -476,14 +624,20 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     struct instruction in = { 0 };
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
-        if (in_function)
+        has_calls = has_calls || in.op == OP_FUNCTION_CALL;
+        if (in.op == OP_FUNCTION && in.count > 4 && find_id(s, in.words[2]))
+            find_id(s, in.words[2])->definition = (uint32_t)(in.words - shader->words);
+        if (in_function) {
             mark_used(s, &in, shader->words[1] >= VERSION_1_4);
-        else if (in.op == OP_ENTRY_POINT)
+            trace_access(s, &in);
+        } else if (in.op == OP_ENTRY_POINT) {
             found = is_main(s, &in, model) || found;
-        else
+        } else {
             declare(s, arena, &in);
+        }
     }
     if (in.words != shader->words + shader->word_count)
         return "expected complete SPIR-V instructions up to the end";
+    find_accesses(s, has_calls);
     return found ? NULL : "expected an entry point 'main' of this stage";
 }

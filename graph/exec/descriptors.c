@@ -1,28 +1,23 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
 #include "graph/exec/executor_internal.h"
 
-static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
+static VkImageViewType view_type(const struct rg_plan_image *image, uint32_t layers, bool storage)
 {
-    VkShaderStageFlags stages = 0;
-    if (use->stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_VERTEX_BIT;
-    if (use->stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_FRAGMENT_BIT;
-    if (use->stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_COMPUTE_BIT;
-    return stages ? stages : rg_exec_stages(pass);
-}
-
-static VkImageViewType view_type(const struct rg_plan_image *image, const struct rg_plan_use *use)
-{
-    bool storage = use->use->access != RG_SAMPLED;
     if (image->image->depth)
         return VK_IMAGE_VIEW_TYPE_3D;
-    if (image->image->cube && !storage && use->range.layerCount == 6)
+    if (image->image->cube && !storage && layers == 6)
         return VK_IMAGE_VIEW_TYPE_CUBE;
     if (image->layers > 1 || image->image->array)
         return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
     return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+static VkSamplerAddressMode address_mode(const struct rg_sampler *s, bool repeats)
+{
+    if (repeats)
+        return s->mirror ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT : VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    return s->border ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER
+                     : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 }
 
 static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct rg_sampler *key)
@@ -35,27 +30,43 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
         .magFilter = filter,
         .minFilter = filter,
         .mipmapMode = key->linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
-        .addressModeU =
-            key->repeat_u ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeV =
-            key->repeat_v ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeW =
-            key->repeat_w ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .addressModeU = address_mode(key, key->repeat_u),
+        .addressModeV = address_mode(key, key->repeat_v),
+        .addressModeW = address_mode(key, key->repeat_w),
+        .mipLodBias = key->mips ? key->lod_bias : 0.0f,
         .anisotropyEnable = anisotropy >= 1.0f,
         .maxAnisotropy = anisotropy,
-        .maxLod = key->mips ? VK_LOD_CLAMP_NONE : 0.0f,
+        .compareEnable = key->compare != 0,
+        .compareOp = key->compare,
+        .minLod = key->mips ? key->min_lod : 0.0f,
+        .maxLod = !key->mips            ? 0.0f
+                  : key->max_lod > 0.0f ? key->max_lod
+                                        : VK_LOD_CLAMP_NONE,
+        .borderColor = key->border_color,
     };
 }
 
-/* Finds or creates the sampler of a use; equal rg_sampler structs share one VkSampler. */
+/* Finds the program's sampler for a use, or finds or creates one; equal structs share it. */
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
     const struct rg_sampler *s = use->sampler ? use->sampler : &nearest;
-    const VkSamplerCreateInfo info = sampler_info(exec, s);
+    const VkSamplerReductionModeCreateInfo reduction = {
+        .sType = VK_STRUCTURE_TYPE_SAMPLER_REDUCTION_MODE_CREATE_INFO,
+        .reductionMode = s->reduction,
+    };
+    VkSamplerCreateInfo info = sampler_info(exec, s);
     VkResult result;
-    rg_exec_key(exec, &info.maxAnisotropy, sizeof(info.maxAnisotropy));
-    RG_KEY(exec, s->linear | s->mips << 1 | s->repeat_u << 2 | s->repeat_v << 3 | s->repeat_w << 4);
+    for (size_t i = 0; i < exec->params.sampler_count; i++) {
+        if (exec->params.samplers[i].sampler != s)
+            continue;
+        *sampler = exec->params.samplers[i].handle;
+        return VK_SUCCESS;
+    }
+    info.pNext = s->reduction ? &reduction : NULL;
+    /* from `flags` on, all members have 4 bytes */
+    rg_exec_key(exec, &info.flags, sizeof(info) - offsetof(VkSamplerCreateInfo, flags));
+    RG_KEY(exec, s->reduction);
     RG_MAKE(exec, use->image->name, SAMPLER, CreateSampler, sampler, &info);
 fail:
     return result;
@@ -114,7 +125,7 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
             bindings[count++] = (VkDescriptorSetLayoutBinding){
                 .binding = d.use->binding,
                 .descriptorType = d.type,
-                .stageFlags = use_stages(plan->pass, d.use),
+                .stageFlags = d.use->stages ? d.use->stages : rg_exec_stages(plan->pass),
             };
         bindings[at].descriptorCount++;
     }
@@ -177,8 +188,10 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         if (d->buffer == RG_NONE && !d->image.imageView) {
             const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
             const struct rg_plan_image *image = &exec->plan->images[use->image];
-            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
-                                     &use->range, &d->image.imageView));
+            const VkImageViewType type =
+                view_type(image, use->range.layerCount, use->use->access != RG_SAMPLED);
+            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], type, &use->range,
+                                     &d->image.imageView));
         }
     }
 fail:
@@ -329,4 +342,29 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec)
             result = make_sets(exec, &exec->image_sets[i], p);
     }
     return result;
+}
+
+VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
+                         const struct rg_range *range)
+{
+    static const struct rg_range whole = { 0 };
+    const struct rg_range *r = range ? range : &whole;
+    const struct rg_plan_image *plan = exec->plan->images;
+    const struct rg_plan_image *end = plan + exec->plan->image_count;
+    VkImageView view = VK_NULL_HANDLE;
+    while (plan < end && plan->image != image)
+        plan++;
+    if (plan == end || plan->imported || r->mip >= plan->mips || r->layer >= plan->layers)
+        return VK_NULL_HANDLE;
+    const VkImageSubresourceRange all = {
+        .aspectMask = r->aspect ? r->aspect : plan->aspects,
+        .baseMipLevel = r->mip,
+        .levelCount = r->mip_count ? r->mip_count : plan->mips - r->mip,
+        .baseArrayLayer = r->layer,
+        .layerCount = r->layer_count ? r->layer_count : plan->layers - r->layer,
+    };
+    VkResult result =
+        rg_exec_make_view(exec, plan, exec->image_set->images[plan - exec->plan->images],
+                          view_type(plan, all.layerCount, false), &all, &view);
+    return result == VK_SUCCESS ? view : VK_NULL_HANDLE;
 }

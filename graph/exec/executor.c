@@ -1,5 +1,4 @@
 /* executor.c: creates, updates and destroys an executor; begins, submits and waits for frames. */
-#include <assert.h>
 #include <stdlib.h>
 #include "graph/exec/executor_internal.h"
 
@@ -90,10 +89,12 @@ static VkResult make_arrays(struct rg_exec *exec)
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        rg_exec_check_features,   count_image_sets,       make_arrays,
-        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
-        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,        rg_exec_make_coverage,
+        rg_exec_check_features, rg_exec_check_imports,
+        count_image_sets,       make_arrays,
+        rg_exec_make_memory,    rg_exec_make_fallbacks,
+        rg_exec_make_targets,   rg_exec_make_descriptors,
+        rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,      rg_exec_make_coverage,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
@@ -110,6 +111,8 @@ static const char *params_problem(const struct rg_exec_params *p)
         return "params without a plan free of faults, or without get_proc_addr";
     if (p->set_count && !p->sets)
         return "params with a set_count but no sets";
+    if (p->sampler_count && !p->samplers)
+        return "params with a sampler_count but no samplers";
     if (p->import_count && !p->imports)
         return "params with an import_count but no imports";
     for (size_t i = 0; i < p->import_count; i++) {
@@ -182,6 +185,8 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
 VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
 {
     VkResult result = VK_SUCCESS;
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_update() before the last part");
     const struct rg_exec former = *exec;
     struct rg_exec next = {
         .params = former.params,
@@ -207,7 +212,6 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     const char *wrong = params_problem(&next.params);
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
-    assert(!exec->next_part.count);
     *exec = next;
     rg_exec_link_former(exec);
     RG_TRY(make_all(exec));
@@ -217,6 +221,11 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     rg_exec_free_retired(exec);
 fail:
     return result;
+}
+
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse)
+{
+    return rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, misuse, NULL);
 }
 
 static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
@@ -254,7 +263,9 @@ void rg_exec_destroy(struct rg_exec *exec)
 VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
 {
     const uint64_t start = rg_time_now();
-    assert(!exec->next_part.count);
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_begin() before the last part");
+    exec->begun = true;
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
     VkResult result = rg_exec_wait(exec, exec->slot);
@@ -359,7 +370,11 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
                                      .begins = true,
                                      .ends = true };
     VkResult result;
-    assert(sync->image_index < exec->image_set_count && !exec->next_part.count);
+    if (!exec->begun || exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_submit() without rg_exec_begin()");
+    exec->begun = false;
+    if (sync->image_index >= exec->image_set_count)
+        return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");
     exec->external_sync = *sync;
     exec->image_set = &exec->image_sets[sync->image_index];
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
@@ -380,8 +395,10 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *re
                                      .ends = true };
     const uint64_t start = rg_time_now();
     VkResult result;
-    assert(recording->slot < exec->slot_count && recording->image_index < exec->image_set_count);
-    assert(!exec->next_part.count);
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_record() before the last part");
+    if (recording->slot >= exec->slot_count || recording->image_index >= exec->image_set_count)
+        return rg_exec_refuse(exec, "rg_exec_record() with a slot or image_index out of range");
     struct exec_slot *slot = &exec->slots[recording->slot];
     RG_TRY(rg_exec_wait(exec, recording->slot));
     exec->slot = recording->slot;
@@ -403,6 +420,8 @@ VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
 {
     VkResult result;
     const uint64_t start = rg_time_now();
+    if (slot >= exec->slot_count)
+        return rg_exec_refuse(exec, "rg_exec_wait() for a slot beyond frames_in_flight");
     if (exec->slots[slot].submitted)
         RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
     else if (!exec->slots[slot].recorded)
@@ -425,7 +444,7 @@ VkResult rg_exec_wait_all(struct rg_exec *exec)
 
 void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
 {
-    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+    for (uint32_t i = 0; i < exec->plan->buffer_count && slot < exec->slot_count; i++) {
         if (exec->plan->buffers[i].buffer == buffer)
             return rg_exec_buffer(exec, i, slot)->mapped;
     }

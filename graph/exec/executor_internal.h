@@ -158,7 +158,8 @@ struct rg_exec {
     uint32_t *origins;
     struct exec_transition *transitions;
     uint32_t transition_count;
-    VkResult record_result;  /* error of a record function */
+    VkResult record_result;  /* first error of the record functions of the frame */
+    bool begun;              /* rg_exec_begin() was called, and the frame is not submitted */
     bool has_indirect_count; /* the device has drawIndirectCount */
     bool has_structures;     /* plan has acceleration structures */
     struct exec_batch batch;
@@ -174,6 +175,10 @@ struct rg_cmd {
     const struct exec_pass *pass;
     VkCommandBuffer commands;
     VkRect2D area; /* render area of a raster pass */
+    /* what the record function may rely on: bound by the executor or by the function itself */
+    bool has_pipeline, has_push, has_set;
+    bool is_secondary; /* records a secondary command buffer */
+    bool is_direct;    /* the record function has the command buffer and may bind anything */
 };
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
@@ -282,6 +287,13 @@ VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
 VkPipelineRenderingCreateInfo rg_exec_target_formats(const struct rg_exec *exec,
                                                      const struct rg_plan_pass *plan,
                                                      VkFormat formats[RG_COLOR_COUNT]);
+
+/* Returns true if the executor creates a pipeline for a row. */
+static inline bool rg_exec_has_pipeline(const struct rg_pass *row)
+{
+    return row->kind == RG_COMPUTE ? row->comp != NULL : row->vert != NULL;
+}
+
 /* Returns a shader, or its replacement (rg_exec_params.replace_shader). */
 const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
 
@@ -305,6 +317,9 @@ VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 /* check_features.c: checks that the device has the features that the plan needs */
 VkResult rg_exec_check_features(struct rg_exec *exec);
 
+/* check_imports.c: checks imported objects against their declarations, as far as they are known */
+VkResult rg_exec_check_imports(struct rg_exec *exec);
+
 /* zero_fill_resources.c: finds the persistent resources that keep the content of the previous plan
  */
 VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
@@ -324,6 +339,11 @@ void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t 
 /* Records the pending barriers. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
+/* commands.c */
+/* Logs a misuse by a record function, for which the frame is refused. Only the first of a frame. */
+__attribute__((cold, format(printf, 3, 4))) void
+rg_exec_misuse(const struct rg_cmd *cmd, const char *resource, const char *format, ...);
+
 /* record_commands.c */
 /* Records a part of a frame, with the final barriers if it contains the last pass. */
 VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
@@ -334,6 +354,8 @@ void rg_exec_bind(const struct rg_cmd *cmd);
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 
 /* executor.c */
+/* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 /* Records a part of the frame begun last, and submits it. */
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);

@@ -348,6 +348,11 @@ static VkResult make_pipeline(struct rg_exec *exec, const struct rg_plan_pass *p
     VkPipelineShaderStageCreateInfo stages[2] = { 0 };
     VkResult result;
     RG_TRY(make_layout(exec, row, pass));
+    if (!rg_exec_has_pipeline(row) && pass->render_pass)
+        return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT,
+                             "render_passes for a row without shaders: the pipeline", row->name);
+    if (!rg_exec_has_pipeline(row))
+        return VK_SUCCESS;
     add_pipeline(exec, plan, pass);
     RG_TRY(rg_exec_reserve_object(exec));
     if (rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, &pass->pipeline, sizeof(pass->pipeline)))
@@ -383,4 +388,26 @@ VkResult rg_exec_make_pipelines(struct rg_exec *exec)
         }
     }
     return result;
+}
+
+/* Returns the first pass of a row; NULL if the plan has none. */
+static const struct exec_pass *find_pass(const struct rg_exec *exec, const struct rg_pass *row)
+{
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        if (exec->plan->passes[p].pass == row)
+            return &exec->passes[p];
+    }
+    return NULL;
+}
+
+VkPipelineLayout rg_exec_layout(const struct rg_exec *exec, const struct rg_pass *row)
+{
+    const struct exec_pass *pass = find_pass(exec, row);
+    return pass ? pass->layout : VK_NULL_HANDLE;
+}
+
+VkDescriptorSetLayout rg_exec_set_layout(const struct rg_exec *exec, const struct rg_pass *row)
+{
+    const struct exec_pass *pass = find_pass(exec, row);
+    return pass && pass->layout ? pass->set_layout : VK_NULL_HANDLE;
 }

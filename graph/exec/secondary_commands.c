@@ -2,12 +2,12 @@
 #include "graph/exec/executor_internal.h"
 #include "graph/rg_cmd.h"
 
-/* Returns an error, which is logged, if the row does not say that it uses these functions. */
-static VkResult check_row(const struct rg_cmd *cmd)
+/* Returns true if the row says that it uses these functions. */
+static bool can_use(const struct rg_cmd *cmd, const char *command)
 {
-    const struct rg_pass *row = cmd->plan_pass->pass;
-    return rg_exec_check(cmd->exec, row->secondary ? VK_SUCCESS : VK_ERROR_VALIDATION_FAILED_EXT,
-                         "secondary command buffers without rg_pass.secondary", row->name);
+    if (!cmd->plan_pass->pass->secondary)
+        rg_exec_misuse(cmd, NULL, "%s needs rg_pass.secondary", command);
+    return cmd->plan_pass->pass->secondary;
 }
 
 VkResult rg_cmd_record_secondary(const struct rg_cmd *cmd, VkCommandBuffer secondary,
@@ -25,7 +25,8 @@ VkResult rg_cmd_record_secondary(const struct rg_cmd *cmd, VkCommandBuffer secon
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO,
     };
     VkResult result;
-    RG_TRY(check_row(cmd));
+    if (!can_use(cmd, "rg_cmd_record_secondary()"))
+        return VK_ERROR_VALIDATION_FAILED_EXT;
     if (raster && cmd->pass->render_pass) {
         inherited.renderPass = cmd->pass->render_pass;
         inherited.framebuffer = exec->image_set->targets[cmd->index].framebuffer;
@@ -46,6 +47,7 @@ VkResult rg_cmd_record_secondary(const struct rg_cmd *cmd, VkCommandBuffer secon
         .pInheritanceInfo = &inherited,
     };
     part.commands = secondary;
+    part.is_secondary = true;
     RG_CALL(exec, row->name, BeginCommandBuffer, secondary, &begin);
     rg_exec_bind(&part);
     record(&part, user);
@@ -56,9 +58,6 @@ fail:
 
 void rg_cmd_execute(struct rg_cmd *cmd, const VkCommandBuffer *secondary, uint32_t count)
 {
-    const VkResult result = check_row(cmd);
-    if (result != VK_SUCCESS)
-        cmd->exec->record_result = result;
-    else if (count)
+    if (can_use(cmd, "rg_cmd_execute()") && count)
         cmd->exec->vk.CmdExecuteCommands(cmd->commands, count, secondary);
 }

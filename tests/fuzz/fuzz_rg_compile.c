@@ -294,16 +294,16 @@ static float fraction(const uint8_t *value)
 }
 
 /* Half of them of shaders, half anything. */
-static VkPipelineStageFlags2 stages(const uint8_t *value)
+static VkShaderStageFlags stages(const uint8_t *value)
 {
-    static const VkPipelineStageFlags2 shaders[] = {
-        VK_PIPELINE_STAGE_2_NONE,
-        VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    static const VkShaderStageFlags shaders[] = {
+        0,
+        VK_SHADER_STAGE_VERTEX_BIT,
+        VK_SHADER_STAGE_FRAGMENT_BIT,
+        VK_SHADER_STAGE_COMPUTE_BIT,
     };
     if (value[0] & 128)
-        return (VkPipelineStageFlags2)value[1] << (value[0] & 63);
+        return (VkShaderStageFlags)value[1] << (value[0] & 31);
     return shaders[value[0] & 3] | shaders[value[1] & 3];
 }
 

@@ -332,21 +332,36 @@ static void record_undeclared(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_execute(cmd, NULL, 1);
 }
 
-static void secondary_must_be_declared(void **state)
+static void record_outside(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    painted_draw(cmd, &(struct paint_push){ ALL });
+}
+
+/* Expects that a frame with this record function of the first row is refused. */
+static void check_refused(struct gpu *gpu, bool secondary, rg_record_fn *record, const char *why)
 {
     struct rg_pass undeclared[] = { column_rows[0], column_rows[1] };
     struct run run;
-    undeclared[0].secondary = false;
-    undeclared[0].record = record_undeclared;
-    run_open(&run, *state,
+    undeclared[0].secondary = secondary;
+    undeclared[0].record = record;
+    run_open(&run, gpu,
              &(struct run_params){
                  .technique = RG_TECHNIQUE("test", undeclared),
                  .outputs = { &picture_out },
              });
     assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
     assert_int_equal(rg_exec_submit(run.exec, NULL), VK_ERROR_VALIDATION_FAILED_EXT);
-    assert_non_null(strstr(run.line, "without rg_pass.secondary of columns"));
+    assert_non_null(strstr(run.line, why));
     run_close(&run);
+}
+
+static void secondary_rows_are_checked(void **state)
+{
+    check_refused(*state, false, record_undeclared,
+                  "columns: rg_cmd_record_secondary() needs rg_pass.secondary");
+    check_refused(*state, true, record_outside,
+                  "columns: rg_cmd_push() outside of rg_cmd_record_secondary()");
 }
 
 int main(void)
@@ -355,7 +370,7 @@ int main(void)
         ON_DEVICE(program_records_and_submits),
         ON_DEVICE(frames_wait_for_timelines),
         ON_DEVICE(threads_record_a_pass),
-        ON_DEVICE(secondary_must_be_declared),
+        ON_DEVICE(secondary_rows_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -226,7 +226,9 @@ static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct
     if (use->stages)
         return;
     if (row->stages)
-        use->stages = hazard_stages(row->stages, true);
+        use->stages = (row->stages & VK_SHADER_STAGE_VERTEX_BIT ? HAZARD_VERTEX : 0U) |
+                      (row->stages & VK_SHADER_STAGE_FRAGMENT_BIT ? HAZARD_FRAGMENT : 0U) |
+                      (row->stages & VK_SHADER_STAGE_COMPUTE_BIT ? HAZARD_COMPUTE : 0U);
     else if (pass->pass->kind == RG_COMPUTE)
         use->stages = HAZARD_COMPUTE;
     else

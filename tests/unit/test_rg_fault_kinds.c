@@ -102,13 +102,12 @@ static const struct fault_case condition_cases[] = {
 /* Stages that the pass has no shader for. */
 static const struct fault_case stage_cases[] = {
     { ROW(RG_ERROR_ACCESS, "picture",
-          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT)) },
+          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_SHADER_STAGE_FRAGMENT_BIT)) },
     { ROW(RG_ERROR_ACCESS, "picture",
           COPY("copy", { &OTHER, .access = RG_COPY_DST },
-               { &PICTURE, .access = RG_COPY_SRC,
-                 .stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT })) },
+               { &PICTURE, .access = RG_COPY_SRC, .stages = VK_SHADER_STAGE_COMPUTE_BIT })) },
     { ROW(RG_ERROR_ACCESS, "picture",
-          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_HOST_BIT)) },
+          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_SHADER_STAGE_GEOMETRY_BIT)) },
 };
 
 /* ---- other resources ---- */

@@ -144,8 +144,13 @@ static const struct fault_case row_cases[] = {
             .record = small_graph_record,
             .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
-          { "compute", RG_COMPUTE, .record = small_graph_record,
+          { "compute", RG_COMPUTE, .vert = &small_graph_shader, .record = small_graph_record,
             .uses = RG_USES({ WRITE_OTHER }) }) },
+    { ROW(RG_ERROR_NO_SHADER, NULL,
+          { .name = "draw", /* without .kind */
+            .comp = &small_graph_shader,
+            .record = small_graph_record,
+            .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_PUSH_SIZE, NULL,
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .push_size = 132)) },
     { ROW(RG_ERROR_PUSH_SIZE, NULL,
@@ -243,7 +248,10 @@ static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_CONFLICT, "picture",
           COMPUTE("compute", { &PICTURE, .access = RG_STORAGE_READ },
                   { &PICTURE, .access = RG_STORAGE_WRITE, .binding = 1 })) },
-    { ROW(RG_ERROR_CONFLICT, "picture", /* two reads, but no layout for both */
+    { .text = "bad row 0 (compute): picture has conflicting uses in one pass; 'storage read at "
+              "binding 0' and 'sampled at binding 1': split the pass in two, or read another mip, "
+              "layer or image", /* no layout for both */
+      ROW(RG_ERROR_CONFLICT, "picture",
           COMPUTE("compute", { WRITE_OTHER }, { &PICTURE, .access = RG_STORAGE_READ },
                   { &PICTURE, .access = RG_SAMPLED, .binding = 1 })) },
     { ROW(
@@ -355,7 +363,10 @@ static void test_all_at_once(void **state)
     const struct fault_case fc = {
         .row_count = 2,
         .rows = {
-            { .name = "fill", .color = RG_TARGETS({ CLEARED(wide) }), .push_size = 7 },
+            { .name = "fill",
+              .color = RG_TARGETS({ CLEARED(wide) }),
+              .frag = &small_graph_shader,
+              .push_size = 7 },
             COMPUTE("compute", { .buffer = &bytes, .access = RG_UNIFORM },
                     { .image = &pages, .access = RG_STORAGE_WRITE, .range.layer = 5 }),
         },
