@@ -132,7 +132,10 @@ enum rg_kind {
 enum rg_repeat {
     RG_ONCE,      /* a single pass */
     RG_PER_LAYER, /* one pass per layer */
-    RG_PER_MIP,   /* one pass per mip level */
+    RG_PER_MIP,   /* one pass per mip level, from the largest to the smallest */
+    /* one pass per mip level, from the smallest to the largest: the last repetition draws to the
+     * mip levels of the row, and the first to the smallest that all targets and uses have */
+    RG_PER_MIP_UP,
 };
 
 /* Memory type of a buffer. Upload and readback buffers have one copy per frame in flight. */
@@ -236,7 +239,8 @@ struct rg_target {
     enum rg_load load;            /* content when the pass begins */
     VkClearValue clear;           /* for RG_LOAD_CLEAR; depth 0 to 1 */
     /* mip level and layer to draw to. A repeated pass begins there, and each further repetition
-     * draws to the next mip level or layer, unless the image has only one */
+     * draws to the next mip level or layer, unless the image has only one. With RG_PER_MIP_UP the
+     * repetitions run in the opposite order */
     uint32_t mip, layer;
     enum rg_blend blend; /* blend mode of a colour target */
     /* custom blend state, which requires that `blend` is 0; no dual-source blending */

@@ -56,10 +56,16 @@ RG_API void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count,
 /* Indexed triangles. The buffers must exist until the frame has been executed. */
 struct rg_mesh {
     VkBuffer vertices;       /* first binding of rg_pass.vertices */
-    VkBuffer indices;        /* uint32_t per index */
+    VkBuffer indices;        /* uint32_t per index, or uint16_t if short_indices */
     uint32_t index_count;    /* may be 0 for rg_cmd_draw_mesh_part() */
     uint32_t instance_count; /* 0 means 1 */
     const VkBuffer *more;    /* buffers for rg_vertex_layout.next; may be NULL */
+    /* where the mesh begins in shared buffers: bytes, of the vertices by binding (NULL means 0) */
+    const VkDeviceSize *vertex_offsets;
+    VkDeviceSize index_offset; /* a multiple of the size of an index */
+    bool short_indices;
+    int32_t first_vertex;    /* added to each index */
+    uint32_t first_instance; /* gl_InstanceIndex starts here */
 };
 
 /* Draws a whole mesh; does nothing if it has no indices. */
@@ -68,6 +74,10 @@ RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 /* Draws `count` indices of a mesh from index number `first` on; does nothing if `count` is 0. */
 RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
                                   uint32_t count);
+
+/* Sets the viewport, in texels of the targets, until the next call or the end of the pass. At the
+ * beginning it is the whole target with depths from 0 to 1. */
+RG_API void rg_cmd_viewport(struct rg_cmd *cmd, const VkViewport *viewport);
 
 /* Sets the scissor rectangle, in texels of the targets. It holds until the next call or the end of
  * the pass. Drawing is always clipped to the targets and to rg_exec_set_region(). */

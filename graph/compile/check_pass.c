@@ -255,7 +255,7 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
 {
     const struct rg_target *depth = &pass->depth;
     RG_CHECK_ENUM(c, pass, kind, RG_TRANSFER, NULL, "enum rg_kind");
-    RG_CHECK_ENUM(c, pass, repeat, RG_PER_MIP, NULL, "enum rg_repeat");
+    RG_CHECK_ENUM(c, pass, repeat, RG_PER_MIP_UP, NULL, "enum rg_repeat");
     RG_CHECK_ENUM(c, pass, depth_compare, VK_COMPARE_OP_ALWAYS, NULL, "VkCompareOp");
     RG_CHECK_ENUM(c, pass, topology, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN, NULL,
                   "VkPrimitiveTopology, up to TRIANGLE_FAN");

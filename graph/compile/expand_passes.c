@@ -146,13 +146,13 @@ static void check_target(struct compiler *c, const struct rg_target *target,
     c->target_samples = samples;
 }
 
-static VkImageSubresourceRange target_range(const struct rg_plan_pass *pass,
-                                            const struct resource *r, uint32_t mip, uint32_t layer)
+static VkImageSubresourceRange target_range(const struct compiler *c, const struct resource *r,
+                                            uint32_t mip, uint32_t layer)
 {
-    if (pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
-        layer += pass->repetition;
-    if (pass->pass->repeat == RG_PER_MIP && r->all.levelCount > 1)
-        mip += pass->repetition;
+    if (c->pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
+        layer += c->step;
+    if (c->pass->pass->repeat >= RG_PER_MIP && r->all.levelCount > 1)
+        mip += c->step;
     return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, 1 };
 }
 
@@ -163,7 +163,7 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
+    a->range = target_range(c, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
     rg_fault_if(c, r->image->samples > 1 || r->image->depth, RG_ERROR_SAMPLES, r->name,
                 "resolve to a 2D image with one sample per texel");
@@ -188,7 +188,7 @@ static void add_target(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(c->pass, r, target->mip, target->layer);
+    a->range = target_range(c, r, target->mip, target->layer);
     if (keeps)
         a->flags |= ACCESS_READS;
     else if (a->flags & ACCESS_WRITES)
@@ -202,9 +202,10 @@ static void add_target(struct compiler *c, const struct rg_target *target)
         add_resolve(c, target);
 }
 
-static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
-                                         const struct rg_plan_pass *pass)
+static VkImageSubresourceRange use_range(const struct compiler *c, const struct resource *r,
+                                         const struct rg_range *range)
 {
+    const enum rg_repeat repeat = c->pass->pass->repeat;
     VkImageSubresourceRange out = {
         .aspectMask = range->aspect ? range->aspect : r->all.aspectMask,
         .baseMipLevel = range->mip,
@@ -212,11 +213,11 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
         .baseArrayLayer = range->layer,
         .layerCount = range->layer_count,
     };
-    if (range->each && pass->pass->repeat == RG_PER_LAYER) {
-        out.baseArrayLayer += pass->repetition;
+    if (range->each && repeat == RG_PER_LAYER) {
+        out.baseArrayLayer += c->step;
         out.layerCount = 1;
-    } else if (range->each && pass->pass->repeat == RG_PER_MIP) {
-        out.baseMipLevel += pass->repetition;
+    } else if (range->each && repeat != RG_ONCE) {
+        out.baseMipLevel += c->step;
         out.levelCount = 1;
     }
     if (!out.levelCount && out.baseMipLevel < r->all.levelCount)
@@ -248,7 +249,7 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
     if (use->image && !is_whole(&use->range)) {
-        a->range = use_range(r, &use->range, c->pass);
+        a->range = use_range(c, r, &use->range);
         if (!find_cells(c, a))
             return;
     }
@@ -360,7 +361,16 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
         return 0;
     if (pass->repeat == RG_PER_LAYER)
         return r->all.layerCount > layer ? r->all.layerCount - layer : 1;
-    return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
+    uint32_t count = r->all.levelCount > mip ? r->all.levelCount - mip : 1;
+    for (const struct rg_use *use = pass->uses;
+         pass->repeat == RG_PER_MIP_UP && use && rg_is_use(use); use++) {
+        if (!rg_is_valid_use(use) || !use->image || !use->range.each || use->fallback)
+            continue;
+        r = rg_resource_of(c, use->image, NULL);
+        if (r && r->all.levelCount > use->range.mip && r->all.levelCount - use->range.mip < count)
+            count = r->all.levelCount - use->range.mip;
+    }
+    return count;
 }
 
 static void expand_row(struct compiler *c, const struct rg_pass *row)
@@ -375,8 +385,10 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
     uint32_t count = repetition_count(c, row);
     rg_fault_if(c, !count, RG_ERROR_REPEAT, NULL,
                 "a repeated row must write an image, whose layers or mips define the repetitions");
-    for (uint32_t i = 0; i < count && !c->arena->failed; i++)
+    for (uint32_t i = 0; i < count && !c->arena->failed; i++) {
+        c->step = row->repeat == RG_PER_MIP_UP ? count - 1 - i : i;
         add_pass(c, row, i);
+    }
 }
 
 static void check_output(struct compiler *c, const struct resource *r)

@@ -175,6 +175,12 @@ void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set)
                                         &set, 0, NULL);
 }
 
+void rg_cmd_viewport(struct rg_cmd *cmd, const VkViewport *viewport)
+{
+    if (is_in(cmd, RG_RASTER, "rg_cmd_viewport()"))
+        cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, viewport);
+}
+
 void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
 {
     const VkRect2D both = rg_exec_intersect(rectangle, cmd->area);
@@ -210,19 +216,21 @@ void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count, uint32_t i
 static bool bind_mesh(const struct rg_cmd *cmd, const struct rg_mesh *mesh, const char *command)
 {
     const struct rg_exec *exec = cmd->exec;
-    const VkDeviceSize offset = 0;
     const struct rg_vertex_layout *layout = cmd->plan_pass->pass->vertices;
     if (!can_work(cmd, RG_RASTER, command))
         return false;
     bool is_complete = mesh && mesh->indices;
     for (uint32_t i = 0; layout && is_complete; layout = layout->next, i++) {
         const VkBuffer *buffer = !i ? &mesh->vertices : mesh->more ? &mesh->more[i - 1] : NULL;
+        const VkDeviceSize offset = mesh->vertex_offsets ? mesh->vertex_offsets[i] : 0;
         is_complete = buffer && *buffer;
         if (is_complete)
             exec->vk.CmdBindVertexBuffers(cmd->commands, i, 1, buffer, &offset);
     }
     if (is_complete)
-        exec->vk.CmdBindIndexBuffer(cmd->commands, mesh->indices, 0, VK_INDEX_TYPE_UINT32);
+        exec->vk.CmdBindIndexBuffer(cmd->commands, mesh->indices, mesh->index_offset,
+                                    mesh->short_indices ? VK_INDEX_TYPE_UINT16
+                                                        : VK_INDEX_TYPE_UINT32);
     else
         rg_exec_misuse(cmd, NULL, "%s of a mesh that is NULL or lacks buffers", command);
     return is_complete;
@@ -240,7 +248,8 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
                        (unsigned long long)first + count - 1, mesh->index_count);
     else
         cmd->exec->vk.CmdDrawIndexed(cmd->commands, count,
-                                     mesh->instance_count ? mesh->instance_count : 1, first, 0, 0);
+                                     mesh->instance_count ? mesh->instance_count : 1, first,
+                                     mesh->first_vertex, mesh->first_instance);
 }
 
 void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)

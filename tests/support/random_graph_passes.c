@@ -379,12 +379,15 @@ static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
-/* Generates a mip chain: each repetition reads the mip that the previous one wrote. */
+/* Generates a mip chain: each repetition reads the mip that the previous one wrote, downwards or
+ * upwards. */
 static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
 {
     uint32_t resource = pick_image(t);
     struct random_known *known = &t->known[resource];
     struct rg_range top = random_graph_whole(known);
+    const uint32_t up = random_graph_chance(t, 40);
+    top.mip = up ? known->mips - 1 : 0;
     top.mip_count = 1;
     bool layered = pass->kind != RG_RASTER;
     if (!layered)
@@ -393,19 +396,21 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
         !is_defined(t, resource, &top))
         return false;
     struct rg_range all = top;
+    all.mip = 0;
     all.mip_count = known->mips;
     if (!claim(t, resource, all, true))
         return false;
-    pass->repeat = RG_PER_MIP;
-    struct rg_range each = { .layer_count = layered ? 0 : 1, .each = true };
+    pass->repeat = up ? RG_PER_MIP_UP : RG_PER_MIP;
+    struct rg_range each = { .mip = up, .layer_count = layered ? 0 : 1, .each = true };
     add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_SRC : RG_SAMPLED)->range = each;
-    each.mip = 1;
+    each.mip = 1 - up;
     if (layered)
         add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_DST : RG_STORAGE_WRITE)->range =
             each;
     else
-        *colors_of(t, pass) =
-            (struct rg_target){ .image = &t->images[resource], .load = RG_LOAD_DISCARD, .mip = 1 };
+        *colors_of(t, pass) = (struct rg_target){ .image = &t->images[resource],
+                                                  .load = RG_LOAD_DISCARD,
+                                                  .mip = 1 - up };
     return true;
 }
 
