@@ -435,7 +435,7 @@ struct rg_compile_params {
     size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
-    bool skip_shaders;              /* no shader validation (5 us each) */
+    bool skip_shaders;              /* no shader validation (7 us each) */
     /* rg_exec_params.constants; each must occur in a shader. NULL disables this check */
     const VkSpecializationInfo *constants;
     /* Memory for compiling and for the plan. It must outlive the plan and be aligned for any type.

@@ -32,6 +32,7 @@ enum {
     OP_COPY_MEMORY = 63,
     OP_COPY_MEMORY_SIZED = 64,
     OP_ACCESS_CHAIN = 65,
+    OP_IN_BOUNDS_ACCESS_CHAIN = 66,
     OP_PTR_ACCESS_CHAIN = 67,
     OP_ARRAY_LENGTH = 68,
     OP_IN_BOUNDS_PTR_ACCESS_CHAIN = 70,
@@ -65,6 +66,7 @@ enum {
     DECORATION_SET = 34,
     DECORATION_OFFSET = 35,
     DIM_SUBPASS = 6,
+    STORAGE_FUNCTION = 7, /* storage class of local variables */
     HEADER_WORDS = 5,
     MAGIC = 0x07230203,
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
@@ -80,8 +82,8 @@ struct spirv_id {
     uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
     uint32_t variable;                     /* `variables` index plus 1, or 0 */
     uint32_t root;              /* storage variable or parameter that a pointer or image is from */
-    uint32_t access, denied;    /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
-    uint32_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
+    uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
+    uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
 };
 
@@ -92,7 +94,7 @@ struct instruction {
 };
 
 /* Advances `in`, initially zero, to the next instruction. Returns false at the end or on error. */
-static bool next(const struct rg_shader *shader, struct instruction *in)
+static inline bool next(const struct rg_shader *shader, struct instruction *in)
 {
     const uint32_t *end = shader->words + shader->word_count;
     in->words = in->words ? in->words + in->count : shader->words + HEADER_WORDS;
@@ -432,6 +434,7 @@ static void add_variable(struct spirv *s, struct arena *arena, const struct inst
     if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ||
         type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER)
         id->root = v->id;
+    s->has_storage = s->has_storage || id->root;
 }
 
 static void add_constant(struct spirv *s, struct arena *arena, const struct instruction *in,
@@ -455,8 +458,8 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
     if (in->op == OP_DECORATE)
         decorate(s, in);
     if (in->op == OP_MEMBER_DECORATE && in->count > 3 && (id = find_id(s, in->words[1]))) {
-        id->unread += in->words[3] == DECORATION_NON_READABLE;
-        id->unwritten += in->words[3] == DECORATION_NON_WRITABLE;
+        id->unread = (uint16_t)(id->unread + (in->words[3] == DECORATION_NON_READABLE));
+        id->unwritten = (uint16_t)(id->unwritten + (in->words[3] == DECORATION_NON_WRITABLE));
     }
     if (in->op == OP_NAME && text_of(in, 2) && (id = find_id(s, in->words[1])))
         id->name = (uint32_t)(&in->words[2] - s->shader->words);
@@ -469,59 +472,84 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
         add_constant(s, arena, in, id);
 }
 
-/* ---- loads and stores ---- */
+/* ---- instructions of functions ---- */
 
-/* Adds to what the module does to the variable or parameter that a pointer or image is from. */
-static void add_access(struct spirv *s, const struct instruction *in, uint32_t word,
+enum {
+    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also of pointers that cannot be followed */
+    DERIVES = 4,                       /* the result is a part of what the operand points to */
+    PASSES = 8,                        /* a function does it */
+    ALL_OPERANDS = UINT8_MAX,
+};
+
+/* Operands of an instruction that may be pointers or storage images. */
+struct operand_rule {
+    uint8_t first, count; /* words */
+    uint8_t access[2];    /* of the first operand, of the others */
+};
+
+static const struct operand_rule operand_rules[OP_IMAGE_SPARSE_READ + 1] = {
+    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { PASSES, PASSES } },
+    [OP_IMAGE_TEXEL_POINTER] = { 3, 1, { DERIVES } },
+    [OP_LOAD] = { 3, 1, { SPIRV_LOADS } },
+    [OP_STORE] = { 1, 2, { SPIRV_STORES, BOTH } },
+    [OP_COPY_MEMORY] = { 1, 2, { SPIRV_STORES, SPIRV_LOADS } },
+    [OP_COPY_MEMORY_SIZED] = { 1, 2, { SPIRV_STORES, SPIRV_LOADS } },
+    [OP_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_IN_BOUNDS_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_PTR_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_ARRAY_LENGTH] = { 3, 1, { 0 } },
+    [OP_IN_BOUNDS_PTR_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_COPY_OBJECT] = { 3, 1, { DERIVES } },
+    [OP_IMAGE_READ] = { 3, 1, { SPIRV_LOADS } },
+    [OP_IMAGE_WRITE] = { 1, 1, { SPIRV_STORES } },
+    [OP_SELECT] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
+    [OP_ATOMIC_LOAD] = { 3, 1, { SPIRV_LOADS } },
+    [OP_ATOMIC_STORE] = { 1, 1, { SPIRV_STORES } },
+    [OP_PHI] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
+    [OP_RETURN_VALUE] = { 1, 1, { BOTH } },
+    [OP_ATOMIC_FLAG_TEST_AND_SET] = { 3, 1, { BOTH } },
+    [OP_ATOMIC_FLAG_CLEAR] = { 1, 1, { SPIRV_STORES } },
+    [OP_IMAGE_SPARSE_READ] = { 3, 1, { SPIRV_LOADS } },
+};
+
+static struct operand_rule operand_rule_of(uint32_t op)
+{
+    if ((op > OP_ATOMIC_STORE && op <= OP_ATOMIC_XOR) || op == OP_ATOMIC_FLOAT_MIN ||
+        op == OP_ATOMIC_FLOAT_MAX || op == OP_ATOMIC_FLOAT_ADD)
+        return (struct operand_rule){ 3, 1, { BOTH } };
+    return op <= OP_IMAGE_SPARSE_READ ? operand_rules[op] : (struct operand_rule){ 0 };
+}
+
+/* Records the access of an operand to the storage variable or parameter `root` that it is from. */
+static void add_access(struct spirv *s, const struct instruction *in, uint32_t root,
                        uint32_t access)
 {
-    const struct spirv_id *id = word < in->count ? find_id(s, in->words[word]) : NULL;
-    if (id && id->root)
-        s->ids[id->root].access |= access;
+    struct spirv_id *result = in->count > 2 ? find_id(s, in->words[2]) : NULL;
+    if (access == PASSES)
+        s->passes_storage = s->passes_storage || s->ids[root].variable;
+    else if (access != DERIVES &&
+             !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
+        s->ids[root].access = (uint8_t)(s->ids[root].access | access);
+    else if (result)
+        result->root = root;
 }
 
-/* Makes an instruction's result point into the same variable as the operand at word 3. */
-static void derive(struct spirv *s, const struct instruction *in)
+/* Marks the variables that an instruction accesses as used, and records loads and stores. */
+static void trace(struct spirv *s, const struct instruction *in, bool all_listed)
 {
-    struct spirv_id *result = in->count > 3 ? find_id(s, in->words[2]) : NULL;
-    const struct spirv_id *base = in->count > 3 ? find_id(s, in->words[3]) : NULL;
-    if (result && base)
-        result->root = base->root;
-}
-
-static bool is_atomic_update(uint32_t op)
-{
-    return (op > OP_ATOMIC_STORE && op <= OP_ATOMIC_XOR) || op == OP_ATOMIC_FLAG_TEST_AND_SET ||
-           op == OP_ATOMIC_FLOAT_MIN || op == OP_ATOMIC_FLOAT_MAX || op == OP_ATOMIC_FLOAT_ADD;
-}
-
-/* Records what an instruction of a function loads from and stores to. */
-static void trace_access(struct spirv *s, const struct instruction *in)
-{
-    const uint32_t op = in->op;
-    const uint32_t both = SPIRV_LOADS | SPIRV_STORES;
-    if ((op >= OP_ACCESS_CHAIN && op <= OP_PTR_ACCESS_CHAIN) || op == OP_IMAGE_TEXEL_POINTER ||
-        op == OP_IN_BOUNDS_PTR_ACCESS_CHAIN || op == OP_COPY_OBJECT ||
-        (op == OP_LOAD && in->count > 3 && definition(s, in->words[1], OP_TYPE_IMAGE, 9))) {
-        derive(s, in);
-    } else if (op == OP_LOAD || op == OP_IMAGE_READ || op == OP_IMAGE_SPARSE_READ ||
-               op == OP_ATOMIC_LOAD) {
-        add_access(s, in, 3, SPIRV_LOADS);
-    } else if (op == OP_STORE || op == OP_ATOMIC_STORE || op == OP_IMAGE_WRITE ||
-               op == OP_ATOMIC_FLAG_CLEAR) {
-        add_access(s, in, 1, SPIRV_STORES);
-        if (op == OP_STORE)
-            add_access(s, in, 2, both);
-    } else if (op == OP_COPY_MEMORY || op == OP_COPY_MEMORY_SIZED) {
-        add_access(s, in, 1, SPIRV_STORES);
-        add_access(s, in, 2, SPIRV_LOADS);
-    } else if (is_atomic_update(op)) {
-        add_access(s, in, 3, both);
-    } else if (op == OP_SELECT || op == OP_PHI || op == OP_RETURN_VALUE) {
-        for (uint32_t i = 1; i < in->count; i++)
-            add_access(s, in, i, both);
-    } else if (op == OP_FUNCTION_PARAMETER && in->count > 2 && find_id(s, in->words[2])) {
-        find_id(s, in->words[2])->root = in->words[2];
+    const struct operand_rule rule = operand_rule_of(in->op);
+    const uint32_t *pointer = NULL;
+    struct spirv_id *id;
+    if (in->op == OP_FUNCTION_PARAMETER && in->count > 2 && s->has_storage)
+        pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
+    if (pointer && pointer[2] != STORAGE_FUNCTION && (id = find_id(s, in->words[2])))
+        id->root = in->words[2];
+    for (uint32_t i = 0; i < rule.count && rule.first + i < in->count; i++) {
+        id = find_id(s, in->words[rule.first + i]);
+        if (id && id->variable && (!all_listed || id->in_interface))
+            s->variables[id->variable - 1].used = true;
+        if (id && id->root)
+            add_access(s, in, id->root, rule.access[i > 0]);
     }
 }
 
@@ -549,18 +577,18 @@ static bool trace_calls(struct spirv *s)
                 continue;
             const struct spirv_id *to = parameter(s, in.words[3], i - 4);
             const uint32_t access = to ? to->access : SPIRV_LOADS | SPIRV_STORES;
-            changed = changed || access & ~s->ids[given->root].access;
-            s->ids[given->root].access |= access;
+            changed = changed || access & ~(uint32_t)s->ids[given->root].access;
+            add_access(s, &in, given->root, access);
         }
     }
     return changed;
 }
 
 /* Sets what the module does to each storage variable, once all instructions are known. */
-static void find_accesses(struct spirv *s, bool has_calls)
+static void find_accesses(struct spirv *s)
 {
     uint32_t count;
-    for (uint32_t depth = 0; has_calls && depth < MAX_CALLS && trace_calls(s); depth++)
+    for (uint32_t depth = 0; s->passes_storage && depth < MAX_CALLS && trace_calls(s); depth++)
         continue;
     for (uint32_t i = 0; i < s->variable_count; i++) {
         struct spirv_variable *v = &s->variables[i];
@@ -576,28 +604,6 @@ static void find_accesses(struct spirv *s, bool has_calls)
     }
 }
 
-/* Marks the variables that an instruction accesses as used. */
-static void mark_used(struct spirv *s, const struct instruction *in, bool all_listed)
-{
-    uint32_t first = 3, count = 1;
-    if (in->op == OP_STORE || in->op == OP_COPY_MEMORY) {
-        first = 1;
-        count = in->op == OP_STORE ? 1 : 2;
-    } else if (in->op == OP_FUNCTION_CALL) {
-        first = 4;
-        count = in->count;
-    } else if (in->op != OP_LOAD && in->op != OP_ARRAY_LENGTH && in->op != OP_COPY_OBJECT &&
-               in->op != OP_IMAGE_TEXEL_POINTER &&
-               (in->op < OP_ACCESS_CHAIN || in->op > OP_PTR_ACCESS_CHAIN)) {
-        return;
-    }
-    for (uint32_t i = first; i < in->count && i < first + count; i++) {
-        const struct spirv_id *id = find_id(s, in->words[i]);
-        if (id && id->variable && (!all_listed || id->in_interface))
-            s->variables[id->variable - 1].used = true;
-    }
-}
-
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage)
 {
@@ -606,9 +612,10 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
                                                                    /* execution model GLCompute */
                                                                    : 5;
     bool found = false;
-    bool in_function = false, has_calls = false;
+    bool in_function = false;
     s->shader = shader;
     s->variable_count = s->constant_count = 0;
+    s->has_storage = s->passes_storage = false;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
         shader->words[3] > shader->word_count)
         return "expected a SPIR-V module in native byte order";
@@ -624,12 +631,10 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     struct instruction in = { 0 };
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
-        has_calls = has_calls || in.op == OP_FUNCTION_CALL;
         if (in.op == OP_FUNCTION && in.count > 4 && find_id(s, in.words[2]))
             find_id(s, in.words[2])->definition = (uint32_t)(in.words - shader->words);
         if (in_function) {
-            mark_used(s, &in, shader->words[1] >= VERSION_1_4);
-            trace_access(s, &in);
+            trace(s, &in, shader->words[1] >= VERSION_1_4);
         } else if (in.op == OP_ENTRY_POINT) {
             found = is_main(s, &in, model) || found;
         } else {
@@ -638,6 +643,7 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     }
     if (in.words != shader->words + shader->word_count)
         return "expected complete SPIR-V instructions up to the end";
-    find_accesses(s, has_calls);
+    if (s->has_storage)
+        find_accesses(s);
     return found ? NULL : "expected an entry point 'main' of this stage";
 }

@@ -109,10 +109,13 @@ static const struct rg_sampler nearest = { 0 };
 static const struct rg_sampler linear = { .linear = true, .mips = true };
 static const struct rg_sampler sharp = { .linear = true, .anisotropy = 16 };
 static const struct rg_sampler sharpest = { .anisotropy = INFINITY };
-static const struct rg_sampler blunt = { .anisotropy = -1 };
+static const struct rg_sampler shadow = { .compare = VK_COMPARE_OP_LESS, .border = true };
+static const struct rg_sampler wild_sampler = { .compare = (VkCompareOp)INT32_MAX,
+                                                .reduction = VK_SAMPLER_REDUCTION_MODE_MAX,
+                                                .min_lod = NAN };
 static const struct rg_sampler no_number = { .anisotropy = NAN };
-static const void *const samplers[CHOICES] = { NULL,   &nearest,  &linear, &linear,
-                                               &sharp, &sharpest, &blunt,  &no_number };
+static const void *const samplers[CHOICES] = { NULL,   &nearest,  &linear,       &shadow,
+                                               &sharp, &sharpest, &wild_sampler, &no_number };
 
 static const struct rg_fallback white = { { 1, 1, 1, 1 } };
 static const struct rg_fallback bright = { { 0, 1e30F, 0, 1 } };
