@@ -295,7 +295,7 @@ static VkResult record_own(struct rg_exec *exec, const struct rg_frame *frame,
                 .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                 .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
             });
-    result = rg_exec_record_part(exec, commands, frame, part);
+    (void)rg_exec_record_part(exec, commands, frame, part);
     RG_CALL(exec, NULL, EndCommandBuffer, commands);
     result = exec->record_result;
 fail:
