@@ -81,6 +81,7 @@ enum {
     RG_MAX_ATTRIBUTES = 16,    /* maximum vertex attributes per pass */
     RG_MAX_STRIDE = 2048,      /* maximum vertex stride in bytes */
     RG_MAX_VERTEX_BUFFERS = 8, /* maximum vertex buffers per pass */
+    RG_MAX_LAYERS = 2048,      /* maximum layers that a pass draws at a time */
     RG_MAX_ROWS = 1 << 24,     /* maximum entries of other tables */
 };
 
@@ -345,8 +346,11 @@ struct rg_pass {
     struct rg_depth_bias depth_bias;  /* {0} means none */
     const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
     const struct rg_set *set;         /* the program's set 1, or NULL */
-    rg_area_fn *area;                 /* rectangle to draw; NULL: whole targets */
-    rg_more_fn *more;                 /* rows to merge; NULL if none */
+    /* layers of each target that are drawn at a time, from rg_target.layer on; 0 means 1. Shaders
+     * choose one by gl_Layer, which needs the feature shaderOutputLayer */
+    uint32_t layers;
+    rg_area_fn *area; /* rectangle to draw; NULL: whole targets */
+    rg_more_fn *more; /* rows to merge; NULL if none */
     /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute(); excludes `more` */
     bool secondary;
 };

@@ -276,6 +276,10 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     check_shader(c, pass->comp);
     check_vertices(c, pass->vertices);
     check_depth(c, pass);
+    rg_fault_if(c, pass->layers > RG_MAX_LAYERS, RG_ERROR_VALUE, NULL,
+                "layers: expected at most 2048");
+    rg_fault_if(c, pass->layers > 1 && (pass->kind != RG_RASTER || pass->repeat == RG_PER_LAYER),
+                RG_ERROR_VALUE, NULL, "layers: expected a raster row without RG_PER_LAYER");
     rg_fault_if(c, pass->secondary && pass->more, RG_ERROR_VALUE, NULL,
                 "secondary: expected no .more");
     rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,

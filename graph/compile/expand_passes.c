@@ -153,7 +153,8 @@ static VkImageSubresourceRange target_range(const struct compiler *c, const stru
         layer += c->step;
     if (c->pass->pass->repeat >= RG_PER_MIP && r->all.levelCount > 1)
         mip += c->step;
-    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, 1 };
+    const uint32_t layers = c->pass->pass->layers;
+    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, layers ? layers : 1 };
 }
 
 static void add_resolve(struct compiler *c, const struct rg_target *target)

@@ -96,8 +96,11 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
     for (uint32_t i = 0; i < count; i++) {
         const struct rg_plan_target *target = &attachments[i];
         const struct rg_plan_image *image = &exec->plan->images[target->image];
-        const VkImageSubresourceRange range = { image->aspects, target->mip, 1, target->layer, 1 };
-        RG_TRY(rg_exec_make_view(exec, image, set->images[target->image], VK_IMAGE_VIEW_TYPE_2D,
+        const uint32_t layers = rg_exec_layers(plan->pass);
+        const VkImageSubresourceRange range = { image->aspects, target->mip, 1, target->layer,
+                                                layers };
+        RG_TRY(rg_exec_make_view(exec, image, set->images[target->image],
+                                 layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
                                  &range, &targets->views[i]));
     }
     if (!exec->passes[index].render_pass)
@@ -105,6 +108,7 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
     rg_exec_key(exec, targets->views, count * sizeof(targets->views[0]));
     RG_KEY(exec, exec->passes[index].render_pass);
     RG_KEY(exec, (uint64_t)plan->extent.width << 32 | plan->extent.height);
+    RG_KEY(exec, rg_exec_layers(plan->pass));
     RG_MAKE(exec, plan->pass->name, FRAMEBUFFER, CreateFramebuffer, &targets->framebuffer,
             &(VkFramebufferCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
@@ -113,7 +117,7 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
                 .pAttachments = targets->views,
                 .width = plan->extent.width,
                 .height = plan->extent.height,
-                .layers = 1,
+                .layers = rg_exec_layers(plan->pass),
             });
 fail:
     return result;

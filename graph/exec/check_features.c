@@ -137,6 +137,7 @@ static const struct capability {
     V12(39, shaderInt8),
     CORE(55, shaderStorageImageReadWithoutFormat),
     CORE(56, shaderStorageImageWriteWithoutFormat),
+    V12(69, shaderOutputLayer),
     RAYS(4472, rayQuery),
     V11(4427, shaderDrawParameters),
     V11(4433, storageBuffer16BitAccess),

@@ -275,6 +275,13 @@ VkResult rg_exec_make_targets(struct rg_exec *exec);
 /* Lists the attachments of a pass: colours, depth, then resolve targets. Returns their number. */
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
                              struct rg_plan_target attachments[RG_ATTACHMENT_COUNT]);
+
+/* Returns the number of layers that a row draws at a time. */
+static inline uint32_t rg_exec_layers(const struct rg_pass *row)
+{
+    return row->layers ? row->layers : 1;
+}
+
 VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass);
 
 /* descriptors.c */

@@ -42,7 +42,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
         .flags = plan->pass->secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0,
         .renderArea = cmd->area,
-        .layerCount = 1,
+        .layerCount = rg_exec_layers(plan->pass),
         .colorAttachmentCount = color_count,
         .pColorAttachments = attachments,
         .pDepthAttachment = has_depth ? &attachments[color_count] : NULL,

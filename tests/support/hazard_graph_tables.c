@@ -205,7 +205,7 @@ static struct hazard_use *add_attachment(struct hazard *h, struct hazard_pass *p
         .baseMipLevel = resolve ? target->resolve_mip : target->mip,
         .levelCount = 1,
         .baseArrayLayer = resolve ? target->resolve_layer : target->layer,
-        .layerCount = 1,
+        .layerCount = pass->pass->layers ? pass->pass->layers : 1,
     };
     if (pass->pass->repeat == RG_PER_LAYER && h->resources[use->resource].layers > 1)
         use->range.baseArrayLayer += pass->step;

@@ -182,6 +182,8 @@ static const struct fault_case resource_cases[] = {
     { ROW(RG_ERROR_VALUE, NULL,
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .secondary = true,
                .more = no_more)) },
+    { ROW(RG_ERROR_RANGE, "other",
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .layers = 2)) },
     { ROW(RG_ERROR_ACCESS, "own",
           { .name = "copy",
             .kind = RG_TRANSFER,
