@@ -36,7 +36,8 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 /* Binds a pipeline of the program's own, in place of the row's. It is a graphics pipeline for the
  * formats and samples of the row's targets, with dynamic viewport and scissor, or a compute
  * pipeline, and its layout is compatible with rg_exec_layout(). It must exist until the frame has
- * been executed. Rows without shaders call this before they draw or dispatch. */
+ * been executed. Rows without shaders call this before they draw or dispatch. Unavailable with
+ * rg_exec_params.render_passes. */
 RG_API void rg_cmd_bind_pipeline(struct rg_cmd *cmd, VkPipeline pipeline);
 
 /* Binds the program's own descriptor set as set 1. rg_exec_params.sets has the set's layout. The

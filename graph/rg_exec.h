@@ -4,10 +4,10 @@
  * rg_exec_create() creates everything that a plan needs; a frame allocates nothing. It
  * requires Vulkan 1.3 with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
- * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure and the features
- * of the shaders' OpCapabilities. rg_exec_create() logs each missing feature. Functions are loaded
- * through the program's own vkGetInstanceProcAddr, without a linked loader, so that executors of
- * several instances can exist side by side.
+ * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, samplerFilterMinmax,
+ * accelerationStructure and the features of the shaders' OpCapabilities. rg_exec_create() logs each
+ * missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
+ * linked loader, so that executors of several instances can exist side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free

@@ -32,9 +32,9 @@ static const char *sampler_problem(const struct rg_sampler *s, const struct rg_f
     const bool is_integer = format && (format->is_uint || format->is_sint);
     if (!(s->anisotropy >= 0.0f))
         return "sampler: expected an anisotropy of 0 or more";
-    if (!isfinite(s->lod_bias) || !(s->min_lod >= 0.0f) || !(s->max_lod >= 0.0f) ||
-        (s->max_lod > 0.0f && s->max_lod < s->min_lod))
-        return "sampler: expected a finite lod_bias, and min_lod <= max_lod, both 0 or more";
+    if (!isfinite(s->lod_bias) || !isfinite(s->min_lod) || !isfinite(s->max_lod) ||
+        s->min_lod < 0.0f || s->max_lod < 0.0f || (s->max_lod > 0.0f && s->max_lod < s->min_lod))
+        return "sampler: expected finite numbers, and min_lod <= max_lod, both 0 or more";
     if ((unsigned)s->compare > VK_COMPARE_OP_ALWAYS ||
         (unsigned)s->reduction > VK_SAMPLER_REDUCTION_MODE_MAX ||
         (unsigned)s->border_color > VK_BORDER_COLOR_INT_OPAQUE_WHITE)

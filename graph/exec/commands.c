@@ -138,12 +138,15 @@ void rg_cmd_bind_pipeline(struct rg_cmd *cmd, VkPipeline pipeline)
 {
     if (!is_open(cmd, "rg_cmd_bind_pipeline()"))
         return;
-    cmd->has_pipeline = pipeline && cmd->plan_pass->pass->kind != RG_TRANSFER;
-    if (cmd->has_pipeline)
-        cmd->exec->vk.CmdBindPipeline(cmd->commands, bind_point(cmd), pipeline);
+    const char *problem = !pipeline                                   ? "of VK_NULL_HANDLE"
+                          : cmd->plan_pass->pass->kind == RG_TRANSFER ? "in a transfer row"
+                          : cmd->pass->render_pass                    ? "with render_passes"
+                                                                      : NULL;
+    cmd->has_pipeline = !problem;
+    if (problem)
+        rg_exec_misuse(cmd, NULL, "rg_cmd_bind_pipeline() %s", problem);
     else
-        rg_exec_misuse(cmd, NULL, "rg_cmd_bind_pipeline() of %s",
-                       pipeline ? "a pipeline in a transfer row" : "VK_NULL_HANDLE");
+        cmd->exec->vk.CmdBindPipeline(cmd->commands, bind_point(cmd), pipeline);
 }
 
 void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size)

@@ -270,7 +270,12 @@ static const struct fault_case resource_cases[] = {
         (title), VK_FORMAT_R32_UINT \
     }
 static const struct rg_image grids[] = { GRID("stored"), GRID("loaded"), GRID("counted") };
-static const struct rg_buffer blocks[] = { { "count", 4 }, { "items", 64 }, { "sources", 64 } };
+static const struct rg_buffer blocks[] = {
+    { "count", 4 },
+    { "items", 64 },
+    { "sources", 64 },
+    { "fixed", 64 },
+};
 
 /* A row of access.comp after a row that writes what is loaded, with the access to one binding. */
 #define STORED(number, use) \
@@ -285,7 +290,8 @@ static const struct rg_buffer blocks[] = { { "count", 4 }, { "items", 64 }, { "s
     COPY("write", { &grids[0], .access = RG_COPY_DST }, { &grids[1], .access = RG_COPY_DST }, \
          { &grids[2], .access = RG_COPY_DST }, { .buffer = &blocks[0], .access = RG_COPY_DST }, \
          { .buffer = &blocks[1], .access = RG_COPY_DST }, \
-         { .buffer = &blocks[2], .access = RG_COPY_DST })
+         { .buffer = &blocks[2], .access = RG_COPY_DST }, \
+         { .buffer = &blocks[3], .access = RG_COPY_DST })
 #define ACCESSES(...) \
     { \
         .name = "access", .kind = RG_COMPUTE, .comp = &access_comp, .record = small_graph_record, \
@@ -294,7 +300,7 @@ static const struct rg_buffer blocks[] = { { "count", 4 }, { "items", 64 }, { "s
 #define ACCESS(use0, use1, use2, use3, use4, use5) \
     ACCESSES(STORED(0, RG_STORAGE_##use0), STORED(1, RG_STORAGE_##use1), \
              STORED(2, RG_STORAGE_##use2), BLOCK(3, RG_STORAGE_##use3), \
-             BLOCK(4, RG_STORAGE_##use4), BLOCK(5, RG_STORAGE_##use5))
+             BLOCK(4, RG_STORAGE_##use4), BLOCK(5, RG_STORAGE_##use5), BLOCK(6, RG_STORAGE_READ))
 #define LIES(name, line, ...) \
     { \
         .error = RG_ERROR_SHADER_ACCESS, .row = true, .row_count = 2, \
@@ -420,6 +426,47 @@ static void test_good_accesses(void **state)
     rg_plan_destroy(plan);
 }
 
+/* Replaces the loads that follow access chains by another instruction, from load `first` on. */
+static void lose_pointers(uint32_t *words, size_t count, uint32_t first)
+{
+    enum {
+        HEADER_WORDS = 5,
+        OP_LOAD = 61,
+        OP_ACCESS_CHAIN = 65,
+        OP_SELECT = 169,
+    };
+
+    uint32_t last = 0, found = 0;
+    for (size_t i = HEADER_WORDS; i < count; i += words[i] >> 16) {
+        const uint32_t op = words[i] & 0xffff;
+        if (last == OP_ACCESS_CHAIN && op == OP_LOAD && found++ >= first)
+            words[i] = words[i] - OP_LOAD + OP_SELECT;
+        last = op;
+    }
+}
+
+/* A pointer that is not only loaded from may be stored to, unless the shader says readonly. */
+static void test_lost_pointers(void **state)
+{
+    (void)state;
+    const size_t count = access_comp.word_count;
+    uint32_t *words = malloc(count * sizeof(*words));
+    assert_non_null(words);
+    memcpy(words, access_comp.words, count * sizeof(*words));
+    const struct rg_shader shader = { "lost", words, count };
+    struct fault_case fc = { .row_count = 2, .rows = { honest_rows[0], honest_rows[1] } };
+    fc.rows[1].comp = &shader;
+    for (uint32_t faults = 0; faults < 2; faults++) { /* of `fixed`, then also of `source` */
+        lose_pointers(words, count, 1 - faults);
+        struct rg_plan *plan = fault_case_compile(&fc);
+        assert_non_null(plan);
+        assert_int_equal(plan->fault_count, faults);
+        assert_true(!faults || !strcmp(plan->faults[0].resource, "sources"));
+        rg_plan_destroy(plan);
+    }
+    free(words);
+}
+
 static void test_constants(void **state)
 {
     (void)state;
@@ -494,7 +541,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),     cmocka_unit_test(test_skipped),
         cmocka_unit_test(test_good_resources), cmocka_unit_test(test_good_accesses),
-        cmocka_unit_test(test_constants),      cmocka_unit_test(test_damaged_code),
+        cmocka_unit_test(test_lost_pointers),  cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_damaged_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,6 +27,11 @@ layout(binding = 5) buffer Source
     item source[];
 };
 
+layout(binding = 6) readonly buffer Fixed
+{
+    uint fixed_numbers[];
+};
+
 uint look(uimage2D image, ivec2 at)
 {
     return imageLoad(image, at).x;
@@ -49,4 +54,5 @@ void main()
     uint at = atomicAdd(count, 1u);
     items[at].a = 1u;
     items[at].b = source[at].b;
+    items[at].a = fixed_numbers[at];
 }
