@@ -54,7 +54,6 @@ static const struct rg_pass passes[] = {
 int main(int argc, char **argv)
 {
     const struct rg_technique technique = RG_TECHNIQUE("blur", passes);
-    return argc == 2
-               ? example_run(&technique, &pixels, (VkExtent2D){ 256, 256 }, NULL, 1, NULL, argv[1])
-               : 2;
+    const struct example example = { &technique, &pixels, { 256, 256 }, .frame_count = 1 };
+    return argc == 2 ? example_run(&example, argv[1]) : 2;
 }

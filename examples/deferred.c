@@ -4,8 +4,7 @@
  * Passes: `shadow` draws the shadow map, `surfaces` the G-buffer (colour, normal, position),
  * `light` the lit image, `bright` and `down` the bloom mip chain, and `show` the tone-mapped image.
  */
-#include <math.h>
-
+#include "camera.h"
 #include "example.h"
 
 #include "deferred_bright.frag.h"
@@ -15,52 +14,6 @@
 #include "deferred_show.frag.h"
 #include "deferred_surface.frag.h"
 #include "deferred_surface.vert.h"
-
-/* ---- matrices, column-major ---- */
-
-struct matrix {
-    float m[16];
-};
-
-static struct matrix multiply(const struct matrix *a, const struct matrix *b)
-{
-    struct matrix out = { { 0 } };
-    for (int column = 0; column < 4; column++) {
-        for (int row = 0; row < 4; row++) {
-            for (int k = 0; k < 4; k++)
-                out.m[4 * column + row] += a->m[4 * k + row] * b->m[4 * column + k];
-        }
-    }
-    return out;
-}
-
-static float dot(const float a[3], const float b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const float a[3], const float b[3], float out[3])
-{
-    const float length_1[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                a[0] * b[1] - a[1] * b[0] };
-    const float length = sqrtf(dot(length_1, length_1));
-    for (int i = 0; i < 3; i++)
-        out[i] = length_1[i] / length;
-}
-
-/* Returns the view matrix of a camera at `eye` that looks at the origin: +Y is down, +Z ahead. */
-static struct matrix view_from_world(const float eye[3])
-{
-    const float up[3] = { 0, 1, 0 };
-    const float length = sqrtf(dot(eye, eye));
-    const float ahead[3] = { -eye[0] / length, -eye[1] / length, -eye[2] / length };
-    float right[3], down[3];
-    cross(ahead, up, right);
-    cross(ahead, right, down);
-    return (struct matrix){ { right[0], down[0], ahead[0], 0, right[1], down[1], ahead[1], 0,
-                              right[2], down[2], ahead[2], 0, -dot(right, eye), -dot(down, eye),
-                              -dot(ahead, eye), 1 } };
-}
 
 /* ---- the scene ---- */
 
@@ -209,15 +162,13 @@ int main(int argc, char **argv)
 {
     const VkExtent2D view = { 320, 240 };
     const struct rg_technique technique = RG_TECHNIQUE("deferred", passes);
-    const float near = 0.1f, far = 40.0f;
-    const struct matrix clip_from_view = { { 1.5f * 0.75f, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0,
-                                             far / (far - near), 1, 0, 0,
-                                             -near * far / (far - near), 0 } };
+    const struct matrix projection = clip_from_view(0.75f);
     const struct matrix clip_from_light = { { 0.2f, 0, 0, 0, 0, 0.2f, 0, 0, 0, 0, 0.05f, 0, 0, 0, 0,
                                               1 } };
     const struct matrix view_of_eye = view_from_world((const float[]){ 0, 3, 6 });
     const struct matrix view_of_light = view_from_world((const float[]){ 5, 8, 3 });
-    struct rg_frame frame = { multiply(&clip_from_view, &view_of_eye),
+    struct rg_frame frame = { multiply(&projection, &view_of_eye),
                               multiply(&clip_from_light, &view_of_light) };
-    return argc == 2 ? example_run(&technique, &pixels, view, &frame, 1, NULL, argv[1]) : 2;
+    const struct example example = { &technique, &pixels, view, &frame, .frame_count = 1 };
+    return argc == 2 ? example_run(&example, argv[1]) : 2;
 }

@@ -79,29 +79,39 @@ static inline bool example_write(const char *path, const unsigned char *rgba, Vk
     return fclose(file) == 0;
 }
 
-/* Renders `frame_count` frames and writes the buffer `pixels` of the last one to an image file.
- * Before each submit, calls `advance` with `frame`. `advance` may be NULL. */
-static inline bool example_draw(struct rg_exec *exec, struct rg_frame *frame, uint32_t frame_count,
-                                void (*advance)(struct rg_frame *frame),
-                                const struct rg_buffer *pixels, VkExtent2D view, const char *path)
+/* What an example renders. */
+struct example {
+    const struct rg_technique *technique;
+    const struct rg_buffer *pixels; /* the last frame's are written to the image file */
+    VkExtent2D view;
+    struct rg_frame *frame;
+    uint32_t frame_count;
+    /* called before each submit; may be NULL */
+    void (*advance)(struct rg_exec *exec, uint32_t slot, struct rg_frame *frame);
+    /* create and destroy objects of the program; may be NULL */
+    bool (*prepare)(VkDevice device, const struct rg_exec *exec);
+    void (*finish)(VkDevice device);
+};
+
+static inline bool example_draw(struct rg_exec *exec, const struct example *example,
+                                const char *path)
 {
     uint32_t slot = 0;
-    for (uint32_t i = 0; i < frame_count; i++) {
+    for (uint32_t i = 0; i < example->frame_count; i++) {
         if (rg_exec_begin(exec, &slot) != VK_SUCCESS)
             return false;
-        if (advance)
-            advance(frame);
-        if (rg_exec_submit(exec, frame) != VK_SUCCESS)
+        if (example->advance)
+            example->advance(exec, slot, example->frame);
+        if (rg_exec_submit(exec, example->frame) != VK_SUCCESS)
             return false;
     }
     return rg_exec_wait(exec, slot) == VK_SUCCESS &&
-           example_write(path, (const unsigned char *)rg_exec_mapped(exec, pixels, slot), view);
+           example_write(path, (const unsigned char *)rg_exec_mapped(exec, example->pixels, slot),
+                         example->view);
 }
 
 /* Compiles a technique, renders it, and frees everything. Returns the exit status of main(). */
-static inline int example_run(const struct rg_technique *technique, const struct rg_buffer *pixels,
-                              VkExtent2D view, struct rg_frame *frame, uint32_t frame_count,
-                              void (*advance)(struct rg_frame *frame), const char *path)
+static inline int example_run(const struct example *example, const char *path)
 {
     struct rg_vulkan vulkan = EXAMPLE_ZERO;
     struct rg_compile_params compile = EXAMPLE_ZERO;
@@ -111,10 +121,10 @@ static inline int example_run(const struct rg_technique *technique, const struct
     if (!good)
         return 1;
     const struct rg_device device = rg_exec_device(&vulkan);
-    const struct rg_output output = { .buffer = pixels, .access = RG_HOST_READ };
-    compile.techniques = &technique;
+    const struct rg_output output = { .buffer = example->pixels, .access = RG_HOST_READ };
+    compile.techniques = &example->technique;
     compile.technique_count = 1;
-    compile.view = view;
+    compile.view = example->view;
     compile.outputs = &output;
     compile.output_count = 1;
     compile.device = &device;
@@ -130,8 +140,11 @@ static inline int example_run(const struct rg_technique *technique, const struct
     vkGetDeviceQueue(vulkan.device, 0, 0, &params.queue);
     if (plan && !plan->fault_count)
         exec = rg_exec_create(&params, NULL);
-    good = exec && example_draw(exec, frame, frame_count, advance, pixels, view, path);
+    good = exec && (!example->prepare || example->prepare(vulkan.device, exec)) &&
+           example_draw(exec, example, path);
     rg_exec_destroy(exec);
+    if (example->finish)
+        example->finish(vulkan.device);
     rg_plan_destroy(plan);
     vkDestroyDevice(vulkan.device, NULL);
     vkDestroyInstance(vulkan.instance, NULL);

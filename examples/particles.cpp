@@ -66,11 +66,11 @@ static const rg_pass passes[] = {
       .uses = RG_USES({ .buffer = &particles,
                         .access = RG_STORAGE_READ,
                         .binding = 0,
-                        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT },
+                        .stages = VK_SHADER_STAGE_VERTEX_BIT },
                       { .buffer = &alive,
                         .access = RG_STORAGE_READ,
                         .binding = 1,
-                        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT },
+                        .stages = VK_SHADER_STAGE_VERTEX_BIT },
                       { .buffer = &draw, .access = RG_INDIRECT }),
       .vert = &draw_vert,
       .frag = &draw_frag,
@@ -82,7 +82,7 @@ static const rg_pass passes[] = {
       .record = record_copy },
 };
 
-static void advance(rg_frame *frame)
+static void advance(rg_exec *, uint32_t, rg_frame *frame)
 {
     frame->time += 1.0f / 60.0f;
 }
@@ -91,6 +91,6 @@ int main(int argc, char **argv)
 {
     const rg_technique technique = RG_TECHNIQUE("particles", passes);
     rg_frame frame = {};
-    return argc == 2 ? example_run(&technique, &pixels, { 320, 240 }, &frame, 120, advance, argv[1])
-                     : 2;
+    const example example = { &technique, &pixels, { 320, 240 }, &frame, 120, advance };
+    return argc == 2 ? example_run(&example, argv[1]) : 2;
 }

@@ -7,6 +7,38 @@
  * barriers, load and store operations and memory, without a VkDevice or Vulkan calls. rg_exec.h
  * executes a plan on a device.
  *
+ *     static const struct rg_image scene = {
+ *         .name = "scene",
+ *         .format = VK_FORMAT_R16G16B16A16_SFLOAT, // of the view's size
+ *     };
+ *     static const struct rg_image shown = {
+ *         .name = "shown",
+ *         .format = VK_FORMAT_R8G8B8A8_UNORM,
+ *     };
+ *     static const struct rg_pass passes[] = {
+ *         { .name = "draw", .vert = &draw_vert, .frag = &draw_frag, .record = record_draw,
+ *           .color = RG_TARGETS({ &scene, RG_LOAD_CLEAR }) },
+ *         { .name = "show", .vert = &full_vert, .frag = &tone_frag, .record = record_show,
+ *           .color = RG_TARGETS({ &shown, RG_LOAD_DISCARD }),
+ *           .uses = RG_USES({ .image = &scene, .access = RG_SAMPLED, .binding = 0 }) },
+ *     };
+ *     static const struct rg_technique technique = RG_TECHNIQUE("example", passes);
+ *
+ *     const struct rg_technique *techniques[] = { &technique };
+ *     const struct rg_output output = { .image = &shown, .access = RG_COPY_SRC };
+ *     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
+ *         .techniques = techniques,
+ *         .technique_count = 1,
+ *         .view = { 640, 480 },
+ *         .outputs = &output,
+ *         .output_count = 1,
+ *     });
+ *     rg_dump(plan, stdout); // the plan, or all faults
+ *
+ * A shader is a struct rg_shader, and a record function calls rg_cmd.h. Begin with struct rg_pass,
+ * whose first fields are those that most passes need, then rg_target and rg_use, rg_image and
+ * rg_buffer, rg_compile_params. The others are for single features.
+ *
  * Order:         passes execute in the order of the tables.
  * Zero:          the default of every field; the field's comment says what zero means.
  * Ownership:     tables outlive the plan. The caller of rg_compile() destroys the plan.
@@ -25,8 +57,11 @@
 
 #include "graph/rg_plan.h"
 
-#ifdef __GNUC__
-#define RG_API __attribute__((visibility("default"))) /* exported; all other symbols are hidden */
+/* Marks exported functions. Only building the libraries defines RG_BUILD. */
+#if defined(_WIN32) && defined(RG_BUILD)
+#define RG_API __declspec(dllexport)
+#elif defined(__GNUC__) && !defined(_WIN32)
+#define RG_API __attribute__((visibility("default")))
 #else
 #define RG_API
 #endif
@@ -34,6 +69,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Version of the libraries: x.y.z; a change of x or y changes the ABI. */
+#define RG_VERSION "0.3.0"
 
 /* Limits of pass tables. Only RG_COLOR_COUNT exceeds what some mobile devices support. */
 enum {
@@ -43,6 +81,7 @@ enum {
     RG_MAX_ATTRIBUTES = 16,    /* maximum vertex attributes per pass */
     RG_MAX_STRIDE = 2048,      /* maximum vertex stride in bytes */
     RG_MAX_VERTEX_BUFFERS = 8, /* maximum vertex buffers per pass */
+    RG_MAX_LAYERS = 2048,      /* maximum layers that a pass draws at a time */
     RG_MAX_ROWS = 1 << 24,     /* maximum entries of other tables */
 };
 
@@ -94,7 +133,10 @@ enum rg_kind {
 enum rg_repeat {
     RG_ONCE,      /* a single pass */
     RG_PER_LAYER, /* one pass per layer */
-    RG_PER_MIP,   /* one pass per mip level */
+    RG_PER_MIP,   /* one pass per mip level, from the largest to the smallest */
+    /* one pass per mip level, from the smallest to the largest: the last repetition draws to the
+     * mip levels of the row, and the first to the smallest that all targets and uses have */
+    RG_PER_MIP_UP,
 };
 
 /* Memory type of a buffer. Upload and readback buffers have one copy per frame in flight. */
@@ -144,7 +186,8 @@ struct rg_range {
     bool each;
 };
 
-/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. */
+/* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. With
+ * rg_exec_params.samplers, a VkSampler of the program takes its place. */
 struct rg_sampler {
     bool linear;      /* linear filter, also between mip levels */
     bool mips;        /* mip chain; otherwise only mip 0 */
@@ -152,6 +195,15 @@ struct rg_sampler {
     bool repeat_v;    /* wraps around vertically */
     bool repeat_w;    /* wraps around in depth */
     float anisotropy; /* maximum; limited by rg_exec_params.max_anisotropy */
+    bool mirror;      /* every other repetition is mirrored */
+    bool border;      /* `border_color` outside of the image, in directions that do not repeat */
+    VkBorderColor border_color; /* an INT constant for integer formats, else a FLOAT constant */
+    /* comparison of a depth image, for shadow samplers of GLSL, which need it; 0 means none */
+    VkCompareOp compare;
+    /* MIN or MAX of the texels that a linear filter averages; needs samplerFilterMinmax */
+    VkSamplerReductionMode reduction;
+    /* added to the mip level, and its limits; max_lod 0 means no limit. Used only with `mips` */
+    float lod_bias, min_lod, max_lod;
 };
 
 /* Colour of the 1x1 placeholder that a use samples if no pass and no import provides its image. */
@@ -176,8 +228,9 @@ struct rg_use {
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     /* placeholder if a single-sample image is missing; without one, a missing image is a fault */
     const struct rg_fallback *fallback;
-    /* shader stages of the access; 0 means compute or fragment, plus vertex for RG_UNIFORM */
-    VkPipelineStageFlags2 stages;
+    /* shaders that access the resource: VK_SHADER_STAGE_VERTEX_BIT, FRAGMENT_BIT or COMPUTE_BIT; 0
+     * means compute or fragment, plus vertex for RG_UNIFORM */
+    VkShaderStageFlags stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
 };
 
@@ -187,7 +240,8 @@ struct rg_target {
     enum rg_load load;            /* content when the pass begins */
     VkClearValue clear;           /* for RG_LOAD_CLEAR; depth 0 to 1 */
     /* mip level and layer to draw to. A repeated pass begins there, and each further repetition
-     * draws to the next mip level or layer, unless the image has only one */
+     * draws to the next mip level or layer, unless the image has only one. With RG_PER_MIP_UP the
+     * repetitions run in the opposite order */
     uint32_t mip, layer;
     enum rg_blend blend; /* blend mode of a colour target */
     /* custom blend state, which requires that `blend` is 0; no dual-source blending */
@@ -265,29 +319,40 @@ typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct
 
 /* Declaration of a pass in a table; expands to one pass or to several repetitions. */
 struct rg_pass {
-    const char *name;                        /* unique; shown in dumps and captures */
-    enum rg_kind kind;                       /* raster, compute or transfer */
-    enum rg_repeat repeat;                   /* whether it expands to several passes */
-    const struct rg_target *color;           /* array by RG_TARGETS(); NULL if none */
-    uint32_t color_count;                    /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
-    VkCompareOp depth_compare;               /* depth test; 0 means LESS_OR_EQUAL */
-    struct rg_target depth;                  /* depth-stencil target; image may be NULL */
-    const struct rg_use *uses;               /* zero-terminated array by RG_USES(), or NULL */
-    const struct rg_shader *vert, *frag;     /* raster; without `frag` only writes depth */
-    const struct rg_shader *comp;            /* of a compute pass */
+    const char *name;              /* unique; shown in dumps and captures */
+    enum rg_kind kind;             /* raster, compute or transfer */
+    const struct rg_target *color; /* array by RG_TARGETS(); NULL if none */
+    uint32_t color_count;          /* set by RG_TARGETS(); at most RG_COLOR_COUNT */
+    struct rg_target depth;        /* depth-stencil target; image may be NULL */
+    const struct rg_use *uses;     /* zero-terminated array by RG_USES(), or NULL */
+    /* shaders of a raster pass, which without `frag` only writes depth, or of a compute pass. A row
+     * with neither has no pipeline: `record` binds those of the program (rg_cmd_bind_pipeline()),
+     * and the state below is theirs; only `vertices` tells how many buffers a mesh has */
+    const struct rg_shader *vert, *frag;
+    const struct rg_shader *comp;
     const struct rg_vertex_layout *vertices; /* vertex buffer layout; NULL if none */
-    VkPrimitiveTopology topology;            /* TRIANGLE_LIST if 0; up to TRIANGLE_FAN */
-    VkCullModeFlags cull;                    /* faces to cull; 0 means none */
-    VkFrontFace front;                       /* front-face winding; 0 means counter-clockwise */
     uint32_t push_size;                      /* push constant bytes, multiple of 4 */
     rg_record_fn *record;                    /* required */
-    rg_when_fn *when;                        /* condition; NULL means every frame */
-    rg_area_fn *area;                        /* rectangle to draw; NULL: whole targets */
-    rg_more_fn *more;                        /* rows to merge; NULL if none */
-    bool depth_read_only;                    /* depth-stencil is tested, not written */
-    struct rg_depth_bias depth_bias;         /* {0} means none */
-    const struct rg_stencil *stencil;        /* borrowed; NULL: no stencil test */
-    const struct rg_set *set;                /* the program's set 1, or NULL */
+
+    /* what most passes leave at 0 */
+
+    enum rg_repeat repeat;            /* whether it expands to several passes */
+    rg_when_fn *when;                 /* condition; NULL means every frame */
+    VkCompareOp depth_compare;        /* depth test; 0 means LESS_OR_EQUAL */
+    bool depth_read_only;             /* depth-stencil is tested, not written */
+    VkPrimitiveTopology topology;     /* TRIANGLE_LIST if 0; up to TRIANGLE_FAN */
+    VkCullModeFlags cull;             /* faces to cull; 0 means none */
+    VkFrontFace front;                /* front-face winding; 0 means counter-clockwise */
+    struct rg_depth_bias depth_bias;  /* {0} means none */
+    const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
+    const struct rg_set *set;         /* the program's set 1, or NULL */
+    /* layers of each target that are drawn at a time, from rg_target.layer on; 0 means 1. Shaders
+     * choose one by gl_Layer, which needs the feature shaderOutputLayer */
+    uint32_t layers;
+    rg_area_fn *area; /* rectangle to draw; NULL: whole targets */
+    rg_more_fn *more; /* rows to merge; NULL if none */
+    /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute(); excludes `more` */
+    bool secondary;
 };
 
 /* Passes that belong together, in execution order. */
@@ -374,7 +439,7 @@ struct rg_compile_params {
     size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
-    bool skip_shaders;              /* no shader validation (5 us each) */
+    bool skip_shaders;              /* no shader validation (7 us each) */
     /* rg_exec_params.constants; each must occur in a shader. NULL disables this check */
     const VkSpecializationInfo *constants;
     /* Memory for compiling and for the plan. It must outlive the plan and be aligned for any type.
@@ -399,7 +464,7 @@ enum rg_error {
     RG_ERROR_DUPLICATE_BINDING,  /* two uses share a binding */
     RG_ERROR_TARGET_SIZE,        /* a pass's targets differ in size */
     RG_ERROR_NO_TARGET,          /* no target, or gap between targets */
-    RG_ERROR_NO_SHADER,          /* vert, frag or comp is missing */
+    RG_ERROR_NO_SHADER,          /* one of vert and frag is missing */
     RG_ERROR_NO_RECORD,          /* a pass without record function */
     RG_ERROR_PUSH_SIZE,          /* above RG_MAX_PUSH, or not 4n */
     RG_ERROR_CONFLICT,           /* conflicting accesses in one pass */
@@ -416,6 +481,7 @@ enum rg_error {
     RG_ERROR_SHADER,             /* invalid SPIR-V, or no `main` */
     RG_ERROR_SHADER_PUSH,        /* push constant size differs from shaders' */
     RG_ERROR_SHADER_BINDING,     /* missing, mismatched or unused binding */
+    RG_ERROR_SHADER_ACCESS,      /* loads or stores that the use does not declare */
     RG_ERROR_SHADER_VERTEX,      /* missing or mismatched vertex attribute */
     RG_ERROR_SHADER_INPUT,       /* fragment input without vertex output */
     RG_ERROR_SHADER_OUTPUT,      /* output without target, or vice versa */

@@ -4,10 +4,10 @@
  * rg_exec_create() creates everything that a plan needs; a frame allocates nothing. It
  * requires Vulkan 1.3 with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
- * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure and the features
- * of the shaders' OpCapabilities. rg_exec_create() logs each missing feature. Functions are loaded
- * through the program's own vkGetInstanceProcAddr, without a linked loader, so that executors of
- * several instances can exist side by side.
+ * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, samplerFilterMinmax,
+ * accelerationStructure and the features of the shaders' OpCapabilities. rg_exec_create() logs each
+ * missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
+ * linked loader, so that executors of several instances can exist side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -19,10 +19,13 @@
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
- *                After a failure only rg_exec_destroy() may be called.
+ *                After a failure only rg_exec_destroy() may be called, except that a function
+ *                which returns VK_ERROR_VALIDATION_FAILED_EXT was misused and did nothing: a
+ *                refused frame is not submitted (of a frame in parts, only its earlier parts), its
+ *                semaphores are untouched, and rg_exec_begin() may begin another one.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
- *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit()
- *                and rg_exec_submit_synced().
+ *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
+ *                rg_exec_submit_synced(), rg_exec_submit_part() and rg_exec_abandon().
  */
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
@@ -42,12 +45,23 @@ struct rg_exec_import {
      * have equally many, and a frame uses one index for all of them */
     const VkImage *images;
     uint32_t image_count;
+    /* how the object was created; if given, it must suit the plan, else rg_exec_create() and
+     * rg_exec_update() fail and log the member that does not. Only read by these; NULL: the program
+     * vouches for it. Without info, a buffer's size is only compared with its memory's */
+    const VkImageCreateInfo *image_info; /* of `image` or of each of `images` */
+    const VkBufferCreateInfo *buffer_info;
 };
 
 /* Layout of a descriptor set that the program owns (set 1 in shaders). */
 struct rg_exec_set {
     const struct rg_set *set;     /* as referenced by passes */
     VkDescriptorSetLayout layout; /* outlives executor and rg_exec_params.pipelines */
+};
+
+/* Sampler that the program owns. The graph relies on the members of `sampler` for its checks. */
+struct rg_exec_sampler {
+    const struct rg_sampler *sampler; /* as referenced by uses */
+    VkSampler handle;                 /* outlives executor */
 };
 
 /* Cache of pipelines that outlives executors, so a later executor of the same device need not
@@ -75,7 +89,8 @@ struct rg_exec_params {
     PFN_vkGetInstanceProcAddr get_proc_addr; /* the loader's vkGetInstanceProcAddr, or volk's */
     VkPhysicalDevice physical;
     VkDevice device;
-    VkQueue queue;                        /* must support graphics and compute */
+    /* must support graphics and compute; VK_NULL_HANDLE if only rg_exec_record() is used */
+    VkQueue queue;
     uint32_t queue_family;                /* of the queue */
     VkPipelineCache pipeline_cache;       /* VK_NULL_HANDLE is allowed */
     struct rg_pipelines *pipelines;       /* cache to reuse, or NULL */
@@ -84,6 +99,8 @@ struct rg_exec_params {
     size_t import_count;
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
+    const struct rg_exec_sampler *samplers; /* replace rg_sampler structs; outlives executor */
+    size_t sampler_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
     /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
     bool render_passes;
@@ -111,10 +128,16 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
  * cheap.
  *
  * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user are used.
- * Waits for all submitted frames; must not be called between rg_exec_begin() and a submit. The
- * previous plan and its tables must exist until it returns. Results of rg_exec_image(),
- * rg_exec_block() and rg_exec_mapped() become invalid, and the region is reset. Returns an error if
- * a Vulkan call fails.
+ * Must not be called between rg_exec_begin() and a submit. The previous plan and its tables must
+ * exist until it returns. Results of rg_exec_image(), rg_exec_block() and rg_exec_mapped() become
+ * invalid, and the region is reset. Returns an error if a Vulkan call fails.
+ *
+ * Does not wait: frames that are in flight continue with the previous plan's objects, which are
+ * destroyed once the last of these frames has been waited for, and the first frame of the new plan
+ * begins after them on the device. Imported objects that only the previous plan uses must exist
+ * until then, and so must objects bound by rg_cmd_bind_set() (rg_exec_wait_all()). Times of these
+ * frames are lost (rg_profile.h). A readback buffer keeps their results if both plans have it with
+ * equal name and size.
  */
 RG_API VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params);
 
@@ -123,23 +146,50 @@ RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* ---- a frame ---- */
 
-/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. */
+/* Begins a frame in the next slot, after waiting for the slot's previous frame. Sets *slot. A frame
+ * that was begun and not submitted is dropped. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
 /* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
-/* Synchronisation of a frame with work outside its queue. A zeroed struct means none. */
+/* Synchronisation of a frame with work outside its queue. A zeroed struct means none. The arrays,
+ * as in VkSubmitInfo2, are read during the call; the caller owns the semaphores, which are binary
+ * or timeline semaphores (with `value`). */
 struct rg_exec_external_sync {
-    uint32_t image_index;              /* index into rg_exec_import.images */
-    VkSemaphore wait;                  /* binary semaphore, or VK_NULL_HANDLE */
-    VkPipelineStageFlags2 wait_stages; /* stages that wait; 0 means all */
-    VkSemaphore signal;                /* binary semaphore, or VK_NULL_HANDLE */
+    uint32_t image_index;               /* index into rg_exec_import.images */
+    uint32_t wait_count, signal_count;  /* of the arrays */
+    const VkSemaphoreSubmitInfo *waits; /* stageMask: stages of the frame that wait */
+    const VkSemaphoreSubmitInfo *signals;
 };
 
-/* Submits as rg_exec_submit() does, with an image index and semaphores, which the caller owns. */
+/* Submits as rg_exec_submit() does, with an image index, and waits for and signals semaphores. */
 RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                       const struct rg_exec_external_sync *sync);
+
+/* Where rg_exec_record() records a frame. */
+struct rg_exec_recording {
+    VkCommandBuffer commands; /* primary, in the recording state, outside of rendering */
+    uint32_t slot;            /* below frames_in_flight; the program counts the slots */
+    uint32_t image_index;     /* index into rg_exec_import.images */
+};
+
+/*
+ * Records a frame into a command buffer of the program, which may record other commands before and
+ * after it, and submits it with semaphores and a fence of its own. Bindings and dynamic state are
+ * undefined afterwards. The command buffer is submitted once, to a queue of queue_family, and
+ * frames of an executor in the order in which they were recorded; rg_exec_params.queue is not used.
+ *
+ * The previous frame of the slot must have finished, as its buffers and descriptors are reused: the
+ * program waits for its fence or timeline value, and then writes rg_exec_mapped() of the slot.
+ * rg_exec_wait() with the slot does not wait for such a frame, but makes its readback buffers and
+ * times available; call it once the frame has finished. All frames must have finished when
+ * rg_exec_destroy() is called. Objects that rg_exec_update() replaces are destroyed when
+ * rg_exec_wait() or rg_exec_record() has been called for the slots of all frames that use them.
+ * RG_CLOCK_SUBMITS measures nothing.
+ */
+RG_API VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
+                               const struct rg_frame *frame);
 
 /*
  * Submits the next part of the frame begun last, and waits for it. A part is a group of passes, or
@@ -159,6 +209,9 @@ RG_API VkResult rg_exec_abandon(struct rg_exec *exec);
 
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
+
+/* Waits for all submitted frames, as rg_exec_wait() does for each slot. */
+RG_API VkResult rg_exec_wait_all(struct rg_exec *exec);
 
 /* Returns the mapped memory of a slot's upload or readback buffer, or NULL if the plan does not use
  * the buffer. The executor owns it. Write it between rg_exec_begin() and rg_exec_submit(). */
@@ -182,6 +235,27 @@ RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region
 
 /* Returns the VkImage of a declared image; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
+
+/* Returns a view of an image that is not imported, for example for a bindless set of the program.
+ * The type is that of a sampled use: 3D, cube (6 layers of a cube), 2D array or 2D; NULL as `range`
+ * means all, `each` is ignored. A view to be sampled has one aspect. During a pass that declares
+ * the image, its layout is rg_access_info(access)->layout of the use, or that of RG_DEPTH_READ if
+ * it is also the read-only depth. The view is created on the first call, also before any frame, and
+ * is valid until rg_exec_update() or rg_exec_destroy(). VK_NULL_HANDLE if the plan does not use the
+ * image, on an import, or if Vulkan fails. */
+RG_API VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
+                                const struct rg_range *range);
+
+/* Return the layouts of a row, for pipelines of the program (rg_cmd_bind_pipeline()). They are
+ * valid until rg_exec_update() or rg_exec_destroy(); an update with an equal row keeps their
+ * content. VK_NULL_HANDLE for transfer rows and for rows that the plan does not have.
+ * Set 0 has a binding for each binding of the row's uses, with the type rg_use_descriptor(), for
+ * the use's `stages`, or, if these are 0, for vertex and fragment or for compute shaders. Set 1 is
+ * the row's `set`, if any. Push constants are push_size bytes from 0 on, for vertex and fragment or
+ * for compute shaders. */
+RG_API VkPipelineLayout rg_exec_layout(const struct rg_exec *exec, const struct rg_pass *row);
+RG_API VkDescriptorSetLayout rg_exec_set_layout(const struct rg_exec *exec,
+                                                const struct rg_pass *row);
 
 /* Returns the VkDeviceMemory of a block of the plan. Between frames, its content is undefined. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);

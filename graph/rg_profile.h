@@ -36,7 +36,8 @@ struct rg_measure {
     bool statistics; /* pipeline statistics; costs some time */
 };
 
-/* Cost of one pass. Without a clock, times are 0. Without statistics, counts are 0. If a pass is
+/* Cost of one pass. Without a clock, times are 0. Without statistics, and for passes with
+ * rg_pass.secondary, counts are 0. If a pass is
  * skipped (rg_pass.when), `end` is equal to `begin`. */
 struct rg_pass_time {
     uint64_t begin, end;   /* GPU time from first pass's start */
@@ -54,7 +55,7 @@ struct rg_times {
     struct rg_measure measure;         /* how it was measured */
     const struct rg_pass_time *passes; /* per plan pass; NULL without measurement */
     uint32_t pass_count;
-    uint64_t start;  /* CLOCK_MONOTONIC of the host */
+    uint64_t start;  /* CLOCK_MONOTONIC; on Windows QueryPerformanceCounter() */
     uint64_t begin;  /* waiting for the slot's previous frame */
     uint64_t record; /* recording all commands */
     uint64_t submit; /* submitting them to the queue */

@@ -20,6 +20,17 @@ def write(path, text):
         file.write_text(text, encoding='utf-8')
 
 
+# The read-only data section of ELF, and of PE, which has no hidden symbols.
+SECTIONS = '''
+#ifdef _WIN32
+#define RODATA       ".section .rdata,\\"dr\\"\\n"
+#define HIDDEN(name) ""
+#else
+#define RODATA       ".section .rodata\\n"
+#define HIDDEN(name) ".hidden " name "\\n"
+#endif
+'''
+
 source_path, header_path, *modules = sys.argv[1:]
 origins = []
 if '--' in modules:
@@ -27,15 +38,15 @@ if '--' in modules:
     modules, origins = modules[:end], modules[end + 1:]
 names = [pathlib.Path(module).stem.replace('.', '_') for module in modules]
 stem = pathlib.Path(header_path).stem
-source = f'#include "{stem}.h"\n#include <stddef.h>\n'
+source = f'#include "{stem}.h"\n#include <stddef.h>\n' + SECTIONS
 header = f'#ifndef {stem.upper()}_H\n#define {stem.upper()}_H\n#include "graph/rg.h"\n'
 for name, module in zip(names, modules):
     path = pathlib.Path(module).resolve()
     data = path.read_bytes()
     sum_ = hashlib.sha1(data).hexdigest()  # makes the C file change with the module
     source += f'''
-__asm__(".pushsection .rodata\\n.globl {name}_words\\n.hidden {name}_words\\n"
-        ".balign 4\\n{name}_words: .incbin \\"{path}\\" /* {sum_} */\\n.popsection\\n");
+__asm__(RODATA ".globl {name}_words\\n" HIDDEN("{name}_words")
+        ".balign 4\\n{name}_words: .incbin \\"{path}\\" /* {sum_} */\\n.text\\n");
 extern const uint32_t {name}_words[];
 const struct rg_shader {name} = {{ "{name}", {name}_words, {len(data) // 4} }};
 '''

@@ -1,11 +1,11 @@
 """installed.py: tests of an installation: libraries of graph/, examples, the program's assets.
 
 Usage: installed.py ROOT MESON BUILD   BUILD: a folder in which everything is built
-Installs the shared and static libraries, and builds the programs of docs/render-graph.md outside
-the tree with the commands of the page; they must print the output given there. The programs of
-examples/ must render their images. The libraries must export exactly the functions of the headers,
-and have the SONAME of the version. The program must find its assets also if it is installed to a
-folder other than its prefix.
+Installs the shared and static libraries, and builds the programs of docs/render-graph.md and
+graph/README.md outside the tree with the commands of the page; they must print the output given
+there. The programs of examples/ must render their images. The libraries must export exactly the
+functions of the headers, and have the SONAME of the version. The program must find its assets also
+if it is installed to a folder other than its prefix.
 """
 import os
 import pathlib
@@ -20,12 +20,16 @@ HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_profile.h']}
 WARNINGS = '-Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers'
 EXAMPLES = {  # expected pixels of the examples' images: (x, y): colour
     'blur.c': {(128, 128): (255, 255, 255), (64, 128): (119, 119, 119), (4, 4): (0, 0, 0)},
+    'culling.c': {(228, 130): (26, 26, 51), (300, 110): (183, 120, 56)},
     'deferred.c': {(160, 20): (123, 138, 161), (110, 105): (158, 96, 74),
                    (215, 115): (75, 113, 168), (160, 130): (255, 255, 254),
                    (85, 123): (85, 95, 108), (160, 220): (184, 187, 190)},  # sky to shadow, ground
+    'materials.c': {(160, 5): (161, 178, 201), (160, 200): (188, 190, 194),
+                    (160, 137): (92, 100, 114), (200, 142): (144, 93, 187)},  # sky, ground, shadow
     'particles.cpp': {(160, 211): (255, 255, 255), (10, 10): (0, 0, 0)},
 }
 TOLERANCE = 6  # of 8-bit values
+COUNTS = r'(frame \d+: 1[01]\d\d of 4096 cubes\n){18}'  # printed by culling.c
 CPLUSPLUS = '''\
 #include "graph/rg_cmd.h"
 #include "graph/rg_exec.h"
@@ -146,20 +150,40 @@ def check_cplusplus(prefix, environment):
     compile_and_run(command, prefix / 'other.cpp', CPLUSPLUS, environment)
 
 
-def check_example(folder, environment, name, pixels):
-    """Builds an example with the command of its page, runs it, and checks some pixels."""
+def build_example(folder, environment, name):
+    """Builds an example with the command of its page."""
     program = pathlib.Path(name).stem
     compiler = (f'{os.environ.get("CC", "cc")} -std=c17 {WARNINGS}' if name.endswith('.c') else
                 f'{os.environ.get("CXX", "c++")} -std=c++20 -Wall -Wextra -Werror')
     command = f'{compiler} -o {program} {name} $(pkg-config --cflags --libs rg-exec vulkan) -lm'
     subprocess.run(['sh', '-e', '-c', command], cwd=folder, env=environment, check=True)
-    expect(f'{name} prints', '', output([folder / program, folder / 'out.ppm'], env=environment))
+    return [folder / program, folder / 'out.ppm']
+
+
+def check_example(folder, environment, name, pixels):
+    """Builds and runs an example, and checks some pixels."""
+    printed = output(build_example(folder, environment, name), env=environment)
+    if not re.fullmatch(COUNTS if name == 'culling.c' else '', printed):
+        sys.exit(f'{name} prints {printed}')
     _, size, _, texels = (folder / 'out.ppm').read_bytes().split(b'\n', 3)
     width = int(size.split()[0])
     for (x, y), color in pixels.items():
         found = tuple(texels[3 * (y * width + x):][:3])
         if any(abs(a - b) > TOLERANCE for a, b in zip(color, found)):
             sys.exit(f'{name}: pixel {x}, {y}: wanted {color}, found {found}')
+
+
+def check_mistake(folder, environment):
+    """A buffer in which a shader counts, declared as only written, must be a fault."""
+    source = folder / 'particles.cpp'
+    right = '&draw, .access = RG_STORAGE_READ_WRITE'
+    text = source.read_text(encoding='utf-8')
+    source.write_text(text.replace(right, right.replace('READ_', '')), encoding='utf-8')
+    done = subprocess.run(build_example(folder, environment, source.name), env=environment,
+                          capture_output=True, text=True, check=False)
+    expect('particles.cpp with a mistake', (1, 'fault: particles row 1 (move): draw access differs '
+           "from that of the shader; binding 2: 'particles_move.comp' loads from 'draw': expected "
+           'RG_STORAGE_READ_WRITE\n'), (done.returncode, done.stderr))
 
 
 def check_examples(root, prefix, environment):
@@ -172,6 +196,7 @@ def check_examples(root, prefix, environment):
                            cwd=folder, check=True)
     for name, pixels in EXAMPLES.items():
         check_example(folder, environment, name, pixels)
+    check_mistake(folder, environment)
 
 
 def check_assets(meson, build):
@@ -188,7 +213,8 @@ def check_assets(meson, build):
 
 def main(root, meson, build):
     check_assets(meson, build)
-    page = (pathlib.Path(root) / 'docs' / 'render-graph.md').read_text(encoding='utf-8')
+    pages = [(pathlib.Path(root) / page).read_text(encoding='utf-8')
+             for page in ('docs/render-graph.md', 'graph/README.md')]
     with tempfile.TemporaryDirectory() as folder:
         prefix = pathlib.Path(folder)
         install(root, meson, prefix)
@@ -204,7 +230,8 @@ def main(root, meson, build):
             else:
                 check_examples(root, prefix, environment)
             check(prefix, environment)
-            check_programs(prefix, environment, static, page)
+            for page in pages:
+                check_programs(prefix, environment, static, page)
             check_cplusplus(prefix, environment)
 
 

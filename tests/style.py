@@ -92,6 +92,7 @@ C_STANDARD = tuple(f'{name}.h' for name in (
     'uchar wchar wctype').split())
 MAY_INCLUDE_SYSTEM = {
     'graph/': (*C_STANDARD, 'vulkan/'),
+    'graph/exec/pass_timing.c': (*C_STANDARD, 'windows.h'),
     'src/tech/': (*C_STANDARD, 'cglm/struct.h'),
     'shaders/': ('stdint.h', 'cglm/struct.h', 'cglm/types-struct.h'),
 }

@@ -153,10 +153,10 @@ static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
 };
 
-static const VkPipelineStageFlags2 stages_of_kind[] = {
-    [RG_RASTER] = STAGE(VERTEX_SHADER) | STAGE(FRAGMENT_SHADER),
-    [RG_COMPUTE] = STAGE(COMPUTE_SHADER),
-    [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
+static const VkShaderStageFlags stages_of_kind[] = {
+    [RG_RASTER] = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+    [RG_COMPUTE] = VK_SHADER_STAGE_COMPUTE_BIT,
+    [RG_TRANSFER] = 0,
 };
 
 /* Returns the kind of a pass. Invalid kinds are treated as compute. */
@@ -167,14 +167,18 @@ static enum rg_kind kind_of(const struct rg_pass *pass)
 
 VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use)
 {
-    VkPipelineStageFlags2 fixed = rg_access_table[use->access].stages;
-    if (fixed)
-        return fixed;
-    if (use->stages)
-        return use->stages;
-    if (kind_of(pass) == RG_RASTER && use->access != RG_UNIFORM)
-        return STAGE(FRAGMENT_SHADER);
-    return stages_of_kind[kind_of(pass)];
+    VkPipelineStageFlags2 stages = rg_access_table[use->access].stages;
+    VkShaderStageFlags shaders = use->stages;
+    if (stages)
+        return stages;
+    if (!shaders && kind_of(pass) == RG_RASTER && use->access != RG_UNIFORM)
+        shaders = VK_SHADER_STAGE_FRAGMENT_BIT;
+    else if (!shaders)
+        shaders = stages_of_kind[kind_of(pass)];
+    stages |= shaders & VK_SHADER_STAGE_VERTEX_BIT ? STAGE(VERTEX_SHADER) : 0;
+    stages |= shaders & VK_SHADER_STAGE_FRAGMENT_BIT ? STAGE(FRAGMENT_SHADER) : 0;
+    stages |= shaders & VK_SHADER_STAGE_COMPUTE_BIT ? STAGE(COMPUTE_SHADER) : 0;
+    return stages;
 }
 
 static const char texels_problem[] = "texels: expected a storage buffer access";

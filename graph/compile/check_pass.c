@@ -26,6 +26,26 @@ static bool fits_format(const struct rg_use *use)
     return true;
 }
 
+/* Returns a hint if the sampler of an image has invalid or contradictory members, or NULL. */
+static const char *sampler_problem(const struct rg_sampler *s, const struct rg_format_info *format)
+{
+    const bool is_integer = format && (format->is_uint || format->is_sint);
+    if (!(s->anisotropy >= 0.0f))
+        return "sampler: expected an anisotropy of 0 or more";
+    if (!isfinite(s->lod_bias) || !isfinite(s->min_lod) || !isfinite(s->max_lod) ||
+        s->min_lod < 0.0f || s->max_lod < 0.0f || (s->max_lod > 0.0f && s->max_lod < s->min_lod))
+        return "sampler: expected finite numbers, and min_lod <= max_lod, both 0 or more";
+    if ((unsigned)s->compare > VK_COMPARE_OP_ALWAYS ||
+        (unsigned)s->reduction > VK_SAMPLER_REDUCTION_MODE_MAX ||
+        (unsigned)s->border_color > VK_BORDER_COLOR_INT_OPAQUE_WHITE)
+        return "sampler: expected Vulkan constants";
+    if (s->border && (s->border_color & 1) != is_integer)
+        return "border_color: expected INT for an integer format, else FLOAT";
+    if (s->compare && (s->reduction || !format || !(format->aspects & VK_IMAGE_ASPECT_DEPTH_BIT)))
+        return "compare: expected a depth format, and no reduction";
+    return NULL;
+}
+
 static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
 {
     const char *name = use_name(use);
@@ -36,16 +56,18 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
     }
     const char *problem = rg_use_problem(pass, use);
     rg_fault_if(c, problem, RG_ERROR_ACCESS, name, problem);
+    rg_fault_if(c, use->fallback && use->image && !problem && !fits_format(use), RG_ERROR_VALUE,
+                name, "fallback: expected finite numbers in the range of the format");
     if (use->image && use->image->samples > 1) {
         rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
                     "a multisampled image can only be sampled or drawn to; resolve it first");
         rg_fault_if(c, use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
                     "remove the sampler: a multisampled image is read by texelFetch");
     }
-    rg_fault_if(c, use->sampler && !(use->sampler->anisotropy >= 0.0f), RG_ERROR_VALUE, name,
-                "sampler: expected an anisotropy of 0 or more");
-    rg_fault_if(c, use->fallback && use->image && !problem && !fits_format(use), RG_ERROR_VALUE,
-                name, "fallback: expected finite numbers in the range of the format");
+    if (use->sampler && use->image) {
+        problem = sampler_problem(use->sampler, rg_format_info(use->image->format));
+        rg_fault_if(c, problem, RG_ERROR_VALUE, name, problem);
+    }
     const struct rg_range *r = &use->range;
     rg_fault_if(c, use->buffer && (r->aspect | r->mip | r->mip_count | r->layer | r->layer_count),
                 RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");
@@ -233,7 +255,7 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
 {
     const struct rg_target *depth = &pass->depth;
     RG_CHECK_ENUM(c, pass, kind, RG_TRANSFER, NULL, "enum rg_kind");
-    RG_CHECK_ENUM(c, pass, repeat, RG_PER_MIP, NULL, "enum rg_repeat");
+    RG_CHECK_ENUM(c, pass, repeat, RG_PER_MIP_UP, NULL, "enum rg_repeat");
     RG_CHECK_ENUM(c, pass, depth_compare, VK_COMPARE_OP_ALWAYS, NULL, "VkCompareOp");
     RG_CHECK_ENUM(c, pass, topology, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN, NULL,
                   "VkPrimitiveTopology, up to TRIANGLE_FAN");
@@ -254,6 +276,12 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     check_shader(c, pass->comp);
     check_vertices(c, pass->vertices);
     check_depth(c, pass);
+    rg_fault_if(c, pass->layers > RG_MAX_LAYERS, RG_ERROR_VALUE, NULL,
+                "layers: expected at most 2048");
+    rg_fault_if(c, pass->layers > 1 && (pass->kind != RG_RASTER || pass->repeat == RG_PER_LAYER),
+                RG_ERROR_VALUE, NULL, "layers: expected a raster row without RG_PER_LAYER");
+    rg_fault_if(c, pass->secondary && pass->more, RG_ERROR_VALUE, NULL,
+                "secondary: expected no .more");
     rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,
                 "give the descriptor set a name");
     if (pass->set && pass->kind == RG_TRANSFER)
@@ -264,13 +292,14 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
 void rg_check_row(struct compiler *c, const struct rg_pass *pass)
 {
     uint32_t color_count = rg_color_count(pass);
-    bool draws = pass->vert && (pass->frag || !color_count);
+    bool has_shaders = pass->vert || pass->frag;
+    bool draws = !has_shaders || (pass->vert && (pass->frag || !color_count));
     check_fields(c, pass, color_count);
     rg_fault_if(c, !pass->record, RG_ERROR_NO_RECORD, NULL, "set .record");
     rg_fault_if(c, pass->kind == RG_RASTER && !draws, RG_ERROR_NO_SHADER, NULL,
-                "a raster pass needs .vert, and .frag unless it only writes depth");
-    rg_fault_if(c, pass->kind == RG_COMPUTE && !pass->comp, RG_ERROR_NO_SHADER, NULL,
-                "a compute pass needs .comp");
+                "set .vert, and .frag unless the pass only writes depth, or neither");
+    rg_fault_if(c, pass->kind == RG_RASTER ? pass->comp != NULL : has_shaders, RG_ERROR_NO_SHADER,
+                NULL, "a raster pass has .vert and .frag, a compute pass .comp");
     rg_fault_if(c, pass->push_size > RG_MAX_PUSH || pass->push_size % 4, RG_ERROR_PUSH_SIZE, NULL,
                 "push_size: expected at most 128 bytes, a multiple of 4");
     check_targets(c, pass, color_count);

@@ -1,5 +1,4 @@
 /* check_shaders.c: validates a pass against the SPIR-V interfaces of its shaders. */
-#include <stdarg.h>
 #include "graph/compile/compiler.h"
 
 /* The pass declaration being checked, with its shaders. */
@@ -10,23 +9,7 @@ struct shaders {
     uint32_t count;
 };
 
-/* Adds a fault whose hint is formatted as by printf(). */
-__attribute__((cold, format(printf, 4, 5))) static void
-fault(const struct shaders *s, enum rg_error error, const char *resource, const char *format, ...)
-{
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(text, sizeof(text), format, arguments);
-    va_end(arguments);
-    size_t size = length < (int)sizeof(text) ? (size_t)length + 1 : sizeof(text);
-    char *hint = ARENA_ARRAY(s->c->arena, char, size);
-    if (!hint)
-        return;
-    for (size_t i = 0; i < size; i++)
-        hint[i] = text[i];
-    rg_fault(s->c, error, resource, hint);
-}
+#define fault(s, ...) rg_fault_with((s)->c, __VA_ARGS__)
 
 static const char *shader_of(const struct spirv *s)
 {
@@ -225,6 +208,21 @@ static void check_texels(const struct shaders *s, const char *name, const struct
               component_name(declared->component));
 }
 
+/* Checks that a combined image sampler compares depths if its sampler does, and vice versa. */
+static void check_comparison(const struct shaders *s, const struct spirv *stage,
+                             const struct spirv_variable *v, const struct spirv_image *declared,
+                             const struct rg_use *use)
+{
+    uint32_t count;
+    const bool compares = use->sampler && use->sampler->compare;
+    if (declared->depth <= 1 && declared->depth != compares &&
+        rg_spirv_descriptor(stage, v, &count) == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
+        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
+              "binding %u: '%s' %s: %s rg_sampler.compare of '%s'", v->binding, shader_of(stage),
+              compares ? "does not compare depths" : "compares depths", compares ? "remove" : "set",
+              use_name(use));
+}
+
 static void check_image(const struct shaders *s, const struct spirv *stage,
                         const struct spirv_variable *v, const struct spirv_image *declared,
                         const struct rg_use *use)
@@ -251,6 +249,8 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
               use_name(use), is);
     else
         check_texels(s, name, v, declared, use);
+    if (use->access == RG_SAMPLED)
+        check_comparison(s, stage, v, declared, use);
 }
 
 static void check_uniform(const struct shaders *s, const struct spirv *stage,
@@ -278,6 +278,33 @@ static uint32_t element_count(const struct rg_use *first)
     return count;
 }
 
+/* Returns what all shaders of the row do to the content of a storage binding. */
+static uint32_t access_of(const struct shaders *s, uint32_t binding)
+{
+    uint32_t access = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
+            const struct spirv_variable *v = &s->stages[i]->variables[k];
+            access |= v->used && v->binding == binding && !v->set ? v->access : 0;
+        }
+    }
+    return access;
+}
+
+/* Checks that a shader loads from and stores to a storage resource only as its use declares. */
+static void check_access(const struct shaders *s, const struct spirv *stage,
+                         const struct spirv_variable *v, const struct rg_use *use)
+{
+    static const char *const names[] = { "RG_STORAGE_READ", "RG_STORAGE_READ", "RG_STORAGE_WRITE",
+                                         "RG_STORAGE_READ_WRITE" };
+    const bool is_stored_to = use->access == RG_STORAGE_READ && v->access & SPIRV_STORES;
+    const bool is_loaded = use->access == RG_STORAGE_WRITE && v->access & SPIRV_LOADS;
+    if (is_stored_to || is_loaded)
+        fault(s, RG_ERROR_SHADER_ACCESS, use_name(use), "binding %u: '%s' %s '%s': expected %s",
+              v->binding, shader_of(stage), is_loaded ? "loads from" : "stores to",
+              rg_spirv_name(stage, v), names[access_of(s, v->binding)]);
+}
+
 static void check_use(const struct shaders *s, const struct spirv *stage,
                       const struct spirv_variable *v, const struct rg_use *use,
                       VkPipelineStageFlags2 in)
@@ -299,6 +326,7 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
         check_texels(s, rg_spirv_name(stage, v), v, &image, use);
     else if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         check_uniform(s, stage, v, use);
+    check_access(s, stage, v, use);
 }
 
 /* Checks the resource or the array of resources that is bound to a shader variable. */
@@ -529,8 +557,9 @@ static void check_constants(const struct shaders *s)
                 s->c->known_constants[g] = true;
                 if (given->pMapEntries[g].size != constant->size)
                     fault(s, RG_ERROR_CONSTANT, NULL,
-                          "constant %u has %u bytes in '%s', but %zu in the params", constant->id,
-                          constant->size, shader_of(s->stages[i]), given->pMapEntries[g].size);
+                          "constant %u has %u bytes in '%s', but %u in the params", constant->id,
+                          constant->size, shader_of(s->stages[i]),
+                          (unsigned)given->pMapEntries[g].size);
             }
         }
     }
@@ -578,7 +607,7 @@ static bool has_words(const struct rg_shader *shader)
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
 {
     bool is_raster = row->kind == RG_RASTER;
-    if (row->kind == RG_TRANSFER || c->params->skip_shaders)
+    if (!(is_raster ? row->vert : row->comp) || row->kind == RG_TRANSFER || c->params->skip_shaders)
         return;
     if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp))) {
         c->has_shaders_without_code = true;

@@ -1,4 +1,32 @@
-/* compile_plan.c: rg_compile(), which runs the stages of the compiler in order. */
+/*
+ * compile_plan.c: rg_compile(), which runs the stages of the compiler in order.
+ *
+ * ARCHITECTURE. Each stage is a function of one file, works on struct compiler (compiler.h), and
+ * allocates from one arena, which the plan keeps. All stages are linear in the number of passes,
+ * except sorting by size. The design is that of frame graphs with declared resources (O'Donnell,
+ * "FrameGraph: Extensible Rendering Architecture in Frostbite", GDC 2017), as a compiler.
+ *
+ * 1. Check: check_compile_params.c, check_pass.c, and check_shaders.c against the interfaces that
+ *    spirv_reflection.c reads from the modules. Faults are collected (fault.c), and the compiler
+ *    stops after a stage that has found any.
+ * 2. Expand (expand_passes.c, create_resource_records.c): makes a pass of each repetition of a row,
+ *    and an access of each target and use. A resource is divided into cells, one per aspect, mip
+ *    level and layer.
+ * 3. Cull (cull_passes.c): backward liveness analysis over cells, as in data-flow analysis of
+ *    compilers (Kildall, "A Unified Approach to Global Program Optimization", POPL 1973), to a
+ *    fixed point, because persistent content is live in the next frame.
+ * 4. Lifetimes and memory requirements (memory_requirements.c).
+ * 5. Barriers (emit_passes.c, barriers.c): a state machine per cell after the Vulkan specification,
+ *    chapter "Synchronization and Cache Control". A barrier has a release and a deadline; stabbing
+ *    these intervals greedily by deadline gives the fewest batches (Cormen et al., "Introduction to
+ *    Algorithms", activity selection).
+ * 6. Memory (memory_blocks.c, pack_memory.c): dynamic storage allocation, first-fit by several
+ *    orders, then squeaky wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block
+ *    reaches its lower bound, the peak of live bytes.
+ * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners. By
+ *    default, stage 6 only aliases where a batch exists that can carry this barrier; with
+ *    RG_SHARE_LEAST_MEMORY it runs before stage 5, and stage 5 adds the batches.
+ */
 #include "graph/compile/compiler.h"
 
 /* A plan together with the arena that holds it. */

@@ -139,6 +139,7 @@ struct compiler {
     uint32_t row;
     uint32_t row_first_fault;
     struct rg_plan_pass *pass; /* its current pass */
+    uint32_t step;             /* layers or mip levels from those that the row names */
     uint32_t target_samples;   /* sample count; 0 before any target */
     uint32_t *bindings;        /* bit set, zero outside check_bindings() */
     struct spirv modules[2];   /* its shaders */
@@ -176,6 +177,12 @@ struct compiler {
 /* Reports a fault of the current pass declaration, but only once. `resource` may be NULL. */
 __attribute__((cold)) void rg_fault(struct compiler *c, enum rg_error error, const char *resource,
                                     const char *hint);
+
+/* As rg_fault(), with a hint that is formatted as by printf(). */
+__attribute__((cold, format(printf, 4, 5))) void rg_fault_with(struct compiler *c,
+                                                               enum rg_error error,
+                                                               const char *resource,
+                                                               const char *format, ...);
 
 /* Adds a fault outside any row. */
 __attribute__((cold)) void rg_fault_of(struct compiler *c, enum rg_error error,

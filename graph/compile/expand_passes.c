@@ -10,11 +10,30 @@ static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when
             c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
 }
 
-/* Returns true if an access conflicts with the pass's earlier access to the same subresource. */
-static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
+/* Returns the pass's earlier access to the same subresource if an access conflicts with it. */
+static const struct access *find_conflict(const struct compiler *c, const struct cell *cell,
+                                          const struct access *a)
 {
     const struct access *before = &c->accesses[cell->last_access - 1];
-    return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
+    bool conflicts = ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
+    return conflicts ? before : NULL;
+}
+
+static void report_conflict(struct compiler *c, const struct access *before, const struct access *a)
+{
+    char names[2][64];
+    const struct access *both[] = { before, a };
+    for (int i = 0; i < 2; i++) {
+        const char *kind = rg_access_table[both[i]->kind].name;
+        const struct rg_use *use = both[i]->declared;
+        if (rg_is_shader_access(both[i]->kind))
+            snprintf(names[i], sizeof(names[i]), "%s at binding %u", kind, use->binding);
+        else
+            snprintf(names[i], sizeof(names[i]), "%s", kind);
+    }
+    rg_fault_with(c, RG_ERROR_CONFLICT, a->resource->name,
+                  "'%s' and '%s': split the pass in two, or read another mip, layer or image",
+                  names[0], names[1]);
 }
 
 static bool is_in_range(const struct resource *r, const VkImageSubresourceRange *range)
@@ -67,7 +86,7 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     rg_when_fn *when = c->pass->pass->when;
     uint32_t first = c->passes[c->pass_count].first_access;
     uint32_t filled_now = when ? CELL_FILLED_BY + c->pass_count : CELL_FILLED;
-    bool conflict = false;
+    const struct access *conflict = NULL;
     bool all_filled = true;
     if (when)
         a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
@@ -76,13 +95,14 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         bool filled = is_filled(c, w.cell, when);
         all_filled = all_filled && filled;
-        conflict = conflict || (w.cell->last_access > first && is_conflict(c, w.cell, a));
+        if (!conflict && w.cell->last_access > first)
+            conflict = find_conflict(c, w.cell, a);
         if (a->flags & ACCESS_WRITES && !(when && filled))
             w.cell->filled = filled_now;
         w.cell->last_access = c->access_count + 1;
     }
-    rg_fault_if(c, conflict, RG_ERROR_CONFLICT, name,
-                "split the pass in two, or read another mip, layer or image");
+    if (conflict)
+        report_conflict(c, conflict, a);
     rg_fault_if(c, !all_filled && a->flags & ACCESS_READS, RG_ERROR_READ_BEFORE_WRITE, name,
                 unfilled_hint);
     c->access_count++;
@@ -126,14 +146,15 @@ static void check_target(struct compiler *c, const struct rg_target *target,
     c->target_samples = samples;
 }
 
-static VkImageSubresourceRange target_range(const struct rg_plan_pass *pass,
-                                            const struct resource *r, uint32_t mip, uint32_t layer)
+static VkImageSubresourceRange target_range(const struct compiler *c, const struct resource *r,
+                                            uint32_t mip, uint32_t layer)
 {
-    if (pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
-        layer += pass->repetition;
-    if (pass->pass->repeat == RG_PER_MIP && r->all.levelCount > 1)
-        mip += pass->repetition;
-    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, 1 };
+    if (c->pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
+        layer += c->step;
+    if (c->pass->pass->repeat >= RG_PER_MIP && r->all.levelCount > 1)
+        mip += c->step;
+    const uint32_t layers = c->pass->pass->layers;
+    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, layers ? layers : 1 };
 }
 
 static void add_resolve(struct compiler *c, const struct rg_target *target)
@@ -143,7 +164,7 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
+    a->range = target_range(c, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
     rg_fault_if(c, r->image->samples > 1 || r->image->depth, RG_ERROR_SAMPLES, r->name,
                 "resolve to a 2D image with one sample per texel");
@@ -168,7 +189,7 @@ static void add_target(struct compiler *c, const struct rg_target *target)
     if (!a)
         return;
     a->declared = target;
-    a->range = target_range(c->pass, r, target->mip, target->layer);
+    a->range = target_range(c, r, target->mip, target->layer);
     if (keeps)
         a->flags |= ACCESS_READS;
     else if (a->flags & ACCESS_WRITES)
@@ -182,9 +203,10 @@ static void add_target(struct compiler *c, const struct rg_target *target)
         add_resolve(c, target);
 }
 
-static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
-                                         const struct rg_plan_pass *pass)
+static VkImageSubresourceRange use_range(const struct compiler *c, const struct resource *r,
+                                         const struct rg_range *range)
 {
+    const enum rg_repeat repeat = c->pass->pass->repeat;
     VkImageSubresourceRange out = {
         .aspectMask = range->aspect ? range->aspect : r->all.aspectMask,
         .baseMipLevel = range->mip,
@@ -192,11 +214,11 @@ static VkImageSubresourceRange use_range(const struct resource *r, const struct 
         .baseArrayLayer = range->layer,
         .layerCount = range->layer_count,
     };
-    if (range->each && pass->pass->repeat == RG_PER_LAYER) {
-        out.baseArrayLayer += pass->repetition;
+    if (range->each && repeat == RG_PER_LAYER) {
+        out.baseArrayLayer += c->step;
         out.layerCount = 1;
-    } else if (range->each && pass->pass->repeat == RG_PER_MIP) {
-        out.baseMipLevel += pass->repetition;
+    } else if (range->each && repeat != RG_ONCE) {
+        out.baseMipLevel += c->step;
         out.levelCount = 1;
     }
     if (!out.levelCount && out.baseMipLevel < r->all.levelCount)
@@ -219,12 +241,16 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
+    /* tested and sampled in one pass: both in the layout of the test, whatever the range */
+    if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
+        use->image == c->pass->pass->depth.image)
+        a->layout = rg_access_table[RG_DEPTH_READ].layout;
     if (use->texels || (use->buffer && use->access == RG_SAMPLED))
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
     if (use->image && !is_whole(&use->range)) {
-        a->range = use_range(r, &use->range, c->pass);
+        a->range = use_range(c, r, &use->range);
         if (!find_cells(c, a))
             return;
     }
@@ -336,7 +362,16 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
         return 0;
     if (pass->repeat == RG_PER_LAYER)
         return r->all.layerCount > layer ? r->all.layerCount - layer : 1;
-    return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
+    uint32_t count = r->all.levelCount > mip ? r->all.levelCount - mip : 1;
+    for (const struct rg_use *use = pass->uses;
+         pass->repeat == RG_PER_MIP_UP && use && rg_is_use(use); use++) {
+        if (!rg_is_valid_use(use) || !use->image || !use->range.each || use->fallback)
+            continue;
+        r = rg_resource_of(c, use->image, NULL);
+        if (r && r->all.levelCount > use->range.mip && r->all.levelCount - use->range.mip < count)
+            count = r->all.levelCount - use->range.mip;
+    }
+    return count;
 }
 
 static void expand_row(struct compiler *c, const struct rg_pass *row)
@@ -351,8 +386,10 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
     uint32_t count = repetition_count(c, row);
     rg_fault_if(c, !count, RG_ERROR_REPEAT, NULL,
                 "a repeated row must write an image, whose layers or mips define the repetitions");
-    for (uint32_t i = 0; i < count && !c->arena->failed; i++)
+    for (uint32_t i = 0; i < count && !c->arena->failed; i++) {
+        c->step = row->repeat == RG_PER_MIP_UP ? count - 1 - i : i;
         add_pass(c, row, i);
+    }
 }
 
 static void check_output(struct compiler *c, const struct resource *r)

@@ -1,4 +1,5 @@
 /* fault.c: collects faults and formats a fault as one line of text. */
+#include <stdarg.h>
 #include <string.h>
 #include "graph/compile/compiler.h"
 
@@ -33,6 +34,7 @@ static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_SHADER] = "is not a valid shader",
     [RG_ERROR_SHADER_PUSH] = "push constants differ from those of the shader",
     [RG_ERROR_SHADER_BINDING] = "binding differs from that of the shader",
+    [RG_ERROR_SHADER_ACCESS] = "access differs from that of the shader",
     [RG_ERROR_SHADER_VERTEX] = "vertex attribute differs from that of the shader",
     [RG_ERROR_SHADER_INPUT] = "is not an output of the vertex shader",
     [RG_ERROR_SHADER_OUTPUT] = "target differs from the output of the shader",
@@ -89,6 +91,23 @@ void rg_fault(struct compiler *c, enum rg_error error, const char *resource, con
                .row = c->row,
                .hint = hint,
            });
+}
+
+void rg_fault_with(struct compiler *c, enum rg_error error, const char *resource,
+                   const char *format, ...)
+{
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    size_t size = length < (int)sizeof(text) ? (size_t)length + 1 : sizeof(text);
+    char *hint = ARENA_ARRAY(c->arena, char, size);
+    if (!hint)
+        return;
+    memcpy(hint, text, size);
+    hint[size - 1] = '\0';
+    rg_fault(c, error, resource, hint);
 }
 
 void rg_fault_of(struct compiler *c, enum rg_error error, const char *resource, const char *hint)

@@ -85,8 +85,10 @@ static void check_format(struct compiler *c, const struct access *a)
     VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
     if (!device->format_features)
         return;
-    if (sampler && sampler->linear)
+    if (sampler && sampler->linear && !sampler->compare)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    if (sampler && sampler->reduction)
+        needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_MINMAX_BIT;
     if (a->kind == RG_COLOR && rg_is_blended(a->declared))
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
     if (needed & ~device->format_features(device->user, a->resource->image->format))

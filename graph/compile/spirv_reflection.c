@@ -23,33 +23,55 @@ enum {
     OP_SPEC_CONSTANT_FALSE = 49,
     OP_SPEC_CONSTANT = 50,
     OP_FUNCTION = 54,
+    OP_FUNCTION_PARAMETER = 55,
     OP_FUNCTION_CALL = 57,
     OP_VARIABLE = 59,
     OP_IMAGE_TEXEL_POINTER = 60,
     OP_LOAD = 61,
     OP_STORE = 62,
     OP_COPY_MEMORY = 63,
+    OP_COPY_MEMORY_SIZED = 64,
     OP_ACCESS_CHAIN = 65,
+    OP_IN_BOUNDS_ACCESS_CHAIN = 66,
     OP_PTR_ACCESS_CHAIN = 67,
     OP_ARRAY_LENGTH = 68,
+    OP_IN_BOUNDS_PTR_ACCESS_CHAIN = 70,
     OP_DECORATE = 71,
     OP_MEMBER_DECORATE = 72,
     OP_COPY_OBJECT = 83,
+    OP_IMAGE_READ = 98,
+    OP_IMAGE_WRITE = 99,
+    OP_SELECT = 169,
+    OP_ATOMIC_LOAD = 227,
+    OP_ATOMIC_STORE = 228,
+    OP_ATOMIC_XOR = 242,
+    OP_PHI = 245,
+    OP_RETURN_VALUE = 254,
+    OP_ATOMIC_FLAG_TEST_AND_SET = 318,
+    OP_ATOMIC_FLAG_CLEAR = 319,
+    OP_IMAGE_SPARSE_READ = 320,
     OP_TYPE_ACCELERATION_STRUCTURE = 5341,
+    OP_ATOMIC_FLOAT_MIN = 5614,
+    OP_ATOMIC_FLOAT_MAX = 5615,
+    OP_ATOMIC_FLOAT_ADD = 6035,
     DECORATION_SPEC_ID = 1,
     DECORATION_BUFFER_BLOCK = 3,
     DECORATION_ROW_MAJOR = 4,
     DECORATION_ARRAY_STRIDE = 6,
     DECORATION_MATRIX_STRIDE = 7,
+    DECORATION_NON_WRITABLE = 24,
+    DECORATION_NON_READABLE = 25,
     DECORATION_LOCATION = 30,
     DECORATION_BINDING = 33,
     DECORATION_SET = 34,
     DECORATION_OFFSET = 35,
     DIM_SUBPASS = 6,
+    STORAGE_FUNCTION = 7, /* storage class of local variables */
     HEADER_WORDS = 5,
     MAGIC = 0x07230203,
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
+    MAX_CALLS = 64,           /* nesting of calls */
 };
 
 /* Parsed properties of a SPIR-V id. `definition` and `name` are word indices; 0 means none. */
@@ -59,6 +81,9 @@ struct spirv_id {
     uint32_t stride;                       /* of an array in bytes */
     uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
     uint32_t variable;                     /* `variables` index plus 1, or 0 */
+    uint32_t root;              /* storage variable or parameter that a pointer or image is from */
+    uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
+    uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
 };
 
@@ -69,7 +94,7 @@ struct instruction {
 };
 
 /* Advances `in`, initially zero, to the next instruction. Returns false at the end or on error. */
-static bool next(const struct rg_shader *shader, struct instruction *in)
+static inline bool next(const struct rg_shader *shader, struct instruction *in)
 {
     const uint32_t *end = shader->words + shader->word_count;
     in->words = in->words ? in->words + in->count : shader->words + HEADER_WORDS;
@@ -238,6 +263,7 @@ bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *im
     *image = (struct spirv_image){
         .dim = words[3],
         .format = words[8],
+        .depth = words[4],
         .component = rg_spirv_component(s, words[2], NULL),
         .arrayed = words[5],
         .multisampled = words[6],
@@ -344,6 +370,12 @@ static void decorate(struct spirv *s, const struct instruction *in)
     if (!id)
         return;
     switch (in->words[2]) {
+    case DECORATION_NON_WRITABLE:
+        id->denied |= SPIRV_STORES;
+        break;
+    case DECORATION_NON_READABLE:
+        id->denied |= SPIRV_LOADS;
+        break;
     case DECORATION_BUFFER_BLOCK:
         id->buffer_block = true;
         break;
@@ -382,19 +414,27 @@ static void add_variable(struct spirv *s, struct arena *arena, const struct inst
                          struct spirv_id *id)
 {
     const uint32_t *pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
+    uint32_t count;
     if (in->count < 4 || !pointer || id->variable ||
         !ARENA_ROOM(arena, s->variables, s->variable_count, s->variable_room, 32))
         return;
-    s->variables[s->variable_count] = (struct spirv_variable){
+    struct spirv_variable *v = &s->variables[s->variable_count];
+    *v = (struct spirv_variable){
         .name = id->name ? (const char *)&s->shader->words[id->name] : "",
         .storage = in->words[3],
         .type = pointer[3],
         .binding = id->binding - 1, /* 0 becomes SPIRV_NONE */
         .set = id->set - 1,
         .location = id->location - 1,
+        .id = in->words[2],
         .in_interface = id->in_interface,
     };
     id->variable = ++s->variable_count;
+    VkDescriptorType type = rg_spirv_descriptor(s, v, &count);
+    if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ||
+        type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER)
+        id->root = v->id;
+    s->has_storage = s->has_storage || id->root;
 }
 
 static void add_constant(struct spirv *s, struct arena *arena, const struct instruction *in,
@@ -417,6 +457,10 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
     struct spirv_id *id;
     if (in->op == OP_DECORATE)
         decorate(s, in);
+    if (in->op == OP_MEMBER_DECORATE && in->count > 3 && (id = find_id(s, in->words[1]))) {
+        id->unread = (uint16_t)(id->unread + (in->words[3] == DECORATION_NON_READABLE));
+        id->unwritten = (uint16_t)(id->unwritten + (in->words[3] == DECORATION_NON_WRITABLE));
+    }
     if (in->op == OP_NAME && text_of(in, 2) && (id = find_id(s, in->words[1])))
         id->name = (uint32_t)(&in->words[2] - s->shader->words);
     if (!result || in->count <= result || !(id = find_id(s, in->words[result])))
@@ -428,25 +472,135 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
         add_constant(s, arena, in, id);
 }
 
-/* Marks the variables that an instruction accesses as used. */
-static void mark_used(struct spirv *s, const struct instruction *in, bool all_listed)
+/* ---- instructions of functions ---- */
+
+enum {
+    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also of pointers that cannot be followed */
+    DERIVES = 4,                       /* the result is a part of what the operand points to */
+    PASSES = 8,                        /* a function does it */
+    ALL_OPERANDS = UINT8_MAX,
+};
+
+/* Operands of an instruction that may be pointers or storage images. */
+struct operand_rule {
+    uint8_t first, count; /* words */
+    uint8_t access[2];    /* of the first operand, of the others */
+};
+
+static const struct operand_rule operand_rules[OP_IMAGE_SPARSE_READ + 1] = {
+    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { PASSES, PASSES } },
+    [OP_IMAGE_TEXEL_POINTER] = { 3, 1, { DERIVES } },
+    [OP_LOAD] = { 3, 1, { SPIRV_LOADS } },
+    [OP_STORE] = { 1, 2, { SPIRV_STORES, BOTH } },
+    [OP_COPY_MEMORY] = { 1, 2, { SPIRV_STORES, SPIRV_LOADS } },
+    [OP_COPY_MEMORY_SIZED] = { 1, 2, { SPIRV_STORES, SPIRV_LOADS } },
+    [OP_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_IN_BOUNDS_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_PTR_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_ARRAY_LENGTH] = { 3, 1, { 0 } },
+    [OP_IN_BOUNDS_PTR_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
+    [OP_COPY_OBJECT] = { 3, 1, { DERIVES } },
+    [OP_IMAGE_READ] = { 3, 1, { SPIRV_LOADS } },
+    [OP_IMAGE_WRITE] = { 1, 1, { SPIRV_STORES } },
+    [OP_SELECT] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
+    [OP_ATOMIC_LOAD] = { 3, 1, { SPIRV_LOADS } },
+    [OP_ATOMIC_STORE] = { 1, 1, { SPIRV_STORES } },
+    [OP_PHI] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
+    [OP_RETURN_VALUE] = { 1, 1, { BOTH } },
+    [OP_ATOMIC_FLAG_TEST_AND_SET] = { 3, 1, { BOTH } },
+    [OP_ATOMIC_FLAG_CLEAR] = { 1, 1, { SPIRV_STORES } },
+    [OP_IMAGE_SPARSE_READ] = { 3, 1, { SPIRV_LOADS } },
+};
+
+static struct operand_rule operand_rule_of(uint32_t op)
 {
-    uint32_t first = 3, count = 1;
-    if (in->op == OP_STORE || in->op == OP_COPY_MEMORY) {
-        first = 1;
-        count = in->op == OP_STORE ? 1 : 2;
-    } else if (in->op == OP_FUNCTION_CALL) {
-        first = 4;
-        count = in->count;
-    } else if (in->op != OP_LOAD && in->op != OP_ARRAY_LENGTH && in->op != OP_COPY_OBJECT &&
-               in->op != OP_IMAGE_TEXEL_POINTER &&
-               (in->op < OP_ACCESS_CHAIN || in->op > OP_PTR_ACCESS_CHAIN)) {
-        return;
-    }
-    for (uint32_t i = first; i < in->count && i < first + count; i++) {
-        const struct spirv_id *id = find_id(s, in->words[i]);
+    if ((op > OP_ATOMIC_STORE && op <= OP_ATOMIC_XOR) || op == OP_ATOMIC_FLOAT_MIN ||
+        op == OP_ATOMIC_FLOAT_MAX || op == OP_ATOMIC_FLOAT_ADD)
+        return (struct operand_rule){ 3, 1, { BOTH } };
+    return op <= OP_IMAGE_SPARSE_READ ? operand_rules[op] : (struct operand_rule){ 0 };
+}
+
+/* Records the access of an operand to the storage variable or parameter `root` that it is from. */
+static void add_access(struct spirv *s, const struct instruction *in, uint32_t root,
+                       uint32_t access)
+{
+    struct spirv_id *result = in->count > 2 ? find_id(s, in->words[2]) : NULL;
+    if (access == PASSES)
+        s->passes_storage = s->passes_storage || s->ids[root].variable;
+    else if (access != DERIVES &&
+             !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
+        s->ids[root].access = (uint8_t)(s->ids[root].access | access);
+    else if (result)
+        result->root = root;
+}
+
+/* Marks the variables that an instruction accesses as used, and records loads and stores. */
+static void trace(struct spirv *s, const struct instruction *in, bool all_listed)
+{
+    const struct operand_rule rule = operand_rule_of(in->op);
+    const uint32_t *pointer = NULL;
+    struct spirv_id *id;
+    if (in->op == OP_FUNCTION_PARAMETER && in->count > 2 && s->has_storage)
+        pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
+    if (pointer && pointer[2] != STORAGE_FUNCTION && (id = find_id(s, in->words[2])))
+        id->root = in->words[2];
+    for (uint32_t i = 0; i < rule.count && rule.first + i < in->count; i++) {
+        id = find_id(s, in->words[rule.first + i]);
         if (id && id->variable && (!all_listed || id->in_interface))
             s->variables[id->variable - 1].used = true;
+        if (id && id->root)
+            add_access(s, in, id->root, rule.access[i > 0]);
+    }
+}
+
+/* Returns the parameter of a function that receives argument `index`; NULL if there is none. */
+static const struct spirv_id *parameter(const struct spirv *s, uint32_t function, uint32_t index)
+{
+    const uint32_t *words = definition(s, function, OP_FUNCTION, 5);
+    struct instruction in = { OP_FUNCTION, 5, words };
+    while (words && next(s->shader, &in) && in.op == OP_FUNCTION_PARAMETER && in.count > 2) {
+        if (!index--)
+            return find_id(s, in.words[2]);
+    }
+    return NULL;
+}
+
+/* Adds what functions do to their parameters to the arguments. Returns true if that adds any. */
+static bool trace_calls(struct spirv *s)
+{
+    bool changed = false;
+    struct instruction in = { 0 };
+    while (next(s->shader, &in)) {
+        for (uint32_t i = 4; in.op == OP_FUNCTION_CALL && i < in.count; i++) {
+            const struct spirv_id *given = find_id(s, in.words[i]);
+            if (!given || !given->root)
+                continue;
+            const struct spirv_id *to = parameter(s, in.words[3], i - 4);
+            const uint32_t access = to ? to->access : SPIRV_LOADS | SPIRV_STORES;
+            changed = changed || access & ~(uint32_t)s->ids[given->root].access;
+            add_access(s, &in, given->root, access);
+        }
+    }
+    return changed;
+}
+
+/* Sets what the module does to each storage variable, once all instructions are known. */
+static void find_accesses(struct spirv *s)
+{
+    uint32_t count;
+    for (uint32_t depth = 0; s->passes_storage && depth < MAX_CALLS && trace_calls(s); depth++)
+        continue;
+    for (uint32_t i = 0; i < s->variable_count; i++) {
+        struct spirv_variable *v = &s->variables[i];
+        const struct spirv_id *id = &s->ids[v->id];
+        const struct spirv_id *type = find_id(s, element_of(s, v->type));
+        if (!id->root)
+            continue;
+        uint32_t denied = id->denied;
+        if (type && rg_spirv_struct(s, element_of(s, v->type), &count))
+            denied |= (type->unread == count ? (uint32_t)SPIRV_LOADS : 0) |
+                      (type->unwritten == count ? (uint32_t)SPIRV_STORES : 0);
+        v->access = id->access & ~denied;
     }
 }
 
@@ -461,6 +615,7 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     bool in_function = false;
     s->shader = shader;
     s->variable_count = s->constant_count = 0;
+    s->has_storage = s->passes_storage = false;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
         shader->words[3] > shader->word_count)
         return "expected a SPIR-V module in native byte order";
@@ -476,14 +631,19 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     struct instruction in = { 0 };
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
-        if (in_function)
-            mark_used(s, &in, shader->words[1] >= VERSION_1_4);
-        else if (in.op == OP_ENTRY_POINT)
+        if (in.op == OP_FUNCTION && in.count > 4 && find_id(s, in.words[2]))
+            find_id(s, in.words[2])->definition = (uint32_t)(in.words - shader->words);
+        if (in_function) {
+            trace(s, &in, shader->words[1] >= VERSION_1_4);
+        } else if (in.op == OP_ENTRY_POINT) {
             found = is_main(s, &in, model) || found;
-        else
+        } else {
             declare(s, arena, &in);
+        }
     }
     if (in.words != shader->words + shader->word_count)
         return "expected complete SPIR-V instructions up to the end";
+    if (s->has_storage)
+        find_accesses(s);
     return found ? NULL : "expected an entry point 'main' of this stage";
 }

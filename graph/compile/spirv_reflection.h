@@ -22,14 +22,24 @@ enum {
 
 #define SPIRV_NONE UINT32_MAX
 
+/* Accesses of shaders to the content of a storage resource (spirv_variable.access). */
+enum {
+    SPIRV_LOADS = 1, /* atomics load and store */
+    SPIRV_STORES = 2,
+};
+
 /* A global variable of the module. */
 struct spirv_variable {
     const char *name; /* "" if unnamed; borrowed from module */
     uint32_t storage;
     uint32_t type;                   /* id of the type pointed to */
     uint32_t binding, set, location; /* SPIRV_NONE if there is none */
-    bool used;                       /* referenced by the entry point's instructions */
-    bool in_interface;               /* listed by the entry point */
+    uint32_t id;
+    /* SPIRV_LOADS and SPIRV_STORES, by any function of the module. A pointer that cannot be
+     * followed counts as both, except for what NonReadable and NonWritable exclude */
+    uint32_t access;
+    bool used;         /* referenced by the entry point's instructions */
+    bool in_interface; /* listed by the entry point */
 };
 
 struct spirv_constant {
@@ -45,6 +55,7 @@ struct spirv_member {
 
 struct spirv_image {
     uint32_t dim, format; /* SPIR-V Image Format; 0 if unknown */
+    uint32_t depth;       /* 1: compares depths, 0: does not, 2: unknown */
     char component;       /* as rg_spirv_component() returns */
     bool arrayed, multisampled;
 };
@@ -57,6 +68,7 @@ struct spirv {
     uint32_t variable_count, constant_count;
     struct spirv_id *ids; /* opaque, as is the rest */
     uint32_t id_room, variable_room, constant_room;
+    bool has_storage, passes_storage; /* storage variables; to functions */
 };
 
 /* Parses the entry point `main` of a stage and its variables. Returns NULL, or an error message.

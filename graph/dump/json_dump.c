@@ -243,6 +243,8 @@ static void print_pass(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, ", \"row\": %u, \"kind\": \"%s\", \"width\": %u, \"height\": %u", p->row,
                   rg_dump_flag_name(rg_dump_kinds, p->pass->kind), p->extent.width,
                   p->extent.height);
+    if (p->pass->layers)
+        rg_dump_print(d, ", \"layers\": %u", p->pass->layers);
     string_member(d, "set", p->pass->set ? p->pass->set->name : NULL);
     rg_dump_print(d, ", \"conditional\": %s, \"targets\": [", bool_of(p->pass->when));
     for (uint32_t i = 0; i < p->color_count; i++) {

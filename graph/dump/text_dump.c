@@ -127,24 +127,25 @@ static void print_barriers(const struct rg_dump *d, const char *what, uint32_t f
     }
 }
 
-static void print_texels(const struct rg_dump *d, uint32_t index, uint32_t mip, uint32_t layer)
+static void print_texels(const struct rg_dump *d, uint32_t index, uint32_t mip, uint32_t layer,
+                         uint32_t layers)
 {
     const struct rg_plan_image *image = &d->plan->images[index];
     rg_dump_print(d, " %n", image->image->name);
     print_span(d->out, "mip", mip, 1, image->mips);
-    print_span(d->out, "layer", layer, 1, image->layers);
+    print_span(d->out, "layer", layer, layers ? layers : 1, image->layers);
 }
 
 static void print_target(const struct rg_dump *d, const struct rg_plan_target *target,
-                         const char *what)
+                         const char *what, uint32_t layers)
 {
     rg_dump_print(d, "  %s", what);
-    print_texels(d, target->image, target->mip, target->layer);
+    print_texels(d, target->image, target->mip, target->layer, layers);
     rg_dump_print(d, " %s %s", rg_dump_flag_name(rg_dump_loads, target->load),
                   rg_dump_flag_name(rg_dump_stores, target->store));
     if (target->resolve != RG_NONE) {
         rg_dump_print(d, " resolve");
-        print_texels(d, target->resolve, target->resolve_mip, target->resolve_layer);
+        print_texels(d, target->resolve, target->resolve_mip, target->resolve_layer, layers);
     }
     rg_dump_print(d, "\n");
 }
@@ -176,9 +177,9 @@ static void print_pass(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, " %s %ux%u%s\n", rg_dump_flag_name(rg_dump_kinds, pass->pass->kind),
                   pass->extent.width, pass->extent.height, pass->pass->when ? " conditional" : "");
     for (uint32_t i = 0; i < pass->color_count; i++)
-        print_target(d, &pass->color[i], "color");
+        print_target(d, &pass->color[i], "color", pass->pass->layers);
     if (pass->depth.image != RG_NONE)
-        print_target(d, &pass->depth, rg_dump_depth(pass->pass));
+        print_target(d, &pass->depth, rg_dump_depth(pass->pass), pass->pass->layers);
     for (uint32_t i = 0; i < pass->use_count; i++)
         print_use(d, &d->plan->uses[pass->first_use + i]);
     if (pass->pass->set)

@@ -43,13 +43,13 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
     uint32_t count = rg_exec_attachments(plan, targets);
     uint32_t resolve = plan->color_count + has_depth;
     VkResult result;
-    uint64_t key = rg_exec_key(RG_NO_KEY, &plan->color_count, sizeof(plan->color_count));
+    RG_KEY(exec, plan->color_count);
     for (uint32_t i = 0; i < count; i++) {
         const struct rg_plan_image *image = &exec->plan->images[targets[i].image];
         const uint32_t fields[] = { (uint32_t)image->image->format, image->samples,
                                     (uint32_t)targets[i].load,      (uint32_t)targets[i].store,
                                     (uint32_t)targets[i].layout,    targets[i].resolve != RG_NONE };
-        key = rg_exec_key(key, fields, sizeof(fields));
+        rg_exec_key(exec, fields, sizeof(fields));
         attachments[i] = (VkAttachmentDescription){
             .format = image->image->format,
             .samples = (VkSampleCountFlagBits)image->samples,
@@ -73,14 +73,14 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
         .pResolveAttachments = resolves,
         .pDepthStencilAttachment = has_depth ? &references[plan->color_count] : NULL,
     };
-    RG_MAKE_KEYED(exec, plan->pass->name, key, RENDER_PASS, CreateRenderPass, &pass->render_pass,
-                  &(VkRenderPassCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
-                      .attachmentCount = count,
-                      .pAttachments = attachments,
-                      .subpassCount = 1,
-                      .pSubpasses = &subpass,
-                  });
+    RG_MAKE(exec, plan->pass->name, RENDER_PASS, CreateRenderPass, &pass->render_pass,
+            &(VkRenderPassCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                .attachmentCount = count,
+                .pAttachments = attachments,
+                .subpassCount = 1,
+                .pSubpasses = &subpass,
+            });
 fail:
     return result;
 }
@@ -96,25 +96,29 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
     for (uint32_t i = 0; i < count; i++) {
         const struct rg_plan_target *target = &attachments[i];
         const struct rg_plan_image *image = &exec->plan->images[target->image];
-        const VkImageSubresourceRange range = { image->aspects, target->mip, 1, target->layer, 1 };
-        RG_TRY(rg_exec_make_view(exec, image, set->images[target->image], VK_IMAGE_VIEW_TYPE_2D,
+        const uint32_t layers = rg_exec_layers(plan->pass);
+        const VkImageSubresourceRange range = { image->aspects, target->mip, 1, target->layer,
+                                                layers };
+        RG_TRY(rg_exec_make_view(exec, image, set->images[target->image],
+                                 layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
                                  &range, &targets->views[i]));
     }
-    uint64_t key = rg_exec_key(RG_NO_KEY, targets->views, count * sizeof(targets->views[0]));
-    RG_KEY(key, exec->passes[index].render_pass);
-    RG_KEY(key, (uint64_t)plan->extent.width << 32 | plan->extent.height);
-    if (exec->passes[index].render_pass)
-        RG_MAKE_KEYED(exec, plan->pass->name, key, FRAMEBUFFER, CreateFramebuffer,
-                      &targets->framebuffer,
-                      &(VkFramebufferCreateInfo){
-                          .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
-                          .renderPass = exec->passes[index].render_pass,
-                          .attachmentCount = count,
-                          .pAttachments = targets->views,
-                          .width = plan->extent.width,
-                          .height = plan->extent.height,
-                          .layers = 1,
-                      });
+    if (!exec->passes[index].render_pass)
+        return VK_SUCCESS;
+    rg_exec_key(exec, targets->views, count * sizeof(targets->views[0]));
+    RG_KEY(exec, exec->passes[index].render_pass);
+    RG_KEY(exec, (uint64_t)plan->extent.width << 32 | plan->extent.height);
+    RG_KEY(exec, rg_exec_layers(plan->pass));
+    RG_MAKE(exec, plan->pass->name, FRAMEBUFFER, CreateFramebuffer, &targets->framebuffer,
+            &(VkFramebufferCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                .renderPass = exec->passes[index].render_pass,
+                .attachmentCount = count,
+                .pAttachments = targets->views,
+                .width = plan->extent.width,
+                .height = plan->extent.height,
+                .layers = rg_exec_layers(plan->pass),
+            });
 fail:
     return result;
 }

@@ -83,12 +83,18 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands)
     batch->all = (VkMemoryBarrier2){ 0 };
 }
 
-/* Adds an image barrier; two successive layout transitions of the same range become one. */
-static void add_image(struct rg_exec *exec, VkCommandBuffer commands, const struct rg_barrier *b)
+/* Adds an image barrier; two successive layout transitions of the same range become one. Only the
+ * first `older` pending barriers, which are those of other passes, can overlap it. */
+static void add_image(struct rg_exec *exec, VkCommandBuffer commands, const struct rg_barrier *b,
+                      uint32_t older)
 {
     struct exec_batch *batch = &exec->batch;
-    const VkImageMemoryBarrier2 barrier = image_barrier(exec, b);
-    for (uint32_t i = 0; i < batch->image_count; i++) {
+    VkImageMemoryBarrier2 barrier = image_barrier(exec, b);
+    if (exec->is_update && !exec->initialized) { /* after another plan's last accesses */
+        barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    }
+    for (uint32_t i = 0; i < older && i < batch->image_count; i++) {
         VkImageMemoryBarrier2 *pending = &batch->images[i];
         if (!overlap_subresources(pending, &barrier))
             continue;
@@ -105,12 +111,15 @@ void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t 
                        uint32_t count)
 {
     struct exec_batch *batch = &exec->batch;
+    if (count > batch->room - batch->image_count || count > batch->room - batch->buffer_count)
+        rg_exec_record_batch(exec, commands);
+    const uint32_t older = batch->image_count;
     if (count && batch->image_count + batch->buffer_count)
         batch->is_merged = true;
     for (uint32_t i = first; i < first + count; i++) {
         const struct rg_barrier *b = &exec->plan->barriers[i];
         if (b->image != RG_NONE)
-            add_image(exec, commands, b);
+            add_image(exec, commands, b, older);
         else
             batch->buffers[batch->buffer_count++] = buffer_barrier(exec, b);
         batch->all.srcStageMask |= b->src_stages;

@@ -73,15 +73,29 @@ static bool limits_depth_bias(const struct rg_plan *plan)
     return false;
 }
 
+/* Returns true if a use has a sampler with a reduction, which the executor creates. */
+static bool reduces(const struct rg_exec *exec)
+{
+    const struct rg_exec_params *p = &exec->params;
+    for (uint32_t i = 0; i < exec->plan->use_count; i++) {
+        const struct rg_sampler *s = exec->plan->uses[i].use->sampler;
+        bool is_own = false;
+        for (size_t k = 0; k < p->sampler_count; k++)
+            is_own = is_own || p->samplers[k].sampler == s;
+        if (s && s->reduction && !is_own)
+            return true;
+    }
+    return false;
+}
+
 /* Returns true if a raster pass writes storage in a shader stage, by default the fragment stage. */
-static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
+static bool writes_in(const struct rg_plan *plan, VkShaderStageFlagBits stage)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++) {
         const struct rg_plan_pass *pass = &plan->passes[p];
         for (uint32_t i = 0; i < pass->use_count && pass->pass->kind == RG_RASTER; i++) {
             const struct rg_use *use = plan->uses[pass->first_use + i].use;
-            VkPipelineStageFlags2 stages =
-                use->stages ? use->stages : VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+            VkShaderStageFlags stages = use->stages ? use->stages : VK_SHADER_STAGE_FRAGMENT_BIT;
             if (rg_access_info(use->access)->writes_content && (stages & stage))
                 return true;
         }
@@ -123,6 +137,7 @@ static const struct capability {
     V12(39, shaderInt8),
     CORE(55, shaderStorageImageReadWithoutFormat),
     CORE(56, shaderStorageImageWriteWithoutFormat),
+    V12(69, shaderOutputLayer),
     RAYS(4472, rayQuery),
     V11(4427, shaderDrawParameters),
     V11(4433, storageBuffer16BitAccess),
@@ -200,11 +215,10 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
           f.structures.accelerationStructure },
         { "the feature depthBiasClamp", limits_depth_bias(exec->plan), core->depthBiasClamp },
         { "the feature fragmentStoresAndAtomics",
-          writes_in(exec->plan, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT),
-          core->fragmentStoresAndAtomics },
+          writes_in(exec->plan, VK_SHADER_STAGE_FRAGMENT_BIT), core->fragmentStoresAndAtomics },
         { "the feature vertexPipelineStoresAndAtomics",
-          writes_in(exec->plan, VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
-          core->vertexPipelineStoresAndAtomics },
+          writes_in(exec->plan, VK_SHADER_STAGE_VERTEX_BIT), core->vertexPipelineStoresAndAtomics },
+        { "the feature samplerFilterMinmax", reduces(exec), f.v12.samplerFilterMinmax },
         { "the feature samplerAnisotropy", p->max_anisotropy >= 1.0f, core->samplerAnisotropy },
         { "the feature pipelineStatisticsQuery", p->statistics, core->pipelineStatisticsQuery },
         { "the feature occlusionQueryPrecise", p->statistics, core->occlusionQueryPrecise },

@@ -1,28 +1,23 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
 #include "graph/exec/executor_internal.h"
 
-static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
+static VkImageViewType view_type(const struct rg_plan_image *image, uint32_t layers, bool storage)
 {
-    VkShaderStageFlags stages = 0;
-    if (use->stages & VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_VERTEX_BIT;
-    if (use->stages & VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_FRAGMENT_BIT;
-    if (use->stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
-        stages |= VK_SHADER_STAGE_COMPUTE_BIT;
-    return stages ? stages : rg_exec_stages(pass);
-}
-
-static VkImageViewType view_type(const struct rg_plan_image *image, const struct rg_plan_use *use)
-{
-    bool storage = use->use->access != RG_SAMPLED;
     if (image->image->depth)
         return VK_IMAGE_VIEW_TYPE_3D;
-    if (image->image->cube && !storage && use->range.layerCount == 6)
+    if (image->image->cube && !storage && layers == 6)
         return VK_IMAGE_VIEW_TYPE_CUBE;
     if (image->layers > 1 || image->image->array)
         return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
     return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+static VkSamplerAddressMode address_mode(const struct rg_sampler *s, bool repeats)
+{
+    if (repeats)
+        return s->mirror ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT : VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    return s->border ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER
+                     : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 }
 
 static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct rg_sampler *key)
@@ -35,28 +30,44 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
         .magFilter = filter,
         .minFilter = filter,
         .mipmapMode = key->linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
-        .addressModeU =
-            key->repeat_u ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeV =
-            key->repeat_v ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-        .addressModeW =
-            key->repeat_w ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+        .addressModeU = address_mode(key, key->repeat_u),
+        .addressModeV = address_mode(key, key->repeat_v),
+        .addressModeW = address_mode(key, key->repeat_w),
+        .mipLodBias = key->mips ? key->lod_bias : 0.0f,
         .anisotropyEnable = anisotropy >= 1.0f,
         .maxAnisotropy = anisotropy,
-        .maxLod = key->mips ? VK_LOD_CLAMP_NONE : 0.0f,
+        .compareEnable = key->compare != 0,
+        .compareOp = key->compare,
+        .minLod = key->mips ? key->min_lod : 0.0f,
+        .maxLod = !key->mips            ? 0.0f
+                  : key->max_lod > 0.0f ? key->max_lod
+                                        : VK_LOD_CLAMP_NONE,
+        .borderColor = key->border_color,
     };
 }
 
-/* Finds or creates the sampler of a use; equal rg_sampler structs share one VkSampler. */
+/* Finds the program's sampler for a use, or finds or creates one; equal structs share it. */
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
     const struct rg_sampler *s = use->sampler ? use->sampler : &nearest;
-    const VkSamplerCreateInfo info = sampler_info(exec, s);
-    uint64_t key = rg_exec_key(RG_NO_KEY, &info.maxAnisotropy, sizeof(info.maxAnisotropy));
+    const VkSamplerReductionModeCreateInfo reduction = {
+        .sType = VK_STRUCTURE_TYPE_SAMPLER_REDUCTION_MODE_CREATE_INFO,
+        .reductionMode = s->reduction,
+    };
+    VkSamplerCreateInfo info = sampler_info(exec, s);
     VkResult result;
-    RG_KEY(key, s->linear | s->mips << 1 | s->repeat_u << 2 | s->repeat_v << 3 | s->repeat_w << 4);
-    RG_MAKE_KEYED(exec, use->image->name, key, SAMPLER, CreateSampler, sampler, &info);
+    for (size_t i = 0; i < exec->params.sampler_count; i++) {
+        if (exec->params.samplers[i].sampler != s)
+            continue;
+        *sampler = exec->params.samplers[i].handle;
+        return VK_SUCCESS;
+    }
+    info.pNext = s->reduction ? &reduction : NULL;
+    /* from `flags` on, all members have 4 bytes */
+    rg_exec_key(exec, &info.flags, sizeof(info) - offsetof(VkSamplerCreateInfo, flags));
+    RG_KEY(exec, s->reduction);
+    RG_MAKE(exec, use->image->name, SAMPLER, CreateSampler, sampler, &info);
 fail:
     return result;
 }
@@ -105,7 +116,6 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
     VkResult result;
     uint32_t count = 0;
     VkDescriptorSetLayoutBinding *bindings = exec->bindings;
-    uint64_t key = RG_NO_KEY;
     for (uint32_t i = 0; i < descriptor_count(plan); i++) {
         const struct exec_descriptor d = descriptor_of(exec, plan, i);
         if (d.type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
@@ -115,23 +125,22 @@ static VkResult make_set_layout(struct rg_exec *exec, const struct rg_plan_pass 
             bindings[count++] = (VkDescriptorSetLayoutBinding){
                 .binding = d.use->binding,
                 .descriptorType = d.type,
-                .stageFlags = use_stages(plan->pass, d.use),
+                .stageFlags = d.use->stages ? d.use->stages : rg_exec_stages(plan->pass),
             };
         bindings[at].descriptorCount++;
     }
     for (uint32_t i = 0; i < count; i++) {
-        RG_KEY(key, (uint64_t)bindings[i].binding << 32 | bindings[i].stageFlags);
-        RG_KEY(key,
+        RG_KEY(exec, (uint64_t)bindings[i].binding << 32 | bindings[i].stageFlags);
+        RG_KEY(exec,
                (uint64_t)bindings[i].descriptorCount << 32 | (uint32_t)bindings[i].descriptorType);
     }
-    RG_KEY(key, count);
-    RG_MAKE_KEYED(exec, plan->pass->name, key, DESCRIPTOR_SET_LAYOUT, CreateDescriptorSetLayout,
-                  layout,
-                  &(VkDescriptorSetLayoutCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                      .bindingCount = count,
-                      .pBindings = bindings,
-                  });
+    RG_KEY(exec, count);
+    RG_MAKE(exec, plan->pass->name, DESCRIPTOR_SET_LAYOUT, CreateDescriptorSetLayout, layout,
+            &(VkDescriptorSetLayoutCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                .bindingCount = count,
+                .pBindings = bindings,
+            });
 fail:
     return result;
 }
@@ -142,19 +151,18 @@ static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *
 {
     const struct rg_buffer *declared = d->use->buffer;
     VkBuffer buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
-    uint64_t key = RG_NO_KEY;
     VkResult result;
     if (!exec->plan->buffers[d->buffer].imported) {
-        key = rg_exec_key(key, &buffer, sizeof(buffer));
-        RG_KEY(key, declared->format);
+        RG_KEY(exec, buffer);
+        RG_KEY(exec, declared->format);
     }
-    RG_MAKE_KEYED(exec, declared->name, key, BUFFER_VIEW, CreateBufferView, view,
-                  &(VkBufferViewCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
-                      .buffer = buffer,
-                      .format = declared->format,
-                      .range = VK_WHOLE_SIZE,
-                  });
+    RG_MAKE(exec, declared->name, BUFFER_VIEW, CreateBufferView, view,
+            &(VkBufferViewCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                .buffer = buffer,
+                .format = declared->format,
+                .range = VK_WHOLE_SIZE,
+            });
 fail:
     return result;
 }
@@ -165,12 +173,10 @@ static bool is_texels(const struct exec_descriptor *d)
            d->type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
 }
 
-/* Fills exec->descriptors for a pass and hashes them into *key. If a buffer is imported, sets *key
- * to RG_NO_KEY, because the program may reuse the buffer's handle for another buffer. */
+/* Fills exec->descriptors for a pass. */
 static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
-                                 const struct rg_plan_pass *plan, uint64_t *key)
+                                 const struct rg_plan_pass *plan)
 {
-    bool is_foreign = false;
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < descriptor_count(plan); i++) {
         struct exec_descriptor *d = &exec->descriptors[i];
@@ -182,32 +188,44 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         if (d->buffer == RG_NONE && !d->image.imageView) {
             const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
             const struct rg_plan_image *image = &exec->plan->images[use->image];
-            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
-                                     &use->range, &d->image.imageView));
+            const VkImageViewType type =
+                view_type(image, use->range.layerCount, use->use->access != RG_SAMPLED);
+            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], type, &use->range,
+                                     &d->image.imageView));
         }
-        RG_KEY(*key, d->image.imageView);
-        RG_KEY(*key, d->image.sampler);
-        RG_KEY(*key, d->image.imageLayout);
-        for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++) {
-            VkBufferView texels = VK_NULL_HANDLE;
-            if (is_texels(d))
-                RG_TRY(find_texels(exec, d, slot, &texels));
-            RG_KEY(*key, texels);
-            RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->buffer);
-            RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->acceleration);
-        }
-        is_foreign =
-            is_foreign || (d->buffer != RG_NONE && exec->plan->buffers[d->buffer].imported);
     }
-    if (is_foreign)
-        *key = RG_NO_KEY;
 fail:
     return result;
 }
 
+/* Stores the key of the descriptor sets of a pass. If a buffer is imported, the key is empty,
+ * because the program may reuse the buffer's handle for another buffer. A texel buffer's view
+ * depends on the buffer and on the format of its declaration. */
+static void add_descriptors(struct rg_exec *exec, const struct rg_plan_pass *plan,
+                            VkDescriptorSetLayout layout)
+{
+    RG_KEY(exec, RG_ARRAY_SETS);
+    RG_KEY(exec, layout);
+    for (uint32_t i = 0; i < descriptor_count(plan); i++) {
+        const struct exec_descriptor *d = &exec->descriptors[i];
+        if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+            continue;
+        RG_KEY(exec, d->image.imageView);
+        RG_KEY(exec, d->image.sampler);
+        RG_KEY(exec, (uint64_t)d->use->element << 32 | d->image.imageLayout);
+        RG_KEY(exec, d->buffer == RG_NONE ? VK_FORMAT_UNDEFINED : d->use->buffer->format);
+        for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++)
+            RG_KEY(exec, rg_exec_buffer(exec, d->buffer, slot)->buffer);
+        if (d->buffer != RG_NONE && exec->plan->buffers[d->buffer].imported) {
+            exec->key.size = 0;
+            return;
+        }
+    }
+}
+
 /* Creates a descriptor pool that suffices even if all descriptors have one type. If the plan has no
  * acceleration structures, the pool has none (the last entry). */
-static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
+static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
                           VkDescriptorPool *pool)
 {
     uint32_t count = descriptor_count(plan) * exec->slot_count + 1;
@@ -221,8 +239,8 @@ static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
         { VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, count },
     };
     VkResult result;
-    RG_MAKE_KEYED(
-        exec, plan->pass->name, key, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
+    RG_MAKE(
+        exec, plan->pass->name, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
         &(VkDescriptorPoolCreateInfo){
             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
             .maxSets = exec->slot_count,
@@ -278,16 +296,17 @@ static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[pass];
     const VkDescriptorSetLayout *layout = &exec->passes[pass].set_layout;
-    uint64_t key = rg_exec_key(RG_NO_KEY, layout, sizeof(*layout));
     VkDescriptorSet *sets;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkResult result;
-    RG_TRY(find_descriptors(exec, set, plan, &key));
-    if (!RG_MAKE_KEYED_ARRAY(exec, key, sets, exec->slot_count))
+    RG_TRY(find_descriptors(exec, set, plan));
+    add_descriptors(exec, plan, *layout);
+    if (!RG_MAKE_ARRAY(exec, sets, exec->slot_count))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     set->descriptors[pass] = sets;
-    RG_TRY(make_pool(exec, plan, key, &pool));
     const bool is_kept = exec->found;
+    RG_KEY(exec, sets); /* which is freed with the pool */
+    RG_TRY(make_pool(exec, plan, &pool));
     for (uint32_t slot = 0; slot < exec->slot_count && !is_kept; slot++) {
         RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
                 &(VkDescriptorSetAllocateInfo){
@@ -323,4 +342,29 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec)
             result = make_sets(exec, &exec->image_sets[i], p);
     }
     return result;
+}
+
+VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
+                         const struct rg_range *range)
+{
+    static const struct rg_range whole = { 0 };
+    const struct rg_range *r = range ? range : &whole;
+    const struct rg_plan_image *plan = exec->plan->images;
+    const struct rg_plan_image *end = plan + exec->plan->image_count;
+    VkImageView view = VK_NULL_HANDLE;
+    while (plan < end && plan->image != image)
+        plan++;
+    if (plan == end || plan->imported || r->mip >= plan->mips || r->layer >= plan->layers)
+        return VK_NULL_HANDLE;
+    const VkImageSubresourceRange all = {
+        .aspectMask = r->aspect ? r->aspect : plan->aspects,
+        .baseMipLevel = r->mip,
+        .levelCount = r->mip_count ? r->mip_count : plan->mips - r->mip,
+        .baseArrayLayer = r->layer,
+        .layerCount = r->layer_count ? r->layer_count : plan->layers - r->layer,
+    };
+    VkResult result =
+        rg_exec_make_view(exec, plan, exec->image_set->images[plan - exec->plan->images],
+                          view_type(plan, all.layerCount, false), &all, &view);
+    return result == VK_SUCCESS ? view : VK_NULL_HANDLE;
 }

@@ -18,27 +18,27 @@ static uint32_t find_type(const struct rg_exec *exec, uint32_t bits,
 }
 
 /* Begins the cache key of an object that is identified by its name. */
-static uint64_t name_key(const char *name, uint64_t salt)
+static void add_name(struct rg_exec *exec, const char *name, uint64_t salt)
 {
-    uint64_t key = rg_exec_key(RG_NO_KEY, name, strlen(name));
-    return RG_KEY(key, salt);
+    rg_exec_key(exec, name, strlen(name) + 1);
+    RG_KEY(exec, salt);
 }
 
 static VkResult allocate(struct rg_exec *exec, VkDeviceSize size, uint32_t type, const char *name,
                          uint64_t salt, VkDeviceMemory *memory)
 {
-    uint64_t key = name_key(name, salt);
     VkResult result;
     if (type == RG_NONE)
         return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the memory type", name);
-    RG_KEY(key, size);
-    RG_KEY(key, type);
-    RG_MAKE_KEYED(exec, name, key, DEVICE_MEMORY, AllocateMemory, memory,
-                  &(VkMemoryAllocateInfo){
-                      .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                      .allocationSize = size,
-                      .memoryTypeIndex = type,
-                  });
+    add_name(exec, name, salt);
+    RG_KEY(exec, size);
+    RG_KEY(exec, type);
+    RG_MAKE(exec, name, DEVICE_MEMORY, AllocateMemory, memory,
+            &(VkMemoryAllocateInfo){
+                .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                .allocationSize = size,
+                .memoryTypeIndex = type,
+            });
 fail:
     return result;
 }
@@ -102,32 +102,39 @@ VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image)
     return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
 }
 
-/* Returns the cache key of an image, which includes the memory that it is bound to. */
-static uint64_t image_key(const struct rg_exec *exec, const struct rg_plan_image *plan,
-                          uint64_t salt)
+/* Stores the cache key of an image, which includes the memory that it is bound to. */
+static void add_image(struct rg_exec *exec, const struct rg_plan_image *plan,
+                      const struct rg_use *placeholder)
 {
     const uint32_t fields[] = { plan->flags,        (uint32_t)plan->image->format,
                                 plan->extent.width, plan->extent.height,
                                 plan->depth,        plan->layers,
                                 plan->mips,         plan->samples,
                                 plan->usage };
-    uint64_t key = rg_exec_key(name_key(plan->image->name, salt), fields, sizeof(fields));
-    RG_KEY(key, plan->size);
-    RG_KEY(key, plan->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[plan->block]);
-    return RG_KEY(key, plan->offset);
+    add_name(exec, plan->image->name, placeholder != NULL);
+    if (placeholder) {
+        rg_exec_key(exec, placeholder->fallback, sizeof(*placeholder->fallback));
+        RG_KEY(exec, placeholder->range.aspect);
+    }
+    rg_exec_key(exec, fields, sizeof(fields));
+    RG_KEY(exec, plan->size);
+    RG_KEY(exec, plan->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[plan->block]);
+    RG_KEY(exec, plan->offset);
 }
 
-VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
-                            VkImage *image)
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan,
+                            const struct rg_use *placeholder, VkImage *image)
 {
     const struct placement placement = { plan->image->name, plan->block, plan->offset, plan->size,
-                                         salt };
+                                         placeholder != NULL };
     const VkImageCreateInfo info = rg_image_create_info(plan);
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
-    RG_MAKE_KEYED(exec, placement.name, image_key(exec, plan, salt), IMAGE, CreateImage, image,
-                  &info);
+    add_image(exec, plan, placeholder);
+    RG_MAKE(exec, placement.name, IMAGE, CreateImage, image, &info);
+    if (exec->found == RG_FOUND_HERE)
+        return VK_SUCCESS;
     const bool is_bound = exec->found;
     exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
     RG_TRY(find_memory(exec, &placement, &needs, &memory));
@@ -144,21 +151,34 @@ VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *pla
                            VkImageView *view)
 {
     VkResult result;
-    uint64_t key = rg_exec_key(RG_NO_KEY, range, sizeof(*range));
-    RG_KEY(key, image);
-    RG_KEY(key, type);
-    if (plan->imported)
-        key = RG_NO_KEY;
-    RG_MAKE_KEYED(exec, plan->image->name, key, IMAGE_VIEW, CreateImageView, view,
-                  &(VkImageViewCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                      .image = image,
-                      .viewType = type,
-                      .format = plan->image->format,
-                      .subresourceRange = *range,
-                  });
+    if (!plan->imported) {
+        rg_exec_key(exec, range, sizeof(*range));
+        RG_KEY(exec, image);
+        RG_KEY(exec, type);
+    }
+    RG_MAKE(exec, plan->image->name, IMAGE_VIEW, CreateImageView, view,
+            &(VkImageViewCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                .image = image,
+                .viewType = type,
+                .format = plan->image->format,
+                .subresourceRange = *range,
+            });
 fail:
     return result;
+}
+
+/* Sets *origin to 1 plus the index that a persistent resource had in the previous plan, or to 0. */
+static VkResult find_origin(struct rg_exec *exec, uint64_t handle, uint32_t index, uint32_t *origin)
+{
+    uint32_t *last; /* index plus 1, kept with the resource */
+    RG_KEY(exec, RG_ARRAY_INDEX);
+    RG_KEY(exec, handle);
+    if (!RG_MAKE_ARRAY(exec, last, 1))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    *origin = *last;
+    *last = index + 1;
+    return VK_SUCCESS;
 }
 
 /* Finds or creates an image of the plan and stores it in every image set. */
@@ -172,10 +192,11 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
     if (plan->imported)
         import = find_import(exec, plan->import, plan->image->name);
     else
-        result = rg_exec_make_image(exec, plan, 0, &image);
-    exec->has_content[index] = image && plan->persistent && exec->found;
+        result = rg_exec_make_image(exec, plan, NULL, &image);
     if (!import)
         return VK_ERROR_INITIALIZATION_FAILED;
+    if (image && plan->persistent && result == VK_SUCCESS)
+        result = find_origin(exec, (uint64_t)image, index, &exec->origins[index]);
     for (uint32_t i = 0; i < exec->image_set_count; i++)
         exec->image_sets[i].images[index] = import->image_count ? import->images[i]
                                             : image             ? image
@@ -187,21 +208,23 @@ VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer)
 {
-    uint64_t key = name_key(name, slot);
     VkMemoryRequirements needs;
     struct exec_buffer *known;
     VkResult result;
-    RG_KEY(key, info->size);
-    RG_KEY(key, info->usage);
-    RG_KEY(key, preferred);
-    if (!RG_MAKE_KEYED_ARRAY(exec, key, known, 1))
+    RG_KEY(exec, RG_ARRAY_HOST_BUFFER);
+    add_name(exec, name, slot);
+    RG_KEY(exec, info->size);
+    RG_KEY(exec, info->usage);
+    RG_KEY(exec, preferred);
+    if (!RG_MAKE_ARRAY(exec, known, 1))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     *buffer = *known;
-    RG_MAKE_KEYED(exec, name, key, BUFFER, CreateBuffer, &buffer->buffer, info);
+    RG_KEY(exec, known); /* which is freed with the buffer and its memory */
+    RG_MAKE(exec, name, BUFFER, CreateBuffer, &buffer->buffer, info);
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffer, &needs);
     uint32_t type =
         find_type(exec, needs.memoryTypeBits, preferred, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
-    RG_TRY(allocate(exec, needs.size, type, name, key, &buffer->host));
+    RG_TRY(allocate(exec, needs.size, type, name, (uintptr_t)known, &buffer->host));
     if (known->mapped)
         return VK_SUCCESS;
     buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
@@ -220,19 +243,18 @@ static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInf
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
-    uint64_t key = name_key(placement->name, info->usage);
-    RG_KEY(key, info->size);
-    RG_KEY(key, placement->size);
-    RG_KEY(key, placement->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[placement->block]);
-    RG_KEY(key, placement->offset);
-    RG_MAKE_KEYED(exec, placement->name, key, BUFFER, CreateBuffer, buffer, info);
+    add_name(exec, placement->name, info->usage);
+    RG_KEY(exec, info->size);
+    RG_KEY(exec, placement->size);
+    RG_KEY(exec, placement->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[placement->block]);
+    RG_KEY(exec, placement->offset);
+    RG_MAKE(exec, placement->name, BUFFER, CreateBuffer, buffer, info);
     const bool is_bound = exec->found;
     exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
     RG_TRY(find_memory(exec, placement, &needs, &memory));
     if (!is_bound)
         RG_CALL(exec, placement->name, BindBufferMemory, exec->device, *buffer, memory,
                 placement->offset);
-    exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
 fail:
     return result;
 }
@@ -265,7 +287,9 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
             *buffer = *rg_exec_buffer(exec, index, 0);
         } else if (!plan->imported) {
             result = make_device_buffer(exec, &info, &placement, &buffer->buffer);
-            exec->has_content[exec->plan->image_count + index] = plan->persistent && exec->found;
+            if (plan->persistent && result == VK_SUCCESS)
+                result = find_origin(exec, (uint64_t)buffer->buffer, index,
+                                     &exec->origins[exec->plan->image_count + index]);
         } else {
             import = find_import(exec, plan->import, placement.name);
             buffer->buffer = import ? import->buffer : VK_NULL_HANDLE;

@@ -1,23 +1,25 @@
 /* executor.c: creates, updates and destroys an executor; begins, submits and waits for frames. */
-#include <assert.h>
 #include <stdlib.h>
 #include "graph/exec/executor_internal.h"
 
-/* Creates fences and command buffers, which are kept when the plan changes. */
+/* Creates fences and command buffers, or keeps them when the plan changes. */
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
-    RG_MAKE_KEYED(exec, NULL, 1, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
-                  &(VkCommandPoolCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                      .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                      .queueFamilyIndex = exec->params.queue_family,
-                  });
+    RG_KEY(exec, exec->slot_count);
+    RG_MAKE(exec, NULL, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
+            &(VkCommandPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                .queueFamilyIndex = exec->params.queue_family,
+            });
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         struct exec_slot *slot = &exec->slots[i];
         slot->passes = NULL; /* they belonged to the previous plan */
-        RG_MAKE_KEYED(exec, NULL, i + 1, FENCE, CreateFence, &slot->fence,
-                      &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
+        slot->times = (struct rg_times){ 0 };
+        RG_KEY(exec, i);
+        RG_MAKE(exec, NULL, FENCE, CreateFence, &slot->fence,
+                &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
         if (exec->found)
             continue;
         RG_CALL(exec, NULL, AllocateCommandBuffers, exec->device,
@@ -47,21 +49,32 @@ static VkResult count_image_sets(struct rg_exec *exec)
     return VK_SUCCESS;
 }
 
+/* Returns how many barriers may be pending: those of the largest batch, or of several. */
+static uint32_t batch_room(const struct rg_plan *plan)
+{
+    uint32_t room = RG_MERGED_MAX;
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        if (plan->passes[p].barrier_count > room)
+            room = plan->passes[p].barrier_count;
+    }
+    if (plan->final_barrier_count > room)
+        room = plan->final_barrier_count;
+    return plan->initial_barrier_count > room ? plan->initial_barrier_count : room;
+}
+
 static VkResult make_arrays(struct rg_exec *exec)
 {
     const struct rg_plan *plan = exec->plan;
     size_t slot_count = exec->slot_count;
-    size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
     size_t resource_count = (size_t)plan->image_count + plan->buffer_count;
+    exec->batch.room = batch_room(plan);
     bool done = RG_MAKE_ARRAY(exec, exec->blocks, plan->block_count) &&
                 RG_MAKE_ARRAY(exec, exec->buffers, plan->buffer_count * slot_count) &&
                 RG_MAKE_ARRAY(exec, exec->fallbacks, plan->fallback_count) &&
-                RG_MAKE_ARRAY(exec, exec->has_content, resource_count) &&
+                RG_MAKE_ARRAY(exec, exec->origins, resource_count) &&
                 RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
-                RG_MAKE_ARRAY(exec, exec->costs, plan->pass_count) &&
-                RG_MAKE_KEYED_ARRAY(exec, 1, exec->slots, slot_count) &&
-                RG_MAKE_ARRAY(exec, exec->batch.images, barrier_count) &&
-                RG_MAKE_ARRAY(exec, exec->batch.buffers, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->batch.images, exec->batch.room) &&
+                RG_MAKE_ARRAY(exec, exec->batch.buffers, exec->batch.room) &&
                 RG_MAKE_ARRAY(exec, exec->image_sets, exec->image_set_count);
     for (uint32_t i = 0; done && i < exec->image_set_count; i++) {
         struct exec_image_set *set = &exec->image_sets[i];
@@ -76,10 +89,12 @@ static VkResult make_arrays(struct rg_exec *exec)
 static VkResult make_all(struct rg_exec *exec)
 {
     VkResult (*const steps[])(struct rg_exec *) = {
-        rg_exec_check_features,   count_image_sets,       make_arrays,
-        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
-        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,        rg_exec_make_coverage,
+        rg_exec_check_features, rg_exec_check_imports,
+        count_image_sets,       make_arrays,
+        rg_exec_make_memory,    rg_exec_make_fallbacks,
+        rg_exec_make_targets,   rg_exec_make_descriptors,
+        rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,      rg_exec_make_coverage,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
@@ -96,6 +111,8 @@ static const char *params_problem(const struct rg_exec_params *p)
         return "params without a plan free of faults, or without get_proc_addr";
     if (p->set_count && !p->sets)
         return "params with a set_count but no sets";
+    if (p->sampler_count && !p->samplers)
+        return "params with a sampler_count but no samplers";
     if (p->import_count && !p->imports)
         return "params with an import_count but no imports";
     for (size_t i = 0; i < p->import_count; i++) {
@@ -150,7 +167,9 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     if (exec) {
         *exec = start;
         rg_exec_adopt_pipelines(exec);
-        outcome = make_all(exec);
+        exec->slots = calloc(exec->slot_count, sizeof(*exec->slots));
+        outcome = exec->slots ? make_all(exec)
+                              : rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
         rg_exec_free_former(exec);
     } else if (outcome == VK_SUCCESS) {
         outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
@@ -166,8 +185,8 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
 VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
 {
     VkResult result = VK_SUCCESS;
-    for (uint32_t slot = 0; slot < exec->slot_count; slot++)
-        RG_TRY(rg_exec_wait(exec, slot));
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_update() before the last part");
     const struct rg_exec former = *exec;
     struct rg_exec next = {
         .params = former.params,
@@ -176,7 +195,12 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
         .device = former.device,
         .slot_count = former.slot_count,
         .slot = former.slot,
+        .slots = former.slots,
+        .frame = former.frame,
         .former = former.objects,
+        .retired = former.retired,
+        .key = former.key,
+        .is_update = true,
     };
     next.params.plan = params->plan;
     next.params.imports = params->imports;
@@ -189,17 +213,38 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
     *exec = next;
+    rg_exec_link_former(exec);
     RG_TRY(make_all(exec));
     RG_TRY(rg_exec_keep_content(exec, &former));
     rg_time_keep(exec, &former);
-    rg_exec_free_former(exec);
+    RG_TRY(rg_exec_retire_former(exec));
+    rg_exec_free_retired(exec);
 fail:
     return result;
+}
+
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse)
+{
+    return rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, misuse, NULL);
 }
 
 static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
+}
+
+bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame)
+{
+    for (uint32_t i = 0; i < exec->slot_count; i++) {
+        const struct exec_slot *slot = &exec->slots[i];
+        if (slot->frame > frame)
+            continue;
+        if (slot->recorded ||
+            (slot->submitted &&
+             exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT))
+            return true;
+    }
+    return false;
 }
 
 void rg_exec_destroy(struct rg_exec *exec)
@@ -211,27 +256,21 @@ void rg_exec_destroy(struct rg_exec *exec)
             (void)wait_fence(exec, &exec->slots[i]);
     }
     rg_exec_free_objects(exec);
+    free(exec->slots);
     free(exec);
 }
 
 VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
 {
     const uint64_t start = rg_time_now();
-    assert(!exec->next_part.count);
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_begin() before the last part");
+    exec->begun = true;
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
     VkResult result = rg_exec_wait(exec, exec->slot);
     rg_time_begin(exec, start);
     return result;
-}
-
-static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages)
-{
-    return (VkSemaphoreSubmitInfo){
-        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-        .semaphore = semaphore,
-        .stageMask = stages ? stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-    };
 }
 
 /* Returns the name of the pass if there is only one, otherwise NULL. */
@@ -245,6 +284,24 @@ VkResult rg_exec_wait_fence(const struct rg_exec *exec)
     return rg_exec_check(exec, wait_fence(exec, &exec->slots[exec->slot]), "vkWaitForFences", NULL);
 }
 
+/* Records a part of a frame into the command buffer of the slot. */
+static VkResult record_own(struct rg_exec *exec, const struct rg_frame *frame,
+                           const struct exec_part *part)
+{
+    VkCommandBuffer commands = exec->slots[exec->slot].commands;
+    VkResult result;
+    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
+            &(VkCommandBufferBeginInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+            });
+    (void)rg_exec_record_part(exec, commands, frame, part);
+    RG_CALL(exec, NULL, EndCommandBuffer, commands);
+    result = exec->record_result;
+fail:
+    return result;
+}
+
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part)
 {
@@ -255,25 +312,25 @@ VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *fr
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
         .commandBuffer = slot->commands,
     };
-    const VkSemaphoreSubmitInfo wait = semaphore_info(sync->wait, sync->wait_stages);
-    const VkSemaphoreSubmitInfo signal = semaphore_info(sync->signal, 0);
+    const bool is_first = part->begins && part->first == 0;
     const bool is_last = part->ends && part->first + part->count == exec->plan->pass_count;
     const char *of = pass_name(exec, part);
     const VkSubmitInfo2 info = {
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-        .waitSemaphoreInfoCount = part->begins && part->first == 0 && sync->wait,
-        .pWaitSemaphoreInfos = &wait,
+        .waitSemaphoreInfoCount = is_first ? sync->wait_count : 0,
+        .pWaitSemaphoreInfos = sync->waits,
         .commandBufferInfoCount = 1,
         .pCommandBufferInfos = &commands,
-        .signalSemaphoreInfoCount = is_last && sync->signal,
-        .pSignalSemaphoreInfos = &signal,
+        .signalSemaphoreInfoCount = is_last ? sync->signal_count : 0,
+        .pSignalSemaphoreInfos = sync->signals,
     };
     const uint64_t start = rg_time_now();
-    RG_TRY(rg_exec_record(exec, frame, part));
+    RG_TRY(record_own(exec, frame, part));
     RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
     const uint64_t recorded = rg_time_now();
     RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
     slot->submitted = true;
+    slot->frame = ++exec->frame;
     slot->times.record += recorded - start;
     slot->times.submit += rg_time_now() - recorded;
 fail:
@@ -313,7 +370,11 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
                                      .begins = true,
                                      .ends = true };
     VkResult result;
-    assert(sync->image_index < exec->image_set_count && !exec->next_part.count);
+    if (!exec->begun || exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_submit() without rg_exec_begin()");
+    exec->begun = false;
+    if (sync->image_index >= exec->image_set_count)
+        return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");
     exec->external_sync = *sync;
     exec->image_set = &exec->image_sets[sync->image_index];
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
@@ -326,23 +387,64 @@ fail:
     return result;
 }
 
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
+                        const struct rg_frame *frame)
+{
+    const struct exec_part whole = { .count = exec->plan->pass_count,
+                                     .begins = true,
+                                     .ends = true };
+    const uint64_t start = rg_time_now();
+    VkResult result;
+    if (exec->next_part.count)
+        return rg_exec_refuse(exec, "rg_exec_record() before the last part");
+    if (recording->slot >= exec->slot_count || recording->image_index >= exec->image_set_count)
+        return rg_exec_refuse(exec, "rg_exec_record() with a slot or image_index out of range");
+    struct exec_slot *slot = &exec->slots[recording->slot];
+    RG_TRY(rg_exec_wait(exec, recording->slot));
+    exec->slot = recording->slot;
+    exec->image_set = &exec->image_sets[recording->image_index];
+    RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    rg_time_begin(exec, start);
+    if (slot->times.measure.clock == RG_CLOCK_SUBMITS)
+        slot->times.measure.clock = RG_CLOCK_NONE;
+    RG_TRY(rg_exec_record_part(exec, recording->commands, frame, &whole));
+    slot->times.record = rg_time_now() - start - slot->times.begin;
+    slot->recorded = true;
+    slot->frame = ++exec->frame;
+    exec->initialized = true;
+fail:
+    return result;
+}
+
 VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
 {
     VkResult result;
     const uint64_t start = rg_time_now();
-    if (!exec->slots[slot].submitted)
+    if (slot >= exec->slot_count)
+        return rg_exec_refuse(exec, "rg_exec_wait() for a slot beyond frames_in_flight");
+    if (exec->slots[slot].submitted)
+        RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
+    else if (!exec->slots[slot].recorded)
         return VK_SUCCESS;
-    RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
-    exec->slots[slot].submitted = false;
+    exec->slots[slot].submitted = exec->slots[slot].recorded = false;
+    rg_exec_free_retired(exec);
     RG_TRY(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
     RG_TRY(rg_time_finish(exec, slot, start));
 fail:
     return result;
 }
 
+VkResult rg_exec_wait_all(struct rg_exec *exec)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t slot = 0; slot < exec->slot_count && result == VK_SUCCESS; slot++)
+        result = rg_exec_wait(exec, slot);
+    return result;
+}
+
 void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
 {
-    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+    for (uint32_t i = 0; i < exec->plan->buffer_count && slot < exec->slot_count; i++) {
         if (exec->plan->buffers[i].buffer == buffer)
             return rg_exec_buffer(exec, i, slot)->mapped;
     }

@@ -18,7 +18,8 @@ struct exec_buffer {
 
 enum {
     RG_ATTACHMENT_COUNT = 2 * RG_COLOR_COUNT + 1, /* colours, depth, resolves */
-    RG_ZONE_COUNT = 64                            /* of struct exec_pass_cost */
+    RG_ZONE_COUNT = 64,                           /* of struct exec_pass_cost */
+    RG_MERGED_MAX = 256 /* barriers of several passes recorded in one call */
 };
 
 struct exec_targets {
@@ -61,22 +62,31 @@ struct exec_descriptor {
 struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
-    bool submitted;
+    bool submitted;              /* and not known to have finished */
+    bool recorded;               /* the same, of a frame of rg_exec_record(), without fence */
+    uint64_t frame;              /* number of its last frame */
     struct rg_times times;       /* of the current frame, perhaps incomplete */
     struct rg_pass_time *passes; /* per pass; NULL if not measured */
     uint32_t stamp_count;        /* timestamps written in its current frame */
 };
 
-/* List of the objects that are freed with an executor. */
+/* List of the objects that are freed with an executor, with a hash table of their keys. */
 struct exec_objects {
     struct exec_object *entries;
-    uint32_t count, room;
-    uint32_t next; /* start of the next search */
+    uint32_t *chains;     /* `room` of them: index of the first object plus 1; 0 if there is none */
+    uint32_t count, room; /* `room` is a power of two, or 0 */
+};
+
+/* Content that identifies the object created next. */
+struct exec_key {
+    unsigned char *bytes;
+    size_t size, room; /* size 0: the object is not reused */
+    bool is_lost;      /* out of memory */
 };
 
 /* Layout in which the previous plan left a persistent image that the new plan keeps. */
 struct exec_transition {
-    VkImage image;
+    uint32_t image; /* index into the plan's images */
     VkImageSubresourceRange range;
     VkImageLayout from;
 };
@@ -101,9 +111,9 @@ struct exec_pass_cost {
 
 /* Barriers recorded in one call: those of a pass that runs and of the skipped passes before it. */
 struct exec_batch {
-    VkImageMemoryBarrier2 *images; /* capacity: all barriers of the plan */
+    VkImageMemoryBarrier2 *images; /* `room` of each */
     VkBufferMemoryBarrier2 *buffers;
-    uint32_t image_count, buffer_count;
+    uint32_t image_count, buffer_count, room;
     VkMemoryBarrier2 all; /* union of all stages and accesses */
     bool is_merged;       /* contains barriers of several passes */
 };
@@ -113,8 +123,13 @@ struct rg_exec {
     struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;
-    struct exec_objects objects; /* of the current plan (object_cache.c) */
-    struct exec_objects former;  /* of previous plans, during updates */
+    struct exec_objects objects;  /* of the current plan (object_cache.c) */
+    struct exec_objects former;   /* of previous plans, during updates */
+    struct exec_retired *retired; /* objects of previous plans that frames may still use */
+    uint64_t frame;               /* number of frames submitted or recorded */
+    bool is_update;               /* frames of a previous plan may be in flight */
+
+    struct exec_key key; /* of the object created next */
 
     enum {
         RG_NOT_FOUND,
@@ -138,16 +153,18 @@ struct rg_exec {
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL if created without `measured` */
     bool initialized; /* persistent resources, placeholders are initialised */
-    /* array of flags, first for images and then for buffers: true if previous content is kept */
-    bool *has_content;
+    /* of images and then of buffers: 1 plus the index in the previous plan of the persistent
+     * resource whose content is kept; 0 if there is none */
+    uint32_t *origins;
     struct exec_transition *transitions;
     uint32_t transition_count;
-    VkResult record_result;  /* error of a record function */
+    VkResult record_result;  /* first error of the record functions of the frame */
+    bool begun;              /* rg_exec_begin() was called, and the frame is not submitted */
     bool has_indirect_count; /* the device has drawIndirectCount */
     bool has_structures;     /* plan has acceleration structures */
     struct exec_batch batch;
-    struct exec_part next_part; /* where a frame in parts continues; `count` 0: no such frame */
-    struct exec_pass_cost *costs;
+    struct exec_part next_part;   /* where a frame in parts continues; `count` 0: no such frame */
+    struct exec_pass_cost *costs; /* NULL until a frame is submitted in parts */
 };
 
 /* The pass being recorded. */
@@ -158,6 +175,10 @@ struct rg_cmd {
     const struct exec_pass *pass;
     VkCommandBuffer commands;
     VkRect2D area; /* render area of a raster pass */
+    /* what the record function may rely on: bound by the executor or by the function itself */
+    bool has_pipeline, has_push, has_set;
+    bool is_secondary; /* records a secondary command buffer */
+    bool is_direct;    /* the record function has the command buffer and may bind anything */
 };
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
@@ -179,43 +200,48 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
 #define RG_CALL(exec, of, function, ...) \
     RG_TRY(rg_exec_check((exec), (exec)->vk.function(__VA_ARGS__), "vk" #function, (of)))
 
-#define RG_NO_KEY 0
+/* Kinds of host arrays that have keys, which begin with the kind. */
+enum {
+    RG_ARRAY_HOST_BUFFER = 1,
+    RG_ARRAY_SETS,
+    RG_ARRAY_INDEX,
+};
 
-/* Hashes data, which must not contain padding, into a cache key that starts as RG_NO_KEY. */
-uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
+/* Appends data, which must not contain padding, to the key of the object created next. */
+void rg_exec_key(struct rg_exec *exec, const void *data, size_t size);
 
-/* Hashes a number, enum or handle into a cache key. */
-#define RG_KEY(key, value) \
-    ((key) = rg_exec_key((key), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t)))
+/* Appends a number, enum or handle to the key. */
+#define RG_KEY(exec, value) rg_exec_key((exec), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t))
 
-/* Sets *handle to the cached object with this key. If there is none, creates an object with a
- * Vulkan function and names it. The object is freed with the plan. */
-#define RG_MAKE_KEYED(exec, of, key, type, function, handle, ...) \
+/* Sets *handle to the cached object with the current key. If there is none, or the key is empty,
+ * creates an object with a Vulkan function and names it. The object is freed with the plan. Resets
+ * the key. */
+#define RG_MAKE(exec, of, type, function, handle, ...) \
     do { \
         RG_TRY(rg_exec_reserve_object(exec)); \
-        if (rg_exec_find((exec), VK_OBJECT_TYPE_##type, (key), (handle), sizeof(*(handle)))) \
+        if (rg_exec_find((exec), VK_OBJECT_TYPE_##type, (handle), sizeof(*(handle)))) \
             break; \
         RG_CALL(exec, of, function, (exec)->device, __VA_ARGS__, NULL, handle); \
-        rg_exec_add_object((exec), VK_OBJECT_TYPE_##type, (key), (uint64_t) * (handle), (of)); \
+        rg_exec_add_object((exec), VK_OBJECT_TYPE_##type, (uint64_t) * (handle), (of)); \
     } while (0)
 
-#define RG_MAKE(exec, of, type, function, handle, ...) \
-    RG_MAKE_KEYED(exec, of, RG_NO_KEY, type, function, handle, __VA_ARGS__)
-
 /* Creates a zeroed array that is freed with the plan; false if out of memory. If the previous plan
- * has an array with this key (not RG_NO_KEY), takes over that array with its content. */
-#define RG_MAKE_KEYED_ARRAY(exec, key, array, count) \
-    ((array) = rg_exec_make_array((exec), (key), (count), sizeof(*(array))), (array) != NULL)
-#define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
+ * has an array with the current key, takes over that array with its content. Resets the key. */
+#define RG_MAKE_ARRAY(exec, array, count) \
+    ((array) = rg_exec_make_array((exec), (count), sizeof(*(array))), (array) != NULL)
 
-void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size);
+void *rg_exec_make_array(struct rg_exec *exec, size_t count, size_t size);
 VkResult rg_exec_reserve_object(struct rg_exec *exec); /* reserves an entry in the list */
-bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *handle, size_t size);
-void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
-                        const char *name);
+bool rg_exec_find(struct rg_exec *exec, VkObjectType type, void *handle, size_t size);
+void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
 /* Frees objects of the previous plan that this plan does not use. Pipelines are kept for one more
  * plan, because programs often switch between two plans. */
 void rg_exec_free_former(struct rg_exec *exec);
+/* Frees the same objects once the frames submitted until now have finished. */
+VkResult rg_exec_retire_former(struct rg_exec *exec);
+void rg_exec_free_retired(struct rg_exec *exec); /* those that no frame uses */
+/* Prepares the search for objects of the previous plan. */
+void rg_exec_link_former(struct rg_exec *exec);
 /* Moves the pipelines in rg_exec_params.pipelines to the executor, for reuse. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);
 /* Frees all objects, but moves pipelines to rg_exec_params.pipelines unless that is NULL. */
@@ -225,9 +251,10 @@ void rg_exec_free_objects(struct rg_exec *exec);
 
 /* device_memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
-/* Creates an image and binds its memory. `salt` distinguishes images of equal name. */
-VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
-                            VkImage *image);
+/* Creates an image and binds its memory. `placeholder` is the use that a placeholder is for, or
+ * NULL. Sets exec->found to RG_FOUND_HERE if the placeholder is shared with another use. */
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan,
+                            const struct rg_use *placeholder, VkImage *image);
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
                            VkImageViewType type, const VkImageSubresourceRange *range,
                            VkImageView *view);
@@ -248,6 +275,13 @@ VkResult rg_exec_make_targets(struct rg_exec *exec);
 /* Lists the attachments of a pass: colours, depth, then resolve targets. Returns their number. */
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
                              struct rg_plan_target attachments[RG_ATTACHMENT_COUNT]);
+
+/* Returns the number of layers that a row draws at a time. */
+static inline uint32_t rg_exec_layers(const struct rg_pass *row)
+{
+    return row->layers ? row->layers : 1;
+}
+
 VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass);
 
 /* descriptors.c */
@@ -256,13 +290,24 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 /* pipelines.c */
 VkResult rg_exec_make_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
+/* Returns the formats of a pass's targets, with pointers into `formats`. */
+VkPipelineRenderingCreateInfo rg_exec_target_formats(const struct rg_exec *exec,
+                                                     const struct rg_plan_pass *plan,
+                                                     VkFormat formats[RG_COLOR_COUNT]);
+
+/* Returns true if the executor creates a pipeline for a row. */
+static inline bool rg_exec_has_pipeline(const struct rg_pass *row)
+{
+    return row->kind == RG_COMPUTE ? row->comp != NULL : row->vert != NULL;
+}
+
 /* Returns a shader, or its replacement (rg_exec_params.replace_shader). */
 const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
 
 /* pass_timing.c */
 VkResult rg_exec_make_time(struct rg_exec *exec);
 void rg_time_keep(struct rg_exec *exec, const struct rg_exec *former); /* keeps rg_measure */
-uint64_t rg_time_now(void); /* nanoseconds of CLOCK_MONOTONIC */
+uint64_t rg_time_now(void); /* nanoseconds of the monotonic clock */
 void rg_time_begin(struct rg_exec *exec, uint64_t start);
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
 void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
@@ -278,6 +323,9 @@ VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 
 /* check_features.c: checks that the device has the features that the plan needs */
 VkResult rg_exec_check_features(struct rg_exec *exec);
+
+/* check_imports.c: checks imported objects against their declarations, as far as they are known */
+VkResult rg_exec_check_imports(struct rg_exec *exec);
 
 /* zero_fill_resources.c: finds the persistent resources that keep the content of the previous plan
  */
@@ -298,17 +346,28 @@ void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t 
 /* Records the pending barriers. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
 
+/* commands.c */
+/* Logs a misuse by a record function, for which the frame is refused. Only the first of a frame. */
+__attribute__((cold, format(printf, 3, 4))) void
+rg_exec_misuse(const struct rg_cmd *cmd, const char *resource, const char *format, ...);
+
 /* record_commands.c */
 /* Records a part of a frame, with the final barriers if it contains the last pass. */
-VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame,
-                        const struct exec_part *part);
+VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
+                             const struct rg_frame *frame, const struct exec_part *part);
+/* Binds the pass's pipeline and descriptor set 0, and sets viewport and scissor. */
+void rg_exec_bind(const struct rg_cmd *cmd);
 /* Returns the render area of a pass in a frame; empty if the pass does not run. */
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 
 /* executor.c */
+/* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 /* Records a part of the frame begun last, and submits it. */
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);
 VkResult rg_exec_wait_fence(const struct rg_exec *exec);
+/* Returns true if the frame with this number, or an earlier one, has not finished. */
+bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame);
 
 #endif

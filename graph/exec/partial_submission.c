@@ -179,6 +179,10 @@ fail:
 VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame, double seconds)
 {
     VkResult result;
+    if (!exec->begun)
+        return rg_exec_refuse(exec, "rg_exec_submit_part() without rg_exec_begin()");
+    if (!exec->costs && !RG_MAKE_ARRAY(exec, exec->costs, exec->plan->pass_count))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
     if (!exec->next_part.count) {
         exec->next_part = (struct exec_part){ .count = 1, .begins = true };
         exec->external_sync = (struct rg_exec_external_sync){ 0 };
@@ -189,9 +193,11 @@ VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
     const uint64_t start = rg_time_now();
     RG_TRY(run(exec, frame, &part));
     learn(exec, frame, &part, (double)(rg_time_now() - start) * 1e-9);
-    return exec->next_part.count ? VK_NOT_READY : VK_SUCCESS;
+    exec->begun = exec->next_part.count;
+    return exec->begun ? VK_NOT_READY : VK_SUCCESS;
 fail:
     exec->next_part.count = 0;
+    exec->begun = false;
     return result;
 }
 
@@ -202,6 +208,7 @@ VkResult rg_exec_abandon(struct rg_exec *exec)
     if (!part.count)
         return result;
     exec->next_part.count = 0;
+    exec->begun = false;
     part.is_empty = part.ends = true;
     if (!part.begins) {
         RG_TRY(run(exec, NULL, &part)); /* ends the pass's measurement */

@@ -2,7 +2,12 @@
  * pass's timestamp comes before the next barriers. After them, a tile-based software rasteriser may
  * write the timestamp only when the next pass has finished. */
 #include <string.h>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
 #include <time.h>
+#endif
 #include "graph/exec/executor_internal.h"
 
 /* Pipeline statistics to query. The results of a query are in the order of these bits. */
@@ -27,12 +32,23 @@ struct exec_time {
     struct rg_times times;
 };
 
+#ifdef _WIN32
+uint64_t rg_time_now(void)
+{
+    LARGE_INTEGER count, frequency;
+    QueryPerformanceCounter(&count);
+    QueryPerformanceFrequency(&frequency);
+    const uint64_t ticks = (uint64_t)count.QuadPart, second = (uint64_t)frequency.QuadPart;
+    return ticks / second * 1000000000u + ticks % second * 1000000000u / second;
+}
+#else
 uint64_t rg_time_now(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (uint64_t)t.tv_sec * 1000000000u + (uint64_t)t.tv_nsec;
 }
+#endif
 
 static VkResult make_pool(struct rg_exec *exec, VkQueryType type, uint32_t count, VkQueryPool *pool)
 {
@@ -178,6 +194,19 @@ void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands)
     }
 }
 
+static bool is_secondary(const struct rg_exec *exec, uint32_t pass)
+{
+    return exec->plan->passes[pass].pass->secondary;
+}
+
+static void end_queries(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t query)
+{
+    if (!exec->slots[exec->slot].times.measure.statistics)
+        return;
+    exec->vk.CmdEndQuery(commands, exec->time->samples, query);
+    exec->vk.CmdEndQuery(commands, exec->time->counts, query);
+}
+
 void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass)
 {
     const struct exec_slot *slot = &exec->slots[exec->slot];
@@ -189,6 +218,9 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
         exec->vk.CmdBeginQuery(commands, exec->time->counts, query, 0);
         exec->vk.CmdBeginQuery(commands, exec->time->samples, query, VK_QUERY_CONTROL_PRECISE_BIT);
     }
+    if (is_secondary(exec, pass))
+        end_queries(exec, commands,
+                    query); /* secondary command buffers would have to inherit them */
 }
 
 /* Ends the measurement of a pass. A skipped pass writes no timestamp, because llvmpipe flushes all
@@ -199,10 +231,8 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
     const uint32_t query = exec->slot * exec->plan->pass_count + pass;
     if (!slot->passes)
         return;
-    if (slot->times.measure.statistics) {
-        exec->vk.CmdEndQuery(commands, exec->time->samples, query);
-        exec->vk.CmdEndQuery(commands, exec->time->counts, query);
-    }
+    if (!is_secondary(exec, pass))
+        end_queries(exec, commands, query);
     if (is_stamped(slot)) {
         if (drawn)
             stamp(exec, commands);
@@ -265,7 +295,7 @@ VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_star
     VkResult result = VK_SUCCESS;
     slot->times.wait += end - wait_start;
     slot->times.whole = end - slot->times.start;
-    if (!time)
+    if (!time || !slot->passes) /* the frame belongs to a previous plan */
         return result;
     RG_TRY(read_results(exec, index));
     memcpy(time->finished, slot->passes, exec->plan->pass_count * sizeof(*slot->passes));

@@ -26,20 +26,20 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
 {
     const VkPushConstantRange push = { rg_exec_stages(row), 0, row->push_size };
     VkDescriptorSetLayout layouts[] = { pass->set_layout, VK_NULL_HANDLE };
-    uint64_t key = rg_exec_key(RG_NO_KEY, &push, sizeof(push));
     VkResult result;
     if (row->set)
         RG_TRY(find_set_layout(exec, row->set, &layouts[1]));
-    RG_KEY(key, layouts[0]);
-    RG_KEY(key, layouts[1]);
-    RG_MAKE_KEYED(exec, row->name, key, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
-                  &(VkPipelineLayoutCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                      .setLayoutCount = row->set ? 2 : 1,
-                      .pSetLayouts = layouts,
-                      .pushConstantRangeCount = row->push_size ? 1 : 0,
-                      .pPushConstantRanges = &push,
-                  });
+    rg_exec_key(exec, &push, sizeof(push));
+    RG_KEY(exec, layouts[0]);
+    RG_KEY(exec, layouts[1]);
+    RG_MAKE(exec, row->name, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
+            &(VkPipelineLayoutCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                .setLayoutCount = row->set ? 2 : 1,
+                .pSetLayouts = layouts,
+                .pushConstantRangeCount = row->push_size ? 1 : 0,
+                .pPushConstantRanges = &push,
+            });
 fail:
     return result;
 }
@@ -99,25 +99,33 @@ struct target_state {
     VkPipelineRenderingCreateInfo rendering;
 };
 
+VkPipelineRenderingCreateInfo rg_exec_target_formats(const struct rg_exec *exec,
+                                                     const struct rg_plan_pass *plan,
+                                                     VkFormat formats[RG_COLOR_COUNT])
+{
+    const struct rg_plan_image *images = exec->plan->images;
+    VkPipelineRenderingCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = plan->color_count,
+        .pColorAttachmentFormats = formats,
+    };
+    for (uint32_t i = 0; i < plan->color_count; i++)
+        formats[i] = images[plan->color[i].image].image->format;
+    if (plan->depth.image == RG_NONE)
+        return info;
+    const struct rg_plan_image *depth = &images[plan->depth.image];
+    info.depthAttachmentFormat = depth->image->format;
+    if (depth->aspects & VK_IMAGE_ASPECT_STENCIL_BIT)
+        info.stencilAttachmentFormat = depth->image->format;
+    return info;
+}
+
 static void fill_target_state(struct target_state *state, const struct rg_exec *exec,
                               const struct rg_plan_pass *plan)
 {
-    const struct rg_plan_image *images = exec->plan->images;
-    state->rendering = (VkPipelineRenderingCreateInfo){
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-        .colorAttachmentCount = plan->color_count,
-        .pColorAttachmentFormats = state->formats,
-    };
-    for (uint32_t i = 0; i < plan->color_count; i++) {
+    state->rendering = rg_exec_target_formats(exec, plan, state->formats);
+    for (uint32_t i = 0; i < plan->color_count; i++)
         state->blends[i] = blend_state(&plan->pass->color[i]);
-        state->formats[i] = images[plan->color[i].image].image->format;
-    }
-    if (plan->depth.image == RG_NONE)
-        return;
-    const struct rg_plan_image *depth = &images[plan->depth.image];
-    state->rendering.depthAttachmentFormat = depth->image->format;
-    if (depth->aspects & VK_IMAGE_ASPECT_STENCIL_BIT)
-        state->rendering.stencilAttachmentFormat = depth->image->format;
 }
 
 /* Vertex input state of a row. */
@@ -177,8 +185,7 @@ static VkPipelineDepthStencilStateCreateInfo depth_stencil_of(const struct rg_pl
 
 /* Creates a graphics pipeline from one or two shader stages. */
 static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *plan,
-                              struct exec_pass *pass, uint64_t key,
-                              const VkPipelineShaderStageCreateInfo *stages)
+                              struct exec_pass *pass, const VkPipelineShaderStageCreateInfo *stages)
 {
     static const VkDynamicState dynamic[] = { VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR };
     const struct rg_pass *row = plan->pass;
@@ -223,8 +230,8 @@ static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *p
         .dynamicStateCount = 2,
         .pDynamicStates = dynamic,
     };
-    RG_MAKE_KEYED(exec, row->name, key, PIPELINE, CreateGraphicsPipelines, &pass->pipeline,
-                  exec->params.pipeline_cache, 1, &info);
+    RG_CALL(exec, row->name, CreateGraphicsPipelines, exec->device, exec->params.pipeline_cache, 1,
+            &info, NULL, &pass->pipeline);
 fail:
     return result;
 }
@@ -253,47 +260,49 @@ static bool has_constant(const struct rg_shader *code, uint32_t id)
     return false;
 }
 
-/* Hashes the code of a shader and the specialization constants that it declares. */
-static void add_shader(uint64_t *key, const struct rg_exec *exec, const struct rg_shader *shader)
+/* Adds the code of a shader and the specialization constants that it declares to the key. */
+static void add_shader(struct rg_exec *exec, const struct rg_shader *shader)
 {
     const VkSpecializationInfo *constants = exec->params.constants;
     const struct rg_shader *code = shader ? rg_exec_code(exec, shader) : NULL;
-    RG_KEY(*key, code ? code->word_count : 0);
+    RG_KEY(exec, code ? code->word_count : 0);
     if (!code || !code->words)
         return;
-    *key = rg_exec_key(*key, code->words, code->word_count * sizeof(uint32_t));
+    rg_exec_key(exec, code->words, code->word_count * sizeof(uint32_t));
     for (uint32_t i = 0; constants && i < constants->mapEntryCount; i++) {
         const VkSpecializationMapEntry *entry = &constants->pMapEntries[i];
         if (!has_constant(code, entry->constantID))
             continue;
-        RG_KEY(*key, entry->constantID);
-        *key = rg_exec_key(*key, (const char *)constants->pData + entry->offset, entry->size);
+        RG_KEY(exec, entry->constantID);
+        RG_KEY(exec, entry->size);
+        rg_exec_key(exec, (const char *)constants->pData + entry->offset, entry->size);
     }
 }
 
-static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
+static void add_vertices(struct rg_exec *exec, const struct rg_vertex_layout *layout)
 {
     for (; layout; layout = layout->next) {
-        RG_KEY(*key, (uint64_t)layout->rate << 32 | layout->stride);
+        RG_KEY(exec, (uint64_t)layout->rate << 32 | layout->stride);
+        RG_KEY(exec, layout->attribute_count);
         if (layout->attribute_count)
-            *key = rg_exec_key(*key, layout->attributes,
-                               layout->attribute_count * sizeof(*layout->attributes));
+            rg_exec_key(exec, layout->attributes,
+                        layout->attribute_count * sizeof(*layout->attributes));
     }
-    RG_KEY(*key, RG_NONE);
+    RG_KEY(exec, UINT64_MAX);
 }
 
-/* Returns a pipeline's cache key. Passes with equal keys share one pipeline. The key ignores the
+/* Stores a pipeline's cache key. Passes with equal keys share one pipeline. The key ignores the
  * VkRenderPass, because passes with equal targets have compatible render passes. */
-static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pass *plan,
-                             const struct exec_pass *pass)
+static void add_pipeline(struct rg_exec *exec, const struct rg_plan_pass *plan,
+                         const struct exec_pass *pass)
 {
     const struct rg_pass *row = plan->pass;
-    uint64_t key = rg_exec_key(RG_NO_KEY, &pass->layout, sizeof(pass->layout));
-    add_shader(&key, exec, row->vert);
-    add_shader(&key, exec, row->frag);
-    add_shader(&key, exec, row->comp);
+    RG_KEY(exec, pass->layout);
+    add_shader(exec, row->vert);
+    add_shader(exec, row->frag);
+    add_shader(exec, row->comp);
     if (row->kind == RG_COMPUTE)
-        return key;
+        return;
     const uint32_t state[] = { (uint32_t)row->topology,
                                row->cull,
                                (uint32_t)row->front,
@@ -303,32 +312,31 @@ static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pa
                                (uint32_t)rg_exec_samples(exec, plan),
                                pass->render_pass != VK_NULL_HANDLE };
     struct target_state targets;
-    add_vertices(&key, row->vertices);
-    key = rg_exec_key(key, state, sizeof(state));
+    add_vertices(exec, row->vertices);
+    rg_exec_key(exec, state, sizeof(state));
     fill_target_state(&targets, exec, plan);
-    key = rg_exec_key(key, &row->depth_bias, sizeof(row->depth_bias));
-    RG_KEY(key, row->stencil != NULL);
+    rg_exec_key(exec, &row->depth_bias, sizeof(row->depth_bias));
+    RG_KEY(exec, row->stencil != NULL);
     if (row->stencil)
-        key = rg_exec_key(key, row->stencil, sizeof(*row->stencil));
+        rg_exec_key(exec, row->stencil, sizeof(*row->stencil));
     for (uint32_t i = 0; i < plan->color_count; i++) {
-        RG_KEY(key, targets.formats[i]);
-        key = rg_exec_key(key, &targets.blends[i], sizeof(targets.blends[i]));
+        RG_KEY(exec, targets.formats[i]);
+        rg_exec_key(exec, &targets.blends[i], sizeof(targets.blends[i]));
     }
-    return RG_KEY(key, targets.rendering.depthAttachmentFormat);
+    RG_KEY(exec, targets.rendering.depthAttachmentFormat);
 }
 
 static VkResult make_compute(struct rg_exec *exec, const struct rg_pass *row,
-                             struct exec_pass *pass, uint64_t key,
-                             const VkPipelineShaderStageCreateInfo *stage)
+                             struct exec_pass *pass, const VkPipelineShaderStageCreateInfo *stage)
 {
+    const VkComputePipelineCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+        .stage = *stage,
+        .layout = pass->layout,
+    };
     VkResult result;
-    RG_MAKE_KEYED(exec, row->name, key, PIPELINE, CreateComputePipelines, &pass->pipeline,
-                  exec->params.pipeline_cache, 1,
-                  &(VkComputePipelineCreateInfo){
-                      .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                      .stage = *stage,
-                      .layout = pass->layout,
-                  });
+    RG_CALL(exec, row->name, CreateComputePipelines, exec->device, exec->params.pipeline_cache, 1,
+            &info, NULL, &pass->pipeline);
 fail:
     return result;
 }
@@ -340,19 +348,25 @@ static VkResult make_pipeline(struct rg_exec *exec, const struct rg_plan_pass *p
     VkPipelineShaderStageCreateInfo stages[2] = { 0 };
     VkResult result;
     RG_TRY(make_layout(exec, row, pass));
-    const uint64_t key = pipeline_key(exec, plan, pass);
+    if (!rg_exec_has_pipeline(row) && pass->render_pass)
+        return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT,
+                             "render_passes for a row without shaders: the pipeline", row->name);
+    if (!rg_exec_has_pipeline(row))
+        return VK_SUCCESS;
+    add_pipeline(exec, plan, pass);
     RG_TRY(rg_exec_reserve_object(exec));
-    if (rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, key, &pass->pipeline, sizeof(pass->pipeline)))
+    if (rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, &pass->pipeline, sizeof(pass->pipeline)))
         return VK_SUCCESS;
     if (row->kind == RG_COMPUTE) {
         RG_TRY(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &stages[0]));
-        RG_TRY(make_compute(exec, row, pass, key, stages));
+        RG_TRY(make_compute(exec, row, pass, stages));
     } else {
         RG_TRY(make_stage(exec, row->vert, VK_SHADER_STAGE_VERTEX_BIT, &stages[0]));
         if (row->frag)
             RG_TRY(make_stage(exec, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT, &stages[1]));
-        RG_TRY(make_graphics(exec, plan, pass, key, stages));
+        RG_TRY(make_graphics(exec, plan, pass, stages));
     }
+    rg_exec_add_object(exec, VK_OBJECT_TYPE_PIPELINE, (uint64_t)pass->pipeline, row->name);
 fail:
     exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);
     exec->vk.DestroyShaderModule(exec->device, stages[1].module, NULL);
@@ -374,4 +388,26 @@ VkResult rg_exec_make_pipelines(struct rg_exec *exec)
         }
     }
     return result;
+}
+
+/* Returns the first pass of a row; NULL if the plan has none. */
+static const struct exec_pass *find_pass(const struct rg_exec *exec, const struct rg_pass *row)
+{
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        if (exec->plan->passes[p].pass == row)
+            return &exec->passes[p];
+    }
+    return NULL;
+}
+
+VkPipelineLayout rg_exec_layout(const struct rg_exec *exec, const struct rg_pass *row)
+{
+    const struct exec_pass *pass = find_pass(exec, row);
+    return pass ? pass->layout : VK_NULL_HANDLE;
+}
+
+VkDescriptorSetLayout rg_exec_set_layout(const struct rg_exec *exec, const struct rg_pass *row)
+{
+    const struct exec_pass *pass = find_pass(exec, row);
+    return pass && pass->layout ? pass->set_layout : VK_NULL_HANDLE;
 }

@@ -10,15 +10,10 @@ static bool is_cube(const struct rg_use *use)
     return use->image->cube && !range->each && named == 6;
 }
 
-static bool has_same_placeholder(const struct rg_use *a, const struct rg_use *b)
+static VkResult make_fallback(struct rg_exec *exec, uint32_t index)
 {
-    return a->image == b->image && a->fallback == b->fallback &&
-           a->range.aspect == b->range.aspect && is_cube(a) == is_cube(b);
-}
-
-static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
-                              struct exec_fallback *fallback)
-{
+    struct exec_fallback *fallback = &exec->fallbacks[index];
+    const struct rg_use *use = exec->plan->fallbacks[index];
     const struct rg_format_info *format = rg_format_info(use->image->format);
     bool cube = is_cube(use);
     bool array = use->image->layers > 1 || use->image->cube || use->image->array;
@@ -38,9 +33,8 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
     VkImageSubresourceRange subresource = rg_exec_full_range(&fallback->described);
     if (use->range.aspect)
         subresource.aspectMask = use->range.aspect;
-    uint64_t salt = rg_exec_key(RG_NO_KEY, use->fallback, sizeof(*use->fallback));
-    RG_KEY(salt, use->range.aspect);
-    RG_TRY(rg_exec_make_image(exec, &fallback->described, salt, &fallback->image));
+    RG_TRY(rg_exec_make_image(exec, &fallback->described, use, &fallback->image));
+    fallback->first = exec->found != RG_FOUND_HERE;
     RG_TRY(rg_exec_make_view(exec, &fallback->described, fallback->image,
                              use->image->depth ? VK_IMAGE_VIEW_TYPE_3D
                              : cube            ? VK_IMAGE_VIEW_TYPE_CUBE
@@ -53,17 +47,9 @@ fail:
 
 VkResult rg_exec_make_fallbacks(struct rg_exec *exec)
 {
-    const struct rg_use *const *uses = exec->plan->fallbacks;
     VkResult result = VK_SUCCESS;
-    for (uint32_t i = 0; i < exec->plan->fallback_count && result == VK_SUCCESS; i++) {
-        uint32_t same = 0;
-        while (!has_same_placeholder(uses[same], uses[i]))
-            same++;
-        exec->fallbacks[i] = exec->fallbacks[same];
-        exec->fallbacks[i].first = same == i;
-        if (same == i)
-            result = make_fallback(exec, uses[i], &exec->fallbacks[i]);
-    }
+    for (uint32_t i = 0; i < exec->plan->fallback_count && result == VK_SUCCESS; i++)
+        result = make_fallback(exec, i);
     return result;
 }
 

@@ -1,6 +1,5 @@
 /* region_of_interest.c: finds which part of the view each pass must draw to produce a given region.
  */
-#include <assert.h>
 #include "graph/exec/executor_internal.h"
 
 /* Parts of the view that a pass draws, or that later passes read from an image, as bit flags. */
@@ -144,8 +143,12 @@ static bool is_in_view(const struct rg_plan *plan, VkRect2D area)
 
 void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region)
 {
-    assert(is_in_view(exec->plan, region->region) && is_in_view(exec->plan, region->reach));
-    assert((uint64_t)region->region.extent.width * region->region.extent.height <=
-           (uint64_t)exec->plan->max_region.width * exec->plan->max_region.height);
-    exec->region = *region;
+    const struct rg_plan *plan = exec->plan;
+    if (is_in_view(plan, region->region) && is_in_view(plan, region->reach) &&
+        (uint64_t)region->region.extent.width * region->region.extent.height <=
+            (uint64_t)plan->max_region.width * plan->max_region.height)
+        exec->region = *region;
+    else
+        rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT,
+                      "rg_exec_set_region() outside of the view, or beyond max_region", NULL);
 }

@@ -15,8 +15,9 @@
     row(CmdCopyImageToBuffer) row(CmdDispatch) row(CmdDispatchIndirect) row(CmdDraw) \
     row(CmdDrawIndexed) row(CmdDrawIndexedIndirect) row(CmdDrawIndexedIndirectCount) \
     row(CmdDrawIndirect) row(CmdDrawIndirectCount) row(CmdEndQuery) \
-    row(CmdEndRenderPass) row(CmdEndRendering) row(CmdFillBuffer) row(CmdPipelineBarrier2) \
-    row(CmdPushConstants) row(CmdResetQueryPool) row(CmdSetScissor) row(CmdSetViewport) \
+    row(CmdEndRenderPass) row(CmdEndRendering) row(CmdExecuteCommands) row(CmdFillBuffer) \
+    row(CmdPipelineBarrier2) row(CmdPushConstants) row(CmdResetQueryPool) row(CmdSetScissor) \
+    row(CmdSetViewport) \
     row(CmdWriteTimestamp2) row(CreateBuffer) row(CreateBufferView) row(CreateCommandPool) \
     row(CreateComputePipelines) row(CreateDescriptorPool) row(CreateDescriptorSetLayout) \
     row(CreateFence) row(CreateFramebuffer) row(CreateGraphicsPipelines) row(CreateImage) \

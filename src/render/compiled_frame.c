@@ -138,7 +138,10 @@ enum status compiled_frame_replace(struct compiled_frame *compiled_frame,
     struct compiled_frame former = *compiled_frame;
     struct exec_description described;
     describe(&described, next, params, imports);
-    const enum status status = gpu_status(rg_exec_update(former.exec, &described.params));
+    /* the caller then destroys what the former frame imported */
+    enum status status = gpu_status(rg_exec_wait_all(former.exec));
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_update(former.exec, &described.params));
     if (status == STATUS_OK)
         lavapipe_tuning_advise_memory(params->gpu, next->frame->plan, former.exec);
     compiled_frame->frame = next->frame;
@@ -161,7 +164,9 @@ enum status compiled_frame_change_view(struct compiled_frame *compiled_frame,
     if (status != STATUS_OK)
         return status;
     describe(&described, compiled_frame, params, imports);
-    status = gpu_status(rg_exec_update(compiled_frame->exec, &described.params));
+    status = gpu_status(rg_exec_wait_all(compiled_frame->exec));
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_update(compiled_frame->exec, &described.params));
     rg_plan_destroy(former);
     return status;
 }

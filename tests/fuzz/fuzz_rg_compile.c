@@ -109,10 +109,13 @@ static const struct rg_sampler nearest = { 0 };
 static const struct rg_sampler linear = { .linear = true, .mips = true };
 static const struct rg_sampler sharp = { .linear = true, .anisotropy = 16 };
 static const struct rg_sampler sharpest = { .anisotropy = INFINITY };
-static const struct rg_sampler blunt = { .anisotropy = -1 };
+static const struct rg_sampler shadow = { .compare = VK_COMPARE_OP_LESS, .border = true };
+static const struct rg_sampler wild_sampler = { .compare = (VkCompareOp)INT32_MAX,
+                                                .reduction = VK_SAMPLER_REDUCTION_MODE_MAX,
+                                                .min_lod = NAN };
 static const struct rg_sampler no_number = { .anisotropy = NAN };
-static const void *const samplers[CHOICES] = { NULL,   &nearest,  &linear, &linear,
-                                               &sharp, &sharpest, &blunt,  &no_number };
+static const void *const samplers[CHOICES] = { NULL,   &nearest,  &linear,       &shadow,
+                                               &sharp, &sharpest, &wild_sampler, &no_number };
 
 static const struct rg_fallback white = { { 1, 1, 1, 1 } };
 static const struct rg_fallback bright = { { 0, 1e30F, 0, 1 } };
@@ -294,16 +297,16 @@ static float fraction(const uint8_t *value)
 }
 
 /* Half of them of shaders, half anything. */
-static VkPipelineStageFlags2 stages(const uint8_t *value)
+static VkShaderStageFlags stages(const uint8_t *value)
 {
-    static const VkPipelineStageFlags2 shaders[] = {
-        VK_PIPELINE_STAGE_2_NONE,
-        VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    static const VkShaderStageFlags shaders[] = {
+        0,
+        VK_SHADER_STAGE_VERTEX_BIT,
+        VK_SHADER_STAGE_FRAGMENT_BIT,
+        VK_SHADER_STAGE_COMPUTE_BIT,
     };
     if (value[0] & 128)
-        return (VkPipelineStageFlags2)value[1] << (value[0] & 63);
+        return (VkShaderStageFlags)value[1] << (value[0] & 31);
     return shaders[value[0] & 3] | shaders[value[1] & 3];
 }
 

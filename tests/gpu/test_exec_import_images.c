@@ -91,11 +91,18 @@ static void draw_frames(struct run *run)
         assert_int_equal(rg_exec_begin(run->exec, &run->slot), VK_SUCCESS);
         if (number >= 2)
             check_frame(run, number - 2); /* of the same slot */
+        const VkSemaphoreSubmitInfo info = {
+            .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+            .semaphore = semaphore,
+            .stageMask = number % 2 ? VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT
+                                    : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        };
         const struct rg_exec_external_sync sync = {
             .image_index = number % IMAGE_COUNT,
-            .wait = number ? semaphore : VK_NULL_HANDLE,
-            .wait_stages = number % 2 ? VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT : 0,
-            .signal = number + 1 < FRAME_COUNT ? semaphore : VK_NULL_HANDLE,
+            .wait_count = number > 0,
+            .waits = &info,
+            .signal_count = number + 1 < FRAME_COUNT,
+            .signals = &info,
         };
         assert_int_equal(rg_exec_submit_synced(run->exec, &frame, &sync), VK_SUCCESS);
     }

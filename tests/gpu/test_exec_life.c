@@ -252,16 +252,18 @@ static void frames_allocate_nothing(void **state)
     }
 }
 
+/* An array that cannot shrink stays as it is, without an error. */
 static void every_allocation_may_fail(void **state)
 {
     struct run run;
-    VkResult result = VK_ERROR_UNKNOWN;
     uint32_t failing = 0;
     run_compile(&run, *state, &params);
-    while (result != VK_SUCCESS) {
+    for (bool has_failed = true; has_failed;) {
+        rg_exec_destroy(run.exec);
         run.line_count = 0;
         allocations = (struct calls){ .failing = ++failing };
-        result = run_create(&run, run.plan);
+        const VkResult result = run_create(&run, run.plan);
+        has_failed = allocations.count >= failing;
         allocations = (struct calls){ 0 };
         assert_int_equal(run.line_count, result == VK_SUCCESS ? 0 : 1);
         if (result != VK_SUCCESS)

@@ -396,6 +396,49 @@ static void check_drawn(struct run *run)
     }
 }
 
+/* Draws the mesh in each variant of run_variants(). */
+static void draw_variants(struct gpu *gpu, const struct rg_mesh *mesh)
+{
+    static const struct paint_push paint = { .color = { { 1, 2, 3, 4 } } };
+    const struct rg_frame frame = { .paints = &paint, .mesh = *mesh };
+    run_variants(gpu,
+                 &(struct run_params){
+                     .technique = RG_TECHNIQUE("test", drawn_rows),
+                     .outputs = { &drawn_out, &part_out },
+                 },
+                 &frame, check_drawn);
+}
+
+/* A mesh in the middle of buffers that several share, with indices of 16 bits. */
+static void mesh_of_a_pool_is_drawn(void **state)
+{
+    static const struct vertex vertices[] = {
+        { { 9, 9, 9 }, { 1, 1 } },   { { 9, 9, 9 }, { 1, 1 } },  { { 9, 9, 9 }, { 1, 1 } },
+        { { 9, 9, 9 }, { -1, -1 } }, { { 9, 9, 9 }, { -1, 1 } }, { { 9, 9, 9 }, { 0, -1 } },
+        { { 9, 9, 9 }, { 0, 1 } },
+    };
+    static const uint16_t indices[] = { 9, 9, 0, 1, 2, 2, 1, 3, 9, 9 };
+    static const VkDeviceSize offset = sizeof(struct vertex);
+    struct gpu_buffer buffers[2];
+    assert_int_equal(gpu_buffer_create(*state, &buffers[0], VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                                       vertices, sizeof(vertices), "vertices"),
+                     STATUS_OK);
+    assert_int_equal(gpu_buffer_create(*state, &buffers[1], VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                                       indices, sizeof(indices), "indices"),
+                     STATUS_OK);
+    draw_variants(*state, &(struct rg_mesh){
+                              .vertices = buffers[0].buffer,
+                              .indices = buffers[1].buffer,
+                              .index_count = 6,
+                              .vertex_offsets = &offset,
+                              .index_offset = 2 * sizeof(*indices),
+                              .short_indices = true,
+                              .first_vertex = 2,
+                          });
+    gpu_buffer_destroy(*state, &buffers[0]);
+    gpu_buffer_destroy(*state, &buffers[1]);
+}
+
 static void mesh_is_drawn(void **state)
 {
     static const struct vertex vertices[] = {
@@ -403,7 +446,6 @@ static void mesh_is_drawn(void **state)
         { { 9, 9, 9 }, { 0, -1 } }, { { 9, 9, 9 }, { 0, 1 } },
     };
     static const uint32_t indices[] = { 1, 2, 3, 3, 2, 4 };
-    static const struct paint_push paint = { .color = { { 1, 2, 3, 4 } } };
     struct gpu *gpu = *state;
     struct gpu_buffer vertex_buffer;
     struct gpu_buffer index_buffer;
@@ -413,18 +455,43 @@ static void mesh_is_drawn(void **state)
     assert_int_equal(gpu_buffer_create(gpu, &index_buffer, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                                        indices, sizeof(indices), "indices"),
                      STATUS_OK);
-    const struct rg_frame frame = {
-        .paints = &paint,
-        .mesh = { vertex_buffer.buffer, index_buffer.buffer, 6 },
-    };
-    run_variants(gpu,
-                 &(struct run_params){
-                     .technique = RG_TECHNIQUE("test", drawn_rows),
-                     .outputs = { &drawn_out, &part_out },
-                 },
-                 &frame, check_drawn);
+    draw_variants(gpu, &(struct rg_mesh){ vertex_buffer.buffer, index_buffer.buffer, 6 });
     gpu_buffer_destroy(gpu, &vertex_buffer);
     gpu_buffer_destroy(gpu, &index_buffer);
+}
+
+/* ---- viewport ---- */
+
+static const struct rg_image viewed = COLOR_IMAGE("viewed");
+static const struct rg_buffer viewed_out = COLOR_BUFFER("viewed out");
+
+static void record_viewport(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_viewport(cmd, &(VkViewport){ .x = 4, .y = 2, .width = 4, .height = 6, .maxDepth = 1 });
+    painted_draw(cmd, frame->paints);
+}
+
+static const struct rg_pass viewport_rows[] = {
+    {
+        .name = "draw",
+        .color = RG_TARGETS({ &viewed, RG_LOAD_CLEAR }),
+        PAINTED_BY(record_viewport, &paint_frag),
+    },
+    RUN_READ("read", viewed, viewed_out),
+};
+
+static void check_viewport(struct run *run)
+{
+    for (uint32_t i = 0; i < 64; i++)
+        painted_check(run, &viewed_out, i,
+                      i % 8 >= 4 && i / 8 >= 2 ? painted_color(1, 2, 3, 4)
+                                               : painted_color(0, 0, 0, 0));
+}
+
+static void viewport_is_set(void **state)
+{
+    static const struct paint_push paint = { .color = { { 1, 2, 3, 4 } }, ALL };
+    PAINTED_VARIANTS(state, viewport_rows, &paint, check_viewport, .outputs = { &viewed_out });
 }
 
 /* ---- instances ---- */
@@ -459,6 +526,15 @@ static void check_instances(struct run *run)
     }
 }
 
+/* Only the second one. */
+static void check_one_instance(struct run *run)
+{
+    for (uint32_t i = 0; i < 64; i++) {
+        const float count = i % 8 >= 6 ? 1.0F : 0.0F;
+        painted_check(run, &instances_out, i, painted_color(count, count, count, count));
+    }
+}
+
 static void instances_are_drawn(void **state)
 {
     static const float column[][2] = { { -1, -1 }, { -1, 1 }, { -0.5F, 1 }, { -0.5F, -1 } };
@@ -481,16 +557,17 @@ static void instances_are_drawn(void **state)
         assert_int_equal(gpu_buffer_create(gpu, &buffers[i], all[i].usage, all[i].data, all[i].size,
                                            "instances"),
                          STATUS_OK);
-    const struct rg_frame frame = {
+    struct rg_frame frame = {
         .paints = &paint,
         .mesh = { buffers[0].buffer, buffers[1].buffer, 6, 3, &buffers[2].buffer },
     };
-    run_variants(gpu,
-                 &(struct run_params){
-                     .technique = RG_TECHNIQUE("test", instance_rows),
-                     .outputs = { &instances_out },
-                 },
-                 &frame, check_instances);
+    const struct run_params params = {
+        .technique = RG_TECHNIQUE("test", instance_rows),
+        .outputs = { &instances_out },
+    };
+    run_variants(gpu, &params, &frame, check_instances);
+    frame.mesh.instance_count = frame.mesh.first_instance = 1;
+    run_variants(gpu, &params, &frame, check_one_instance);
     for (int i = 0; i < 3; i++)
         gpu_buffer_destroy(gpu, &buffers[i]);
 }
@@ -540,10 +617,11 @@ static void constants_reach_shaders(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(depth_is_tested),     ON_DEVICE(targets_are_blended),
-        ON_DEVICE(any_blend_is_drawn),  ON_DEVICE(stencil_is_tested),
-        ON_DEVICE(faces_are_culled),    ON_DEVICE(mesh_is_drawn),
-        ON_DEVICE(instances_are_drawn), ON_DEVICE(constants_reach_shaders),
+        ON_DEVICE(depth_is_tested),         ON_DEVICE(targets_are_blended),
+        ON_DEVICE(any_blend_is_drawn),      ON_DEVICE(stencil_is_tested),
+        ON_DEVICE(faces_are_culled),        ON_DEVICE(mesh_is_drawn),
+        ON_DEVICE(mesh_of_a_pool_is_drawn), ON_DEVICE(viewport_is_set),
+        ON_DEVICE(instances_are_drawn),     ON_DEVICE(constants_reach_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

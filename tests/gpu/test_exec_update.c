@@ -300,6 +300,43 @@ static void content_stays(void **state)
     }
 }
 
+/* Submits a frame without waiting for it. */
+static void submit_frame(struct run *run)
+{
+    assert_int_equal(rg_exec_begin(run->exec, &run->slot), VK_SUCCESS);
+    *(struct data_seed *)run_data(run, &feature_seed) = (struct data_seed){ SEED };
+    assert_int_equal(rg_exec_submit(run->exec, NULL), VK_SUCCESS);
+}
+
+/* Objects of a plan are destroyed after its last frame, and the frames of two plans, which share
+ * memory, do not overlap on the device. */
+static void plans_change_between_frames_in_flight(void **state)
+{
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        struct run_params plans[] = { changed(way, 8, 8, false), changed(way, 16, 8, true),
+                                      changed(way, 16, 12, false) };
+        struct run run;
+        uint32_t frames = 0;
+        count_objects(true);
+        for (size_t i = 0; i < 3; i++)
+            plans[i].frames_in_flight = 3;
+        run_open(&run, *state, &plans[0]);
+        const struct counts one_plan = alive;
+        for (; frames < 20; frames++) {
+            submit_frame(&run);
+            run_update(&run, &plans[(frames + 1) % 3]);
+        }
+        run_update(&run, &plans[0]);
+        assert_int_equal(rg_exec_wait_all(run.exec), VK_SUCCESS);
+        assert_int_equal(alive.Image, one_plan.Image);
+        assert_int_equal(alive.memory, one_plan.memory);
+        assert_int_equal(alive.DescriptorPool, one_plan.DescriptorPool);
+        check_frame(&run, frames + 1);
+        run_close(&run);
+        count_objects(false);
+    }
+}
+
 /* Within the largest view, memory and pipelines stay; with the same plan, all. */
 static void what_is_the_same_stays(void **state)
 {
@@ -410,6 +447,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(content_stays),
+        ON_DEVICE(plans_change_between_frames_in_flight),
         ON_DEVICE(what_is_the_same_stays),
         ON_DEVICE(nothing_is_left),
         ON_DEVICE(pipelines_go_to_other_executors),

@@ -115,7 +115,7 @@ static uint32_t add_resource(struct hazard *h, const struct rg_image *image,
 
 static VkImageSubresourceRange resolve(const struct hazard_resource *resource,
                                        const struct rg_range *range, enum rg_repeat repeat,
-                                       uint32_t repetition)
+                                       uint32_t step)
 {
     VkImageSubresourceRange r = {
         .aspectMask = range->aspect ? range->aspect : resource->aspects,
@@ -125,11 +125,11 @@ static VkImageSubresourceRange resolve(const struct hazard_resource *resource,
         .layerCount = range->layer_count ? range->layer_count : resource->layers - range->layer,
     };
     if (range->each && repeat == RG_PER_LAYER) {
-        r.baseArrayLayer += repetition;
+        r.baseArrayLayer += step;
         r.layerCount = 1;
     }
-    if (range->each && repeat == RG_PER_MIP) {
-        r.baseMipLevel += repetition;
+    if (range->each && (repeat == RG_PER_MIP || repeat == RG_PER_MIP_UP)) {
+        r.baseMipLevel += step;
         r.levelCount = 1;
     }
     return r;
@@ -159,8 +159,17 @@ static uint32_t repetitions(struct hazard *h, const struct rg_pass *pass)
         return 1;
     uint32_t index = add_resource(h, image, NULL);
     const struct hazard_resource *resource = &h->resources[index];
-    return pass->repeat == RG_PER_LAYER ? resource->layers - range.layer
-                                        : resource->mips - range.mip;
+    if (pass->repeat == RG_PER_LAYER)
+        return resource->layers - range.layer;
+    uint32_t count = resource->mips - range.mip;
+    for (const struct rg_use *use = pass->uses; use && use->access; use++) {
+        if (pass->repeat != RG_PER_MIP_UP || !use->image || !use->range.each)
+            continue;
+        const uint32_t other = add_resource(h, use->image, NULL);
+        const uint32_t left = h->resources[other].mips - use->range.mip;
+        count = left < count ? left : count;
+    }
+    return count;
 }
 
 static struct hazard_use *add_use(struct hazard *h, struct hazard_pass *pass,
@@ -196,12 +205,13 @@ static struct hazard_use *add_attachment(struct hazard *h, struct hazard_pass *p
         .baseMipLevel = resolve ? target->resolve_mip : target->mip,
         .levelCount = 1,
         .baseArrayLayer = resolve ? target->resolve_layer : target->layer,
-        .layerCount = 1,
+        .layerCount = pass->pass->layers ? pass->pass->layers : 1,
     };
     if (pass->pass->repeat == RG_PER_LAYER && h->resources[use->resource].layers > 1)
-        use->range.baseArrayLayer += pass->repetition;
-    if (pass->pass->repeat == RG_PER_MIP && h->resources[use->resource].mips > 1)
-        use->range.baseMipLevel += pass->repetition;
+        use->range.baseArrayLayer += pass->step;
+    if ((pass->pass->repeat == RG_PER_MIP || pass->pass->repeat == RG_PER_MIP_UP) &&
+        h->resources[use->resource].mips > 1)
+        use->range.baseMipLevel += pass->step;
     return use;
 }
 
@@ -221,12 +231,14 @@ static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct
     use->use = row;
     use->keeps_content = row->partial && use->gives_content;
     if (row->image)
-        use->range = resolve(&h->resources[use->resource], &row->range, pass->pass->repeat,
-                             pass->repetition);
+        use->range =
+            resolve(&h->resources[use->resource], &row->range, pass->pass->repeat, pass->step);
     if (use->stages)
         return;
     if (row->stages)
-        use->stages = hazard_stages(row->stages, true);
+        use->stages = (row->stages & VK_SHADER_STAGE_VERTEX_BIT ? HAZARD_VERTEX : 0U) |
+                      (row->stages & VK_SHADER_STAGE_FRAGMENT_BIT ? HAZARD_FRAGMENT : 0U) |
+                      (row->stages & VK_SHADER_STAGE_COMPUTE_BIT ? HAZARD_COMPUTE : 0U);
     else if (pass->pass->kind == RG_COMPUTE)
         use->stages = HAZARD_COMPUTE;
     else
@@ -327,8 +339,11 @@ void hazard_tables(struct hazard *h)
                 .row = row,
             };
             uint32_t count = repetitions(h, pass.pass);
-            for (pass.repetition = 0; pass.repetition < count; pass.repetition++)
+            for (pass.repetition = 0; pass.repetition < count; pass.repetition++) {
+                const bool up = pass.pass->repeat == RG_PER_MIP_UP;
+                pass.step = up ? count - 1 - pass.repetition : pass.repetition;
                 add_repetition(h, pass);
+            }
         }
     }
     for (size_t i = 0; i < params->output_count; i++)

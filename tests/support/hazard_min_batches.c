@@ -20,6 +20,7 @@ struct state {
     VkImageLayout layout;
     uint32_t stages; /* stages of all accesses */
     uint32_t last;   /* index of the last pass */
+    bool is_initial; /* no barrier since the start of the frame */
 };
 
 struct intervals {
@@ -107,18 +108,26 @@ static void pass_through(struct intervals *intervals, const struct hazard_resour
         add(intervals, 0, pass_count);
 }
 
-/* Adds an access to a subresource with first state states[0] and current state states[1]. */
-static void add_access(struct intervals *intervals, struct state states[2], const struct state *now)
+/* Adds an access to a subresource with first state states[0] and current state states[1]. If
+ * earlier reads of an import need no barrier, but this one does, this one counts as the first. */
+static void add_access(struct intervals *intervals, const struct hazard_resource *resource,
+                       struct state states[2], const struct state *now)
 {
     uint32_t stages = now->stages;
-    if (!states[0].any)
+    bool is_initial = !states[0].any;
+    if (is_initial) {
         states[0] = *now;
-    else if (needs_no_barrier(&states[1], now))
+    } else if (needs_no_barrier(&states[1], now)) {
         stages |= states[1].stages;
-    else
+        is_initial = states[1].is_initial;
+        if (is_initial && has_arrived(resource, &states[0]) && !has_arrived(resource, now))
+            states[0] = *now;
+    } else {
         add(intervals, states[1].last + 1, now->last);
+    }
     states[1] = *now;
     states[1].stages = stages;
+    states[1].is_initial = is_initial;
 }
 
 static int compare(const void *a, const void *b)
@@ -151,10 +160,13 @@ uint32_t hazard_min_batches(const struct hazard *h)
             const struct hazard_use *use = &h->uses[u];
             const struct hazard_resource *resource = &h->resources[use->resource];
             struct state now = state_of(resource, use->access, use->stages, p);
+            if (use->use && use->access == RG_SAMPLED && pass->pass->depth_read_only &&
+                pass->pass->depth.image == use->use->image && use->use->image)
+                now.layout = hazard_rule(RG_DEPTH_READ)->layout;
             uint32_t cell;
             for (uint32_t i = 0;
                  (cell = hazard_next_subresource(resource, &use->range, &i)) != RG_NONE;)
-                add_access(&intervals, states[cell], &now);
+                add_access(&intervals, resource, states[cell], &now);
         }
     }
     for (uint32_t i = 0; i < h->cell_count; i++) {

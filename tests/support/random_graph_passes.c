@@ -166,9 +166,9 @@ static void draw_stages(struct random_tables *t, const struct rg_pass *pass, str
                          use->access == RG_STORAGE_READ || use->access == RG_TRACE;
     if (pass->kind != RG_RASTER || !shader_access || random_graph_chance(t, 70))
         return;
-    use->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
+    use->stages = VK_SHADER_STAGE_VERTEX_BIT;
     if (random_graph_chance(t, 50))
-        use->stages |= VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+        use->stages |= VK_SHADER_STAGE_FRAGMENT_BIT;
 }
 
 static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
@@ -379,12 +379,15 @@ static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
-/* Generates a mip chain: each repetition reads the mip that the previous one wrote. */
+/* Generates a mip chain: each repetition reads the mip that the previous one wrote, downwards or
+ * upwards. */
 static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
 {
     uint32_t resource = pick_image(t);
     struct random_known *known = &t->known[resource];
     struct rg_range top = random_graph_whole(known);
+    const uint32_t up = random_graph_chance(t, 40);
+    top.mip = up ? known->mips - 1 : 0;
     top.mip_count = 1;
     bool layered = pass->kind != RG_RASTER;
     if (!layered)
@@ -393,19 +396,21 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
         !is_defined(t, resource, &top))
         return false;
     struct rg_range all = top;
+    all.mip = 0;
     all.mip_count = known->mips;
     if (!claim(t, resource, all, true))
         return false;
-    pass->repeat = RG_PER_MIP;
-    struct rg_range each = { .layer_count = layered ? 0 : 1, .each = true };
+    pass->repeat = up ? RG_PER_MIP_UP : RG_PER_MIP;
+    struct rg_range each = { .mip = up, .layer_count = layered ? 0 : 1, .each = true };
     add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_SRC : RG_SAMPLED)->range = each;
-    each.mip = 1;
+    each.mip = 1 - up;
     if (layered)
         add_use(t, resource, pass->kind == RG_TRANSFER ? RG_COPY_DST : RG_STORAGE_WRITE)->range =
             each;
     else
-        *colors_of(t, pass) =
-            (struct rg_target){ .image = &t->images[resource], .load = RG_LOAD_DISCARD, .mip = 1 };
+        *colors_of(t, pass) = (struct rg_target){ .image = &t->images[resource],
+                                                  .load = RG_LOAD_DISCARD,
+                                                  .mip = 1 - up };
     return true;
 }
 
@@ -427,6 +432,24 @@ static bool draw_layer_copy(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
+/* Sometimes samples the depth target that a pass only tests. */
+static void draw_tested_depth(struct random_tables *t, const struct rg_pass *pass)
+{
+    if (!pass->depth_read_only || !pass->depth.image || random_graph_chance(t, 50))
+        return;
+    uint32_t resource = (uint32_t)(pass->depth.image - t->images);
+    struct random_known *known = &t->known[resource];
+    struct rg_range range = random_graph_chance(t, 50)
+                                ? draw_range(t, known)
+                                : target_range(known, pass, pass->depth.mip, pass->depth.layer);
+    if (!is_defined(t, resource, &range))
+        return;
+    struct rg_use *use = add_use(t, resource, RG_SAMPLED);
+    use->range = written_range(t, known, range);
+    use->range.aspect = known->stencil ? VK_IMAGE_ASPECT_DEPTH_BIT : 0;
+    draw_stages(t, pass, use);
+}
+
 static bool draw_body(struct random_tables *t, struct rg_pass *pass)
 {
     if (random_graph_chance(t, 15) && draw_mip_chain(t, pass))
@@ -434,6 +457,7 @@ static bool draw_body(struct random_tables *t, struct rg_pass *pass)
     if (pass->kind == RG_RASTER) {
         if (t->claim_count || !draw_targets(t, pass))
             return false;
+        draw_tested_depth(t, pass);
         if (random_graph_chance(t, 10) && pass->repeat == RG_ONCE)
             draw_writes(t, pass);
         return true;

@@ -98,6 +98,8 @@ static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *
         .imports = run->params.objects,
         .import_count = run->params.import_count,
         .sets = run->params.sets,
+        .samplers = run->params.own_sampler,
+        .sampler_count = run->params.own_sampler != NULL,
         .set_count = run->params.sets ? 1 : 0,
         .max_anisotropy = run->gpu->max_anisotropy,
         .render_passes = run->params.render_passes,

@@ -22,7 +22,8 @@ struct run_params {
     const struct rg_import *imports;
     const struct rg_exec_import *objects; /* Vulkan objects of `imports` */
     size_t import_count;
-    const struct rg_exec_set *sets; /* the application's descriptor set, or NULL */
+    const struct rg_exec_set *sets;            /* the application's descriptor set, or NULL */
+    const struct rg_exec_sampler *own_sampler; /* the application's, or NULL */
     uint32_t frames_in_flight;
     struct rg_pipelines *pipelines; /* shared with other executors; NULL for none */
     bool render_passes;

@@ -1,4 +1,6 @@
 /* Faults of samples, resolves, history and conditions. */
+#include <math.h>
+
 #include "graph/rg.h"
 #include "tests/support/assertions.h"
 #include "tests/support/fault_case.h"
@@ -102,13 +104,32 @@ static const struct fault_case condition_cases[] = {
 /* Stages that the pass has no shader for. */
 static const struct fault_case stage_cases[] = {
     { ROW(RG_ERROR_ACCESS, "picture",
-          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT)) },
+          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_SHADER_STAGE_FRAGMENT_BIT)) },
     { ROW(RG_ERROR_ACCESS, "picture",
           COPY("copy", { &OTHER, .access = RG_COPY_DST },
-               { &PICTURE, .access = RG_COPY_SRC,
-                 .stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT })) },
+               { &PICTURE, .access = RG_COPY_SRC, .stages = VK_SHADER_STAGE_COMPUTE_BIT })) },
     { ROW(RG_ERROR_ACCESS, "picture",
-          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_PIPELINE_STAGE_HOST_BIT)) },
+          ALSO(&PICTURE, .access = RG_SAMPLED, .stages = VK_SHADER_STAGE_GEOMETRY_BIT)) },
+};
+
+/* ---- samplers ---- */
+
+static const struct rg_sampler wrong_samplers[] = {
+    { .lod_bias = INFINITY },
+    { .min_lod = 2, .max_lod = 1 },
+    { .compare = (VkCompareOp)(VK_COMPARE_OP_ALWAYS + 1) },
+    { .border_color = (VkBorderColor)(VK_BORDER_COLOR_INT_OPAQUE_WHITE + 1) },
+    { .border = true, .border_color = VK_BORDER_COLOR_INT_OPAQUE_BLACK }, /* float format */
+    { .compare = VK_COMPARE_OP_LESS },                                    /* colour */
+};
+
+#define SAMPLES_BY(number) \
+    { \
+        ROW(RG_ERROR_VALUE, "picture", \
+            ALSO(&PICTURE, .access = RG_SAMPLED, .sampler = &wrong_samplers[number])) \
+    }
+static const struct fault_case sampler_cases[] = {
+    SAMPLES_BY(0), SAMPLES_BY(1), SAMPLES_BY(2), SAMPLES_BY(3), SAMPLES_BY(4), SAMPLES_BY(5),
 };
 
 /* ---- other resources ---- */
@@ -125,6 +146,13 @@ static const struct rg_buffer up = { "up", 64, .memory = RG_MEMORY_UPLOAD,
                                      .format = VK_FORMAT_R32_UINT };
 static const struct rg_set nameless = { NULL };
 static const struct rg_set own = { "own" };
+
+static const struct rg_pass *no_more(const struct rg_pass *row, const struct rg_frame *frame)
+{
+    (void)row;
+    (void)frame;
+    return NULL;
+}
 
 static VkFormatFeatureFlags no_features(const void *user, VkFormat format)
 {
@@ -173,6 +201,11 @@ static const struct fault_case resource_cases[] = {
                   ELEMENT(PICTURE, 0, 0))) },
     { ROW(RG_ERROR_NO_NAME, NULL,
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .set = &nameless)) },
+    { ROW(RG_ERROR_VALUE, NULL,
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .secondary = true,
+               .more = no_more)) },
+    { ROW(RG_ERROR_RANGE, "other",
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .layers = 2)) },
     { ROW(RG_ERROR_ACCESS, "own",
           { .name = "copy",
             .kind = RG_TRANSFER,
@@ -233,8 +266,9 @@ static void test_every_case(void **state)
 {
     (void)state;
     const struct fault_cases tables[] = {
-        FAULT_CASES(sample_cases), FAULT_CASES(history_cases),  FAULT_CASES(condition_cases),
-        FAULT_CASES(stage_cases),  FAULT_CASES(resource_cases), FAULT_CASES(structure_cases),
+        FAULT_CASES(sample_cases),    FAULT_CASES(history_cases), FAULT_CASES(condition_cases),
+        FAULT_CASES(stage_cases),     FAULT_CASES(sampler_cases), FAULT_CASES(resource_cases),
+        FAULT_CASES(structure_cases),
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);

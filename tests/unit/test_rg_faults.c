@@ -144,8 +144,13 @@ static const struct fault_case row_cases[] = {
             .record = small_graph_record,
             .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_NO_SHADER, NULL,
-          { "compute", RG_COMPUTE, .record = small_graph_record,
+          { "compute", RG_COMPUTE, .vert = &small_graph_shader, .record = small_graph_record,
             .uses = RG_USES({ WRITE_OTHER }) }) },
+    { ROW(RG_ERROR_NO_SHADER, NULL,
+          { .name = "draw", /* without .kind */
+            .comp = &small_graph_shader,
+            .record = small_graph_record,
+            .color = RG_TARGETS({ CLEARED(OTHER) }) }) },
     { ROW(RG_ERROR_PUSH_SIZE, NULL,
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .push_size = 132)) },
     { ROW(RG_ERROR_PUSH_SIZE, NULL,
@@ -170,7 +175,7 @@ static const struct fault_case row_cases[] = {
           COMPUTE("compute", { .image = &PICTURE, .access = RG_SAMPLED })) },
     { ROW(RG_ERROR_WRITES_NOTHING, NULL, { "copy", RG_TRANSFER, .record = small_graph_record }) },
     { ROW(RG_ERROR_REPEAT, NULL,
-          { "compute", RG_COMPUTE, RG_PER_LAYER, .comp = &small_graph_shader,
+          { "compute", RG_COMPUTE, .repeat = RG_PER_LAYER, .comp = &small_graph_shader,
             .record = small_graph_record,
             .uses = RG_USES({ .buffer = &bytes, .access = RG_STORAGE_WRITE }) }) },
     { ROW(RG_ERROR_READ_BEFORE_WRITE, "other",
@@ -243,7 +248,10 @@ static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_CONFLICT, "picture",
           COMPUTE("compute", { &PICTURE, .access = RG_STORAGE_READ },
                   { &PICTURE, .access = RG_STORAGE_WRITE, .binding = 1 })) },
-    { ROW(RG_ERROR_CONFLICT, "picture", /* two reads, but no layout for both */
+    { .text = "bad row 0 (compute): picture has conflicting uses in one pass; 'storage read at "
+              "binding 0' and 'sampled at binding 1': split the pass in two, or read another mip, "
+              "layer or image", /* no layout for both */
+      ROW(RG_ERROR_CONFLICT, "picture",
           COMPUTE("compute", { WRITE_OTHER }, { &PICTURE, .access = RG_STORAGE_READ },
                   { &PICTURE, .access = RG_SAMPLED, .binding = 1 })) },
     { ROW(
@@ -283,7 +291,7 @@ static const struct fault_case range_cases[] = {
     { RANGE("picture", READ_PICTURE(.aspect = VK_IMAGE_ASPECT_DEPTH_BIT)) },
     { RANGE("picture", READ_PICTURE(.aspect = WILD)) },
     { RANGE("picture",
-            { "compute", RG_COMPUTE, RG_PER_LAYER, .comp = &small_graph_shader,
+            { "compute", RG_COMPUTE, .repeat = RG_PER_LAYER, .comp = &small_graph_shader,
               .record = small_graph_record,
               .uses = RG_USES({ &pages, .access = RG_STORAGE_WRITE, .range = { .each = true } },
                               { &PICTURE, .access = RG_SAMPLED, .binding = 1,
@@ -355,7 +363,10 @@ static void test_all_at_once(void **state)
     const struct fault_case fc = {
         .row_count = 2,
         .rows = {
-            { .name = "fill", .color = RG_TARGETS({ CLEARED(wide) }), .push_size = 7 },
+            { .name = "fill",
+              .color = RG_TARGETS({ CLEARED(wide) }),
+              .frag = &small_graph_shader,
+              .push_size = 7 },
             COMPUTE("compute", { .buffer = &bytes, .access = RG_UNIFORM },
                     { .image = &pages, .access = RG_STORAGE_WRITE, .range.layer = 5 }),
         },

@@ -203,6 +203,30 @@ static void test_row_per_mip(void **state)
     rg_plan_destroy(plan);
 }
 
+/* Passes draw mips 2, 1 and 0 from the next smaller mip; mip 3 is drawn before. */
+static void test_row_per_mip_upwards(void **state)
+{
+    (void)state;
+    static const struct rg_image chain =
+        IMAGE(.name = "chain", .width = 9, .height = 5, .mips = RG_ALL_MIPS);
+    const struct rg_pass passes[] = {
+        DRAW("bottom", .color = RG_TARGETS({ CLEARED(chain), .mip = 3 })),
+        DRAW("double", .repeat = RG_PER_MIP_UP, .color = RG_TARGETS({ CLEARED(chain) }),
+             .uses = RG_USES({ TEXTURE(chain), .range = { .mip = 1, .each = true } })),
+    };
+    struct rg_plan *plan =
+        small_graph_compile(&(struct small_graph){ PASSES(passes), WANTS(chain) });
+    assert_int_equal(plan->pass_count, 4);
+    for (uint32_t i = 1; i < 4; i++) {
+        const struct rg_plan_pass *pass = &plan->passes[i];
+        assert_int_equal(pass->repetition, i - 1);
+        assert_int_equal(pass->color[0].mip, 3 - i);
+        assert_int_equal(plan->uses[pass->first_use].range.baseMipLevel, 4 - i);
+        assert_int_equal(plan->uses[pass->first_use].range.levelCount, 1);
+    }
+    rg_plan_destroy(plan);
+}
+
 /* ---- sizes ---- */
 
 static void check_extent(VkExtent2D view, float scale, uint32_t width, uint32_t height)
@@ -554,6 +578,7 @@ int main(void)
         cmocka_unit_test(test_load_and_store),
         cmocka_unit_test(test_row_per_face),
         cmocka_unit_test(test_row_per_mip),
+        cmocka_unit_test(test_row_per_mip_upwards),
         cmocka_unit_test(test_sizes_relative_to_the_view),
         cmocka_unit_test(test_size_instead_of_the_table_s),
         cmocka_unit_test(test_buffers),

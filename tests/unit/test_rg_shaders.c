@@ -36,7 +36,7 @@ static const struct rg_vertex_layout elsewhere = { 12, 1, late };
 #define PICTURE_OF_VERTICES \
     { \
         .image = &fault_case_picture, .access = RG_SAMPLED, .binding = 2, \
-        .stages = 0x8 /* that of vertices */ \
+        .stages = VK_SHADER_STAGE_VERTEX_BIT \
     }
 #define STORE(to) \
     { \
@@ -263,6 +263,74 @@ static const struct fault_case resource_cases[] = {
        TEXELS(floats, true)),
 };
 
+/* ---- loads and stores ---- */
+
+#define GRID(title) \
+    { \
+        (title), VK_FORMAT_R32_UINT \
+    }
+static const struct rg_image grids[] = { GRID("stored"), GRID("loaded"), GRID("counted") };
+static const struct rg_buffer blocks[] = {
+    { "count", 4 },
+    { "items", 64 },
+    { "sources", 64 },
+    { "fixed", 64 },
+};
+
+/* A row of access.comp after a row that writes what is loaded, with the access to one binding. */
+#define STORED(number, use) \
+    { \
+        .image = &grids[number], .access = (use), .binding = (number) \
+    }
+#define BLOCK(number, use) \
+    { \
+        .buffer = &blocks[(number)-3], .access = (use), .binding = (number) \
+    }
+#define FILL_GRIDS \
+    COPY("write", { &grids[0], .access = RG_COPY_DST }, { &grids[1], .access = RG_COPY_DST }, \
+         { &grids[2], .access = RG_COPY_DST }, { .buffer = &blocks[0], .access = RG_COPY_DST }, \
+         { .buffer = &blocks[1], .access = RG_COPY_DST }, \
+         { .buffer = &blocks[2], .access = RG_COPY_DST }, \
+         { .buffer = &blocks[3], .access = RG_COPY_DST })
+#define ACCESSES(...) \
+    { \
+        .name = "access", .kind = RG_COMPUTE, .comp = &access_comp, .record = small_graph_record, \
+        .uses = RG_USES(__VA_ARGS__) \
+    }
+#define ACCESS(use0, use1, use2, use3, use4, use5) \
+    ACCESSES(STORED(0, RG_STORAGE_##use0), STORED(1, RG_STORAGE_##use1), \
+             STORED(2, RG_STORAGE_##use2), BLOCK(3, RG_STORAGE_##use3), \
+             BLOCK(4, RG_STORAGE_##use4), BLOCK(5, RG_STORAGE_##use5), BLOCK(6, RG_STORAGE_READ))
+#define LIES(name, line, ...) \
+    { \
+        .error = RG_ERROR_SHADER_ACCESS, .row = true, .row_count = 2, \
+        .text = "bad row 1 (access): " name " access differs from that of the shader; " line, \
+        .rows = { \
+            FILL_GRIDS, \
+            ACCESS(__VA_ARGS__) \
+        } \
+    }
+
+static const struct rg_pass honest_rows[] = {
+    FILL_GRIDS,
+    ACCESS(WRITE, READ, READ_WRITE, READ_WRITE, WRITE, READ),
+};
+
+static const struct fault_case access_cases[] = {
+    LIES("stored", "binding 0: 'access_comp' stores to 'stored': expected RG_STORAGE_WRITE", READ,
+         READ, READ_WRITE, READ_WRITE, WRITE, READ),
+    LIES("loaded", "binding 1: 'access_comp' loads from 'loaded': expected RG_STORAGE_READ", WRITE,
+         WRITE, READ_WRITE, READ_WRITE, WRITE, READ),
+    LIES("counted", "binding 2: 'access_comp' stores to 'counted': expected RG_STORAGE_READ_WRITE",
+         WRITE, READ, READ, READ_WRITE, WRITE, READ),
+    LIES("count", "binding 3: 'access_comp' loads from 'Count': expected RG_STORAGE_READ_WRITE",
+         WRITE, READ, READ_WRITE, WRITE, WRITE, READ),
+    LIES("items", "binding 4: 'access_comp' stores to 'Items': expected RG_STORAGE_WRITE", WRITE,
+         READ, READ_WRITE, READ_WRITE, READ, READ),
+    LIES("sources", "binding 5: 'access_comp' loads from 'Source': expected RG_STORAGE_READ", WRITE,
+         READ, READ_WRITE, READ_WRITE, WRITE, WRITE),
+};
+
 /* ---- constants ---- */
 
 static const float values[] = { 2.0F, 3.0F };
@@ -346,6 +414,59 @@ static void test_good_resources(void **state)
     }
 }
 
+static void test_good_accesses(void **state)
+{
+    (void)state;
+    struct rg_plan *plan = fault_case_compile(&(struct fault_case){
+        .row_count = 2,
+        .rows = { honest_rows[0], honest_rows[1] },
+    });
+    assert_non_null(plan);
+    assert_int_equal(plan->fault_count, 0);
+    rg_plan_destroy(plan);
+}
+
+/* Replaces the loads that follow access chains by another instruction, from load `first` on. */
+static void lose_pointers(uint32_t *words, size_t count, uint32_t first)
+{
+    enum {
+        HEADER_WORDS = 5,
+        OP_LOAD = 61,
+        OP_ACCESS_CHAIN = 65,
+        OP_SELECT = 169,
+    };
+
+    uint32_t last = 0, found = 0;
+    for (size_t i = HEADER_WORDS; i < count; i += words[i] >> 16) {
+        const uint32_t op = words[i] & 0xffff;
+        if (last == OP_ACCESS_CHAIN && op == OP_LOAD && found++ >= first)
+            words[i] = words[i] - OP_LOAD + OP_SELECT;
+        last = op;
+    }
+}
+
+/* A pointer that is not only loaded from may be stored to, unless the shader says readonly. */
+static void test_lost_pointers(void **state)
+{
+    (void)state;
+    const size_t count = access_comp.word_count;
+    uint32_t *words = malloc(count * sizeof(*words));
+    assert_non_null(words);
+    memcpy(words, access_comp.words, count * sizeof(*words));
+    const struct rg_shader shader = { "lost", words, count };
+    struct fault_case fc = { .row_count = 2, .rows = { honest_rows[0], honest_rows[1] } };
+    fc.rows[1].comp = &shader;
+    for (uint32_t faults = 0; faults < 2; faults++) { /* of `fixed`, then also of `source` */
+        lose_pointers(words, count, 1 - faults);
+        struct rg_plan *plan = fault_case_compile(&fc);
+        assert_non_null(plan);
+        assert_int_equal(plan->fault_count, faults);
+        assert_true(!faults || !strcmp(plan->faults[0].resource, "sources"));
+        rg_plan_destroy(plan);
+    }
+    free(words);
+}
+
 static void test_constants(void **state)
 {
     (void)state;
@@ -361,7 +482,7 @@ static void test_every_case(void **state)
 {
     static const struct fault_cases tables[] = {
         FAULT_CASES(push_cases),   FAULT_CASES(binding_cases),  FAULT_CASES(raster_cases),
-        FAULT_CASES(shader_cases), FAULT_CASES(resource_cases),
+        FAULT_CASES(shader_cases), FAULT_CASES(resource_cases), FAULT_CASES(access_cases),
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     (void)state;
@@ -389,31 +510,38 @@ static void compile_damaged(const uint32_t *words, size_t count)
 }
 
 /* Each word in turn becomes several others, and the module ends after each. */
-static void test_damaged_code(void **state)
+static void damage(const struct rg_shader *shader)
 {
     static const uint32_t instead[] = { 0, 1, UINT32_MAX, 0x00010000, 0x7fffffff };
-    const size_t count = match_comp.word_count;
-    (void)state;
+    const size_t count = shader->word_count;
     uint32_t *words = malloc(count * sizeof(*words));
     assert_non_null(words);
     for (size_t i = 0; i < count; i++) {
-        memcpy(words, match_comp.words, count * sizeof(*words));
+        memcpy(words, shader->words, count * sizeof(*words));
         compile_damaged(words, i + 1);
         for (size_t k = 0; k < sizeof(instead) / sizeof(instead[0]); k++) {
             words[i] = instead[k];
             compile_damaged(words, count);
         }
-        words[i] = match_comp.words[(i * 7) % count];
+        words[i] = shader->words[(i * 7) % count];
         compile_damaged(words, count);
     }
     free(words);
+}
+
+static void test_damaged_code(void **state)
+{
+    (void)state;
+    damage(&match_comp);
+    damage(&access_comp);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),     cmocka_unit_test(test_skipped),
-        cmocka_unit_test(test_good_resources), cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_good_resources), cmocka_unit_test(test_good_accesses),
+        cmocka_unit_test(test_lost_pointers),  cmocka_unit_test(test_constants),
         cmocka_unit_test(test_damaged_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

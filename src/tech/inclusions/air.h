@@ -11,7 +11,7 @@ extern const struct rg_image air_color; /* premultiplied AOV colour; 0 without a
 /* Binding of the environment for composite.vert, which computes the air's in-scattered light. */
 #define AIR_USE_ENVIRONMENT \
     FRAME_SAMPLE(frame_environment, COMPOSITE_ENVIRONMENT, .sampler = &frame_environment_sampler, \
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
+                 .stages = VK_SHADER_STAGE_VERTEX_BIT)
 
 /* Imported density fields of the scattering media (shaders/inclusions/medium_density.h). */
 extern const struct rg_image air_media;

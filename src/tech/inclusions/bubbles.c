@@ -58,7 +58,7 @@ static const struct rg_use uses[] = {
         .buffer = &bubbles_all,
         .access = RG_STORAGE_READ,
         .binding = BUBBLES_DRAWN,
-        .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
+        .stages = VK_SHADER_STAGE_VERTEX_BIT,
     },
     { 0 },
 };

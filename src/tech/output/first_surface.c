@@ -50,9 +50,9 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
     FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
     FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL,
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+                 .stages = VK_SHADER_STAGE_VERTEX_BIT),
     FRAME_SAMPLE(first_surface_starts, FIRST_SURFACE_STARTS, .sampler = NULL,
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+                 .stages = VK_SHADER_STAGE_VERTEX_BIT),
     { .buffer = &first_surface_previous, .access = RG_UNIFORM, .binding = FIRST_SURFACE_PREVIOUS },
     { 0 },
 };

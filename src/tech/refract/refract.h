@@ -95,8 +95,7 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
 /* Resource use of the environment cube for models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
-                           VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
+                 .stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT)
 
 /* Make a refraction model's passes. The image is drawn before the background, because hidden
  * background then fails the depth test. Layers follow, as the background may hide the object. */

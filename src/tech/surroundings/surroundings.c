@@ -58,7 +58,7 @@ static const struct rg_use cube_texture_uses[] = {
 
 static const struct rg_use extra_uses[] = {
     FRAME_SAMPLE(frame_extras, SURROUNDINGS_EXTRAS, .sampler = NULL,
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+                 .stages = VK_SHADER_STAGE_VERTEX_BIT),
     { 0 },
 };
 
@@ -115,7 +115,7 @@ static void light_vertices(struct rg_pass *pass, struct pass_arena *builder,
 {
     struct rg_use *uses = pass_arena_copy_uses(builder, pass->uses);
     for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
-        u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+        u->stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
     pass->vert = vertices_verts[params->scene->tables.vertex_extras != NULL][params->caustics];
     pass->frag = vertices_frags[params->caustics];
     pass->uses = uses;

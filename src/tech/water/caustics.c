@@ -144,13 +144,6 @@ static const struct rg_pass backtrace_passes[] = {
     },
 };
 
-static const struct rg_use splat_uses[] = {
-    FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(caustics_landing, CAUSTICS_LANDING,
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
-    { 0 },
-};
-
 static const struct rg_pass area_passes[] = {
     {
         .name = "caustics.trace",
@@ -165,7 +158,8 @@ static const struct rg_pass area_passes[] = {
     {
         .name = "caustics.splat",
         .color = RG_TARGETS({ &caustics_raw, RG_LOAD_CLEAR, .blend = RG_BLEND_ADD }),
-        .uses = splat_uses,
+        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_SAMPLE(caustics_landing, CAUSTICS_LANDING,
+                                                        .stages = VK_SHADER_STAGE_VERTEX_BIT)),
         .vert = &caustics_area_vert,
         .frag = &caustics_area_frag,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,

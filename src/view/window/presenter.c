@@ -136,8 +136,11 @@ static enum status realise(struct presenter *s, const struct presenter_images *i
         .replace_shader = s->replace,
         .user = s->replace_user,
     };
-    if (s->exec)
-        return gpu_status(rg_exec_update(s->exec, &params));
+    if (s->exec) {
+        /* the images shown before are destroyed by their owners */
+        const enum status status = gpu_status(rg_exec_wait_all(s->exec));
+        return status == STATUS_OK ? gpu_status(rg_exec_update(s->exec, &params)) : status;
+    }
     s->exec = rg_exec_create(&params, &result);
     if (s->exec)
         rg_exec_measure(s->exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
@@ -201,6 +204,15 @@ enum status presenter_begin(struct presenter *s, bool *ready)
     return status;
 }
 
+static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore)
+{
+    return (VkSemaphoreSubmitInfo){
+        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+        .semaphore = semaphore,
+        .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+    };
+}
+
 enum status presenter_end(struct presenter *s, const struct window_frame *frame)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
@@ -213,11 +225,9 @@ enum status presenter_end(struct presenter *s, const struct window_frame *frame)
     window.panels = &s->overlay.panels;
     window.window_image = &s->tables.window;
     const struct rg_frame inputs = { .window = &window };
-    const struct rg_exec_external_sync sync = {
-        .image_index = s->index,
-        .wait = chain->acquired[s->slot],
-        .signal = chain->drawn[s->index],
-    };
+    const VkSemaphoreSubmitInfo wait = semaphore_info(chain->acquired[s->slot]);
+    const VkSemaphoreSubmitInfo signal = semaphore_info(chain->drawn[s->index]);
+    const struct rg_exec_external_sync sync = { s->index, 1, 1, &wait, &signal };
     enum status status = gpu_status(rg_exec_submit_synced(s->exec, &inputs, &sync));
     if (status == STATUS_OK && window.overlay)
         s->panels_version = window.overlay->version;
@@ -230,10 +240,5 @@ enum status presenter_end(struct presenter *s, const struct window_frame *frame)
 
 enum status presenter_wait(struct presenter *s)
 {
-    enum status status = STATUS_OK;
-    for (uint32_t slot = 0; slot < GPU_SWAPCHAIN_SLOT_COUNT && s->exec; slot++) {
-        const enum status waited = gpu_status(rg_exec_wait(s->exec, slot));
-        status = status == STATUS_OK ? waited : status;
-    }
-    return status;
+    return s->exec ? gpu_status(rg_exec_wait_all(s->exec)) : STATUS_OK;
 }

@@ -1,0 +1,76 @@
+/* test_exec_layers.c: a row that draws several layers at a time, chosen by the vertex shader. */
+#include "tests/support/all_features_device.h"
+#include "tests/support/assertions.h"
+#include "tests/support/feature_graphs.h"
+#include "tests/support/lavapipe.h"
+
+enum {
+    LAYER_COUNT = 3
+};
+
+static const struct rg_image stack = COLOR_IMAGE("stack", .layers = LAYER_COUNT + 1);
+static const struct rg_buffer stack_out = {
+    .name = "stack out",
+    .size_per_texel = (LAYER_COUNT + 1) * 4 * sizeof(float),
+    .memory = RG_MEMORY_READBACK,
+};
+
+static void record_nothing(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+}
+
+static void record_layers(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_draw_instances(cmd, 3, LAYER_COUNT);
+}
+
+#define LAYERED .vert = &layer_vert, .frag = &layer_frag
+
+/* Layer 0 is cleared, and the others are drawn at a time. */
+static const struct rg_pass rows[] = {
+    {
+        .name = "clear",
+        .color = RG_TARGETS({ &stack, RG_LOAD_CLEAR, { .color = { { 9, 0, 0, 1 } } } }),
+        LAYERED,
+        .record = record_nothing,
+    },
+    {
+        .name = "draw",
+        .color = RG_TARGETS({ &stack, RG_LOAD_DISCARD, .layer = 1 }),
+        LAYERED,
+        .record = record_layers,
+        .layers = LAYER_COUNT,
+    },
+    RUN_READ("read", stack, stack_out),
+};
+
+static void check_layers(struct run *run)
+{
+    for (uint32_t i = 0; i < FEATURE_TEXELS * (LAYER_COUNT + 1); i++) {
+        const uint32_t layer = i / FEATURE_TEXELS;
+        painted_check(run, &stack_out, i, painted_color(layer ? (float)layer : 9.0F, 0, 0, 1));
+    }
+}
+
+static void layers_are_drawn_at_a_time(void **state)
+{
+    const struct run_params params = {
+        .technique = RG_TECHNIQUE("layers", rows),
+        .outputs = { &stack_out },
+    };
+    struct gpu gpu;
+    all_features_device_open(&gpu, *state);
+    run_variants(&gpu, &params, NULL, check_layers);
+    all_features_device_close(&gpu);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        ON_DEVICE(layers_are_drawn_at_a_time),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
