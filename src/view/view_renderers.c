@@ -610,7 +610,7 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
         state.scene.material = NULL;
         state.camera = NULL;
         state.scene.animation = NULL;
-        state.scene.material_override_count = 0;
+        state.scene.material_override_count = state.scene.object_transform_count = 0;
         if (scene_find_builtin(path))
             state.scene.ground = (struct stage_params){ 0 };
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
