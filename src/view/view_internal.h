@@ -67,6 +67,11 @@ struct view {
     bool had_inspector_panel; /* the panel was open before */
     struct pixel_inspector inspector;
     struct pixel_inspector_choice inspector_choice; /* chosen, but not applied yet */
+    struct scene_objects objects;
+    uint32_t selected;                      /* index in `objects`; SCENE_OBJECT_NONE for none */
+    char selected_name[MATERIAL_NAME_SIZE]; /* or "" */
+    struct object_outline outline;          /* of the selected object */
+    char scene_change[96]; /* how the scene differs from the one before; "" for another file */
     struct view_identity inspector_identity; /* view for which `inspector.layers` was rendered */
 };
 
@@ -179,6 +184,25 @@ MUST_USE enum status view_read_session(struct session_file *session, const char 
 
 /* Loads the scene's file again with one material for all of its nodes, as --material does. */
 void view_replace_materials(struct view *view, const struct material_choice *choice);
+
+/* Loads the scene again with other options for its materials or objects. `words` say what changed.
+ * `scene` must not be that of the viewport. */
+void view_reload_scene(struct view *view, const struct setup_scene *scene, const char *words);
+
+/* ---- view_objects.c: selected object ---- */
+
+/* Brings the list of objects, the selection and its outline up to date. */
+void view_update_objects(struct view *view);
+void view_select(struct view *view, uint32_t index);
+
+/* Selects the object at a point of the image, in fractions of its width and height. */
+void view_pick(struct view *view, float x, float y);
+
+/* Gives a node a material, as --material NODE=NAME does; can be undone. */
+void view_override_material(struct view *view, const struct material_override *override);
+
+/* Transforms, hides or shows a node, as --transform and --hide do; can be undone. */
+void view_transform_object(struct view *view, const struct object_transform *transform);
 
 /* Copies a session's scene, settings and refraction model to `state`, which borrows the strings.
  * The caller shows `state`; then view_resume_session() restores camera, time and side B. */

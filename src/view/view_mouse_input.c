@@ -118,6 +118,14 @@ static void use_request(struct view *v, const struct ui_request *request)
         view_open(v, request->open);
     if (request->material.preset)
         view_replace_materials(v, &request->material);
+    if (request->selects)
+        view_select(v, request->selected);
+    if (request->picks)
+        view_pick(v, request->pick_x, request->pick_y);
+    if (request->overrides)
+        view_override_material(v, &request->override);
+    if (request->transforms)
+        view_transform_object(v, &request->transform);
     if (request->screenshot_size.width) {
         v->wants_screenshot = v->changed = true;
         v->screenshot_size = request->screenshot_size;
@@ -133,7 +141,11 @@ void view_run_ui(struct view *v, VkExtent2D size)
     char right[VIEW_SIDE_SIZE];
     view_update_layout(v, size);
     view_compare_print(v, left, right);
+    view_update_objects(v);
     const struct ui_view view = {
+        .objects = &v->objects,
+        .selected = v->selected,
+        .outline = &v->outline,
         .viewport = v->viewport,
         .presenter = &v->presenter,
         .pace = v->frame_stats.last,

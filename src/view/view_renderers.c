@@ -622,13 +622,11 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
     return status;
 }
 
-enum status viewport_replace_materials(struct viewport **viewport, const char *material)
+enum status viewport_reload(struct viewport **viewport, const struct setup_scene *scene)
 {
     struct setup_image state = (*viewport)->state;
+    state.scene = *scene;
     state.scene.settings = state.scene.user_settings;
-    state.scene.exposure.is_chosen = false;
-    state.scene.material = material;
-    state.scene.material_override_count = 0;
     state.scene.quiet = (*viewport)->quiet;
     return replace(viewport, &state, true);
 }

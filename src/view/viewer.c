@@ -120,6 +120,7 @@ static void finish(struct view *v)
     image_finish(&v->compare.file.linear);
     session_file_finish(&v->session);
     ui_thumbnails_finish(&v->thumbnails);
+    scene_objects_finish(&v->objects);
     viewport_destroy(v->viewport);
     undo_scenes_prune(&v->undo_scenes, NULL);
     shader_reload_destroy(v->shader_reload);
@@ -450,6 +451,7 @@ enum status viewer_run(const struct viewer_params *options)
         return log_out_of_memory(NULL);
     }
     v->options = options;
+    v->selected = SCENE_OBJECT_NONE;
     v->theme = options->window->theme;
     v->initial_state = *options->image;
     const struct reader_params *reader = &options->image->scene.reader;

@@ -128,8 +128,15 @@ void imgui_gap_end(void);
 
 void imgui_scroll_begin(const char *name);
 void imgui_scroll_end(void);
+
+/* A list that scrolls, `height` pixels high. */
+void imgui_list_begin(const char *name, float height);
+void imgui_list_end(void);
+float imgui_list_row_height(void); /* of rows with a check box */
+
 void imgui_focus_panel(const char *title); /* NULL clears the keyboard focus */
 bool imgui_is_active(void);                /* true while an item is used */
+bool imgui_is_item_active(void);           /* true while the last item is used */
 float imgui_scale(void);                   /* scale set by imgui_rescale() */
 const struct theme *imgui_theme(void);     /* current theme */
 float imgui_line_height(void);             /* height of a line of text */
@@ -153,6 +160,7 @@ void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
 void imgui_value(const char *text);                    /* listed in imgui_items() */
 void imgui_name(const char *text);                     /* lists the last item in imgui_items() */
+void imgui_text_at(float x, const char *text);         /* dim, in the row of the last item */
 void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
 void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
 void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
@@ -220,6 +228,12 @@ struct imgui_rect imgui_reserve(float width, float height);
 struct imgui_rect imgui_cursor(void); /* of the next item; size 0x0 */
 uint32_t imgui_rgba(uint32_t rgb);    /* converts 0xRRGGBB to packed RGBA */
 void imgui_rectangle(struct imgui_rect area, uint32_t color);
+
+/* Lines over an area beside the panels, in front of the image and behind later panels. */
+void imgui_lines_begin(struct imgui_rect area);
+void imgui_line(float x, float y, float to_x, float to_y, float width, uint32_t color);
+void imgui_lines_end(void);
+
 void imgui_cursor_tooltip(const char *text);   /* tooltip at the cursor */
 bool imgui_is_hovered(struct imgui_rect area); /* the cursor is in the rectangle */
 

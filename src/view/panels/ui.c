@@ -132,7 +132,8 @@ bool ui_drags_image(const struct ui *ui)
 
 bool ui_can_skip_frame(const struct ui *ui, double now)
 {
-    return ui_drags_image(ui) && !ui_is_busy(ui) && now - ui->last_frame_at < drag_seconds;
+    return ui_drags_image(ui) && !ui_is_busy(ui) && !ui->has_outline &&
+           now - ui->last_frame_at < drag_seconds;
 }
 
 bool ui_is_busy(const struct ui *ui)
@@ -197,7 +198,7 @@ bool ui_toggle(struct ui *ui, enum view_action action)
 /* ---- input ---- */
 
 /* Handles a click on the image. If the inspector is open, a click pins the pixel under the cursor
- * or unpins the pinned pixel. A drag does neither. */
+ * or unpins the pinned pixel; else it selects the object there. A drag does neither. */
 static void handle_click(struct ui *ui, bool down)
 {
     const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);
@@ -206,6 +207,8 @@ static void handle_click(struct ui *ui, bool down)
         ui->press_y = ui->y;
     } else if (ui->tab == UI_INSPECT && moved <= click_reach)
         ui->pinned = !ui->pinned;
+    else
+        ui->has_clicked = moved <= click_reach;
 }
 
 static bool handle_button(struct ui *ui, const struct window_event *event)
@@ -361,6 +364,17 @@ static void take_input(struct ui *ui)
         ui->release = true; /* one Escape leaves the search field */
 }
 
+/* Turns a click on the image into a request to select what is there. */
+static void take_click(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    const struct present_area *p = view->image_area;
+    request->pick_x = p->width ? (ui->press_x - (float)p->x) / (float)p->width : -1.0f;
+    request->pick_y = p->height ? (ui->press_y - (float)p->y) / (float)p->height : -1.0f;
+    request->picks = ui->has_clicked && request->pick_x >= 0.0f && request->pick_x < 1.0f &&
+                     request->pick_y >= 0.0f && request->pick_y < 1.0f;
+    ui->has_clicked = false;
+}
+
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     struct imgui_input *input = &ui->input.now;
@@ -383,6 +397,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *requ
     measure(ui, view);
     ui->image_area = view->layout->image;
     ui->list.version += ui->list.version == UINT32_MAX ? 2 : 1;
+    take_click(ui, view, request);
     imgui_begin(ui->imgui, input);
     ui_panels(ui, view, request);
     imgui_end(ui->imgui);

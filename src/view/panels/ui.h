@@ -9,6 +9,7 @@
 #include "src/view/panels/ui_choice_thumbnails.h"
 #include "src/view/panels/ui_frame_bottleneck.h"
 #include "src/view/pixel_inspector.h"
+#include "src/view/scene_objects.h"
 #include "src/view/session/undo_stack.h"
 #include "src/view/view_renderers.h"
 #include "src/view/window/overlay_draw_list.h"
@@ -73,6 +74,9 @@ struct ui_view {
     uint32_t sample_count, sample_goal; /* 0 during interaction */
     double seconds_left;                /* 0 if done or unknown */
     bool shows_hint;                    /* the camera was never orbited */
+    const struct scene_objects *objects;
+    uint32_t selected; /* index of an object; SCENE_OBJECT_NONE if there is none */
+    const struct object_outline *outline; /* of the selected object */
 };
 
 /* Requests that the user made in the panels during one frame. */
@@ -92,6 +96,14 @@ struct ui_request {
     const struct technique *split;   /* model of side B, or NULL */
     float fov_deg;                   /* new field of view; 0 to keep it */
     struct material_choice material; /* for all of the model; preset NULL if there is none */
+    bool picks; /* select what is at (pick_x, pick_y), fractions of the image */
+    float pick_x, pick_y;
+    bool selects; /* select the object of index `selected` */
+    uint32_t selected;
+    bool overrides; /* give a node a material */
+    struct material_override override;
+    bool transforms; /* transform, hide or show a node */
+    struct object_transform transform;
 };
 
 /* Shows or hides the panel that belongs to an action. Returns true if the panel is now shown. */

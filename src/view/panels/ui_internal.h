@@ -49,7 +49,11 @@ struct ui {
     float press_x, press_y;            /* last left button press */
     unsigned buttons;                  /* bit b: mouse button b pressed */
     bool pressed_panel;                /* they were pressed over a panel */
-    bool is_full;                      /* vertex limit exceeded, logged once */
+    bool has_clicked;                  /* the image was clicked at (press_x, press_y) */
+    bool has_outline;                  /* an object is outlined in the image */
+    char deferred[64];                 /* slider whose value is used when it is released, or "" */
+    float deferred_value;
+    bool is_full; /* vertex limit exceeded, logged once */
     char filter[64];
     char message[600];
     bool is_failure;       /* `message` is a failure */

@@ -25,6 +25,7 @@ static const struct {
     { "metres", "m" },
     { "1/metre", "1/m" },
     { "seconds", "s" },
+    { "half widths per second", "half widths/s" },
 };
 
 enum ui_widget ui_settings_widget(const struct setting *row)
