@@ -16,8 +16,8 @@ void scene_objects_finish(struct scene_objects *objects)
 static void name_object(struct scene_object *one, const char *name, const char *kind, uint32_t id)
 {
     memcpy(one->name, name, sizeof(one->name));
-    if (*name)
-        snprintf(one->label, sizeof(one->label), "%s", name);
+    if (*name || !id)
+        snprintf(one->label, sizeof(one->label), "%s", *name ? name : kind);
     else
         snprintf(one->label, sizeof(one->label), "%s %u", kind, id);
     log_sanitize(one->label);

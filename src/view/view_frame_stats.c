@@ -29,16 +29,18 @@ void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *tim
     const double end = clock_seconds();
     const double whole = end - c->last_end - c->idle;
     double passes = 0.0;
+    bool is_measured = true;
     double slots = 0.0; /* seconds the host waited for an earlier frame's GPU work */
     for (uint32_t i = 0; i < time_count; i++) {
         passes += passes_of(&times[i]);
         slots += (double)times[i].begin * 1e-9;
+        is_measured = is_measured && passes_of(&times[i]) > 0.0;
     }
     /* the first frames are not counted, because GPU times arrive some frames later */
     const bool counts = c->last_end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
     c->last = (struct ui_frame_pacing){
         .frame = counts ? whole : 0.0,
-        .device = fmax(passes, slots),
+        .device = is_measured ? fmax(passes, slots) : -1.0,
         .screen = presentation,
     };
     if (counts) {

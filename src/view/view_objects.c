@@ -1,6 +1,8 @@
 /* view_objects.c: selection of an object, and changes of its material, position and visibility. */
+#include <cglm/struct.h>
 #include <stdio.h>
 #include <string.h>
+#include "src/settings/scene_settings.h"
 #include "src/view/view_internal.h"
 
 void view_update_objects(struct view *v)
@@ -31,6 +33,22 @@ void view_pick(struct view *v, float x, float y)
     const uint32_t found = scene_objects_pick(v->viewport, view_time(v), x, y, &at);
     if (found != SCENE_OBJECT_NONE || v->selected != SCENE_OBJECT_NONE)
         view_select(v, found);
+}
+
+void view_focus(struct view *v, float x, float y)
+{
+    const struct camera *camera = &v->viewport->camera;
+    const struct setting *row = settings_row(&lens_settings, offsetof(struct lens_params, focus));
+    struct view_state state = view_state_now(v);
+    vec3s at;
+    if (scene_objects_pick(v->viewport, view_time(v), x, y, &at) == SCENE_OBJECT_NONE) {
+        ui_show_message(v->ui, "no surface at this point");
+        return;
+    }
+    settings_set_value(
+        &state.settings, row,
+        (double)glms_vec3_dot(glms_vec3_sub(at, camera->eye), camera_basis(camera).forward));
+    view_edit(v, &state, 0);
 }
 
 void view_override_material(struct view *v, const struct material_override *override)

@@ -103,6 +103,7 @@ bool imgui_copy_draw_list(const struct imgui *ui, struct overlay_vertex *vertice
 
 bool imgui_wants_mouse(const struct imgui *ui, float x, float y); /* a panel covers this point */
 bool imgui_wants_keyboard(const struct imgui *ui);                /* a panel has the focus */
+bool imgui_has_popup(const struct imgui *ui);                     /* a list is open */
 bool imgui_wants_text(const struct imgui *ui);                    /* a text field has the focus */
 
 /* ---- panels, within a frame ---- */
@@ -192,6 +193,8 @@ struct imgui_slider_range {
 bool imgui_slider(const char *label, float *value, const struct imgui_slider_range *slide);
 bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slider_range *slide);
 
+bool imgui_color(const char *label, float color[3]); /* sRGB-encoded, with a picker */
+
 /* Draws a number field with - and + buttons. Returns true when the input is complete. */
 bool imgui_number_field(const char *label, uint32_t *value);
 
@@ -212,6 +215,19 @@ const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
 
 /* Returns the current gesture number. Changes during one drag of a widget have the same number. */
 uint32_t imgui_gesture(const struct imgui *ui);
+
+/* ---- drawing without a frame or a device ---- */
+
+struct imgui_canvas {
+    uint32_t *pixels; /* 0xRRGGBB, top row first */
+    uint32_t width, height;
+    uint32_t rgb; /* colour of the text */
+};
+
+/* Paints a line of text from x on, at half the canvas's height. */
+void imgui_paint_text(const struct imgui *ui, const char *text, int x,
+                      const struct imgui_canvas *canvas);
+float imgui_painted_width(const struct imgui *ui, const char *text);
 
 /* ---- drawing ---- */
 

@@ -428,10 +428,21 @@ bool imgui_combo(const char *label, const char *const *names, uint32_t count, ui
     return changed;
 }
 
+/* Draws a ring around the last item while it has the keys. */
+static void focus_ring()
+{
+    if (ImGui::IsItemActive())
+        ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                            ImGui::GetColorU32(ImGuiCol_NavHighlight),
+                                            ImGui::GetStyle().FrameRounding, 0,
+                                            2.0f * imgui_scale());
+}
+
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size)
 {
     const bool changed = ImGui::InputTextWithHint(label, hint, text, size);
     note(label);
+    focus_ring();
     focus();
     return changed;
 }
@@ -484,12 +495,20 @@ bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_s
     return changed;
 }
 
+bool imgui_color(const char *label, float color[3])
+{
+    const bool changed = ImGui::ColorEdit3(label, color, ImGuiColorEditFlags_DisplayHex);
+    note(label);
+    return changed;
+}
+
 bool imgui_number_field(const char *label, uint32_t *value)
 {
     const uint32_t step = 1;
     const bool changed = ImGui::InputScalar(label, ImGuiDataType_U32, value, &step, nullptr, "%u",
                                             ImGuiInputTextFlags_EnterReturnsTrue);
     note(label);
+    focus_ring();
     return changed;
 }
 

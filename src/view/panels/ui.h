@@ -73,7 +73,11 @@ struct ui_view {
     float time;                         /* scene time, seconds */
     uint32_t sample_count, sample_goal; /* 0 during interaction */
     double seconds_left;                /* 0 if done or unknown */
+    double sample_seconds;              /* duration of the last sample; 0 if unknown */
+    bool is_first_sample;               /* samples are drawn, but none is shown yet */
+    bool is_stopped;                    /* the user has stopped drawing samples */
     bool shows_hint;                    /* the camera was never orbited */
+    uint32_t bookmark; /* index of the bookmark that the camera is at; UINT32_MAX for none */
     const struct scene_objects *objects;
     uint32_t selected; /* index of an object; SCENE_OBJECT_NONE if there is none */
     const struct object_outline *outline; /* of the selected object */
@@ -96,7 +100,13 @@ struct ui_request {
     const struct technique *split;   /* model of side B, or NULL */
     float fov_deg;                   /* new field of view; 0 to keep it */
     struct material_choice material; /* for all of the model; preset NULL if there is none */
-    bool picks; /* select what is at (pick_x, pick_y), fractions of the image */
+    bool rotates;                    /* rotate the panorama to `env_rotate`, degrees */
+    float env_rotate;
+    bool reloads;       /* load the scene with another `env_exposure` or `ground` */
+    float env_exposure; /* stops */
+    enum stage_ground ground;
+    bool focuses; /* focus on what is at (pick_x, pick_y) */
+    bool picks;   /* select what is at (pick_x, pick_y), fractions of the image */
     float pick_x, pick_y;
     bool selects; /* select the object of index `selected` */
     uint32_t selected;

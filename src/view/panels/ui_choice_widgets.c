@@ -1,6 +1,7 @@
 /* ui_choice_widgets.c: widgets that choose one of several values: list, buttons, thumbnails. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include "src/scene/bundled_assets.h"
 #include "src/view/panels/ui_internal.h"
 
@@ -49,6 +50,33 @@ bool ui_named_slider(const char *name, float *value, const struct imgui_slider_r
     begin_row(name, tip, id);
     const bool changed = imgui_slider(id, value, range);
     imgui_tooltip(tip);
+    return changed;
+}
+
+bool ui_named_color(const char *name, const char *id, float color[static 3], const char *tip)
+{
+    char unused[ID_SIZE];
+    char label[ID_SIZE];
+    begin_row(name, tip, unused);
+    snprintf(label, sizeof(label), "##%s", id);
+    const bool changed = imgui_color(label, color);
+    imgui_tooltip(tip);
+    return changed;
+}
+
+bool ui_deferred_slider(struct ui *ui, const char *name, float *value,
+                        const struct imgui_slider_range *range, const char *tip)
+{
+    float shown = !strcmp(ui->deferred, name) ? ui->deferred_value : *value;
+    if (ui_named_slider(name, &shown, range, tip)) {
+        snprintf(ui->deferred, sizeof(ui->deferred), "%s", name);
+        ui->deferred_value = shown;
+    }
+    if (strcmp(ui->deferred, name) != 0 || imgui_is_item_active())
+        return false;
+    *ui->deferred = '\0';
+    const bool changed = shown < *value || shown > *value;
+    *value = shown;
     return changed;
 }
 

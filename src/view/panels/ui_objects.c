@@ -87,26 +87,6 @@ void ui_objects_choose_material(const struct ui_view *view, struct ui_request *r
     setup_make_override(&request->override, ui_objects_selected(view)->name, choice, &material);
 }
 
-/* ---- sliders that act when they are released ---- */
-
-/* Draws a slider of a value whose change reloads the scene. Returns true if it was released at
- * another value, which it then writes to *value. `name` identifies the slider. */
-static bool deferred_slider(struct ui *ui, const char *name, float *value,
-                            const struct imgui_slider_range *range, const char *tip)
-{
-    float shown = !strcmp(ui->deferred, name) ? ui->deferred_value : *value;
-    if (ui_named_slider(name, &shown, range, tip)) {
-        snprintf(ui->deferred, sizeof(ui->deferred), "%s", name);
-        ui->deferred_value = shown;
-    }
-    if (strcmp(ui->deferred, name) != 0 || imgui_is_item_active())
-        return false;
-    *ui->deferred = '\0';
-    const bool changed = shown < *value || shown > *value;
-    *value = shown;
-    return changed;
-}
-
 void ui_objects_material_rows(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     static const struct imgui_slider_range indices = { 1.0f, 4.0f, "%.4g", false };
@@ -122,13 +102,13 @@ void ui_objects_material_rows(struct ui *ui, const struct ui_view *view, struct 
         return;
     }
     struct material material = is->material;
-    bool changed = deferred_slider(ui, "Own index", &material.ior, &indices,
-                                   "refractive index (--material NODE=NAME,ior=N)");
-    changed = deferred_slider(ui, "Own roughness", &material.roughness, &unit,
-                              "roughness of the surface (roughness=N); 0 is smooth") ||
+    bool changed = ui_deferred_slider(ui, "Own index", &material.ior, &indices,
+                                      "refractive index (--material NODE=NAME,ior=N)");
+    changed = ui_deferred_slider(ui, "Own roughness", &material.roughness, &unit,
+                                 "roughness of the surface (roughness=N); 0 is smooth") ||
               changed;
-    changed = deferred_slider(ui, "Own dispersion", &material.dispersion, &dispersions,
-                              "20 / Abbe number (dispersion=N)") ||
+    changed = ui_deferred_slider(ui, "Own dispersion", &material.dispersion, &dispersions,
+                                 "20 / Abbe number (dispersion=N)") ||
               changed;
     if (!changed)
         return;
@@ -165,19 +145,19 @@ static void transform_rows(struct ui *ui, const struct ui_view *view,
     char name[32];
     for (int k = 0; k < 3; k++) {
         snprintf(name, sizeof(name), "Move along %c", axes[k]);
-        changed = deferred_slider(ui, name, &t.move.raw[k], &moves,
-                                  "metres (--transform); Ctrl+click types a number") ||
+        changed = ui_deferred_slider(ui, name, &t.move.raw[k], &moves,
+                                     "metres (--transform); Ctrl+click types a number") ||
                   changed;
     }
     for (int k = 0; k < 3; k++) {
         snprintf(name, sizeof(name), "Rotate about %c", axes[k]);
-        changed = deferred_slider(ui, name, &t.rotate_deg.raw[k], &turns,
-                                  "degrees, about the centre of the object (--transform)") ||
+        changed = ui_deferred_slider(ui, name, &t.rotate_deg.raw[k], &turns,
+                                     "degrees, about the centre of the object (--transform)") ||
                   changed;
     }
     t.scale = t.scale > 0.0f ? t.scale : 1.0f;
-    changed = deferred_slider(ui, "Scale", &t.scale, &scales,
-                              "factor, about the centre of the object (--transform)") ||
+    changed = ui_deferred_slider(ui, "Scale", &t.scale, &scales,
+                                 "factor, about the centre of the object (--transform)") ||
               changed;
     if (changed) {
         request->transforms = true;

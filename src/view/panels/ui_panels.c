@@ -16,7 +16,6 @@
 
 enum {
     MATERIAL_MAX = 96, /* maximum number of material presets */
-    ENVIRONMENT_MAX = 8,
     REFRACTION_MAX = 32,
     OTHER_COUNT = 3, /* side-B choices besides the refraction models */
 };
@@ -36,23 +35,6 @@ static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX],
         chosen = refraction == next ? *count : chosen;
     }
     return chosen;
-}
-
-static void environment_buttons(const struct ui_view *view, struct ui_request *request)
-{
-    const char *names[ENVIRONMENT_MAX];
-    const char *now = view->viewport->state.scene.environment;
-    const bool is_sky = view->viewport->scene.background.kind == SCENE_SKY;
-    uint32_t count = 0;
-    uint32_t chosen = is_sky ? 0 : UINT32_MAX;
-    for (; count < ENVIRONMENT_MAX && ui_environment(count); count++) {
-        names[count] = ui_environment(count);
-        chosen = now && !strcmp(now, names[count]) ? count : chosen;
-    }
-    if (ui_named_buttons("Environment", names, count, &chosen,
-                         "surrounding panorama (--env); or drop an .exr or .hdr file") &&
-        !request->open)
-        request->open = strdup(names[chosen]);
 }
 
 static void quality_list(struct ui_request *request)
@@ -188,6 +170,7 @@ static void kind_list(struct ui *ui, const struct material_preset *is)
 static struct material_choice current_material(const struct ui_view *view,
                                                const struct ui_request *request)
 {
+    const struct scene *scene = &view->viewport->scene;
     const struct material_override *override = ui_objects_override(view);
     const struct scene_object *object = ui_objects_selected(view);
     struct material_choice is = { 0 };
@@ -197,7 +180,7 @@ static struct material_choice current_material(const struct ui_view *view,
     } else if (ui_objects_have_own_material(view)) {
         if (object->is_refractive)
             material_choice_parse(&is, object->material, strlen(object->material));
-    } else if (view->viewport->scene.model.object_count) {
+    } else if (scene->model.object_count == 1 || frame_media_are_from_settings(scene)) {
         is.preset = setup_find_material(&request->settings, absorption_scale(view));
         is.finish = find_finish(request);
     }
@@ -272,6 +255,9 @@ static void material_group(struct ui *ui, const struct ui_view *view, struct ui_
     material_buttons(ui, view, request);
     if (ui_objects_have_own_material(view) && !reason)
         ui_objects_material_rows(ui, view, request);
+    else if (!reason)
+        request->changed =
+            ui_absorption_rows(ui, &request->settings, absorption_scale(view)) || request->changed;
     imgui_disabled_end();
 }
 
@@ -284,9 +270,9 @@ static void lists(struct ui *ui, enum ui_setting_group group, const struct ui_vi
     if (group == UI_MATERIAL)
         material_group(ui, view, request);
     if (group == UI_CAMERA)
-        ui_camera_rows(view, request);
+        ui_camera_rows(ui, view, request);
     if (group == UI_LIGHT)
-        environment_buttons(view, request);
+        ui_environment_rows(ui, view, request);
     if (group == UI_QUALITY) {
         quality_list(request);
         refraction_lists(ui, view, request);

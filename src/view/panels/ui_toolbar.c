@@ -16,10 +16,12 @@ static const struct button {
 
 enum {
     BUTTON_COUNT = sizeof(buttons) / sizeof(buttons[0]),
+    DURATION_SIZE = 32,
 };
 
 static const float slot_width = 130.0f;   /* width of slider and layer list, pixels at scale 1 */
 static const float exposure_reach = 6.0f; /* stops; the setting itself allows more */
+static const float wide_window = 860.0f;  /* from this width on, the status bar has more words */
 static const float name_width = 60.0f;    /* minimum scene name width, scale 1 */
 
 struct imgui_rect ui_rect_of(VkRect2D r)
@@ -106,6 +108,41 @@ void ui_toolbar(const struct ui_view *view, struct ui_request *request)
     }
 }
 
+/* Writes a duration, such as "5 s" or "12 min". */
+static void print_duration(double seconds, char text[static DURATION_SIZE])
+{
+    if (seconds < 90.0)
+        snprintf(text, DURATION_SIZE, seconds < 1.0 ? "%.1f s" : "%.0f s", seconds);
+    else
+        snprintf(text, DURATION_SIZE, "%.0f min", seconds / 60.0);
+}
+
+/* Writes the progress of the samples; in narrow windows without the time of one. */
+static void print_progress(const struct ui_view *view, char *text, size_t size)
+{
+    const bool is_wide = (float)view->size.width > wide_window * imgui_scale();
+    const bool is_long = view->seconds_left >= 0.5;
+    char each[DURATION_SIZE];
+    char left[DURATION_SIZE];
+    print_duration(view->sample_seconds, each);
+    print_duration(view->seconds_left, left);
+    if (view->is_stopped)
+        snprintf(text, size, "%u/%u, stopped; Esc continues", view->sample_count,
+                 view->sample_goal);
+    else if (view->sample_count && is_long && is_wide)
+        snprintf(text, size, "%u/%u, %s per sample, %s left; Esc stops", view->sample_count,
+                 view->sample_goal, each, left);
+    else if (view->sample_count)
+        snprintf(text, size, "%u/%u%s%s%s", view->sample_count, view->sample_goal,
+                 is_long ? ", " : "", is_long ? left : "", is_long ? " left" : "");
+    else if (view->sample_seconds > 0.0 && is_wide) {
+        print_duration(view->sample_seconds * view->sample_goal, left);
+        snprintf(text, size, "drawing, %s per sample, %u samples in %s; Esc stops", each,
+                 view->sample_goal, left);
+    } else
+        snprintf(text, size, "drawing; Esc stops");
+}
+
 static void print_pace(const struct ui *ui, const struct ui_view *view, char *text, size_t size)
 {
     const struct setup_image *p = &view->viewport->state;
@@ -113,15 +150,13 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
     const VkExtent2D drawn = view->viewport->extent;
     const struct draft_renderer *draft = &view->viewport->draft;
     const bool by_bounce = view->viewport->shows_draft && draft->level == DRAFT_RENDERER_BOUNCE;
-    char left[32] = "";
-    if (view->seconds_left >= 0.5)
-        snprintf(left, sizeof(left), ", %.0f s left", view->seconds_left);
-    if (view->sample_count)
-        snprintf(text, size, "%u\xc3\x97%u  %u/%u%s", p->width, p->height, view->sample_count,
-                 view->sample_goal, left);
-    else if (frame > 0.0)
-        snprintf(text, size, "%u\xc3\x97%u  %.1f ms: %s%s", drawn.width, drawn.height, frame * 1e3,
-                 ui_frame_pacing_limit(&ui->pace), by_bounce ? ", moving: bounce" : "");
+    const char *limit = ui_frame_pacing_limit(&ui->pace);
+    if (view->sample_count || view->is_first_sample || view->is_stopped) {
+        const int length = snprintf(text, size, "%u\xc3\x97%u  ", p->width, p->height);
+        print_progress(view, text + length, size - (size_t)length);
+    } else if (frame > 0.0)
+        snprintf(text, size, "%u\xc3\x97%u  %.1f ms%s%s%s", drawn.width, drawn.height, frame * 1e3,
+                 limit ? ": " : "", limit ? limit : "", by_bounce ? ", moving: bounce" : "");
     else
         snprintf(text, size, "%u\xc3\x97%u", drawn.width, drawn.height);
 }
@@ -131,10 +166,27 @@ static void show_progress(const struct ui_view *view)
 {
     struct imgui_rect line = ui_rect_of(view->layout->image);
     line.y += line.height;
-    line.height = 2.0f * imgui_scale();
+    line.height = 3.0f * imgui_scale();
     line.width *= (float)view->sample_count / (float)view->sample_goal;
-    if (view->sample_count < view->sample_goal)
+    if (view->sample_count && view->sample_count < view->sample_goal)
         imgui_rectangle(line, imgui_rgba(imgui_theme()->accent));
+}
+
+/* Writes the frame rate and, if they were measured, the times that limit it. */
+static void print_pace_tip(const struct ui *ui, char *text, size_t size)
+{
+    const char *limit = ui_frame_pacing_limit(&ui->pace);
+    const double rate = ui->pace.frame > 0.0 ? 1.0 / ui->pace.frame : 0.0;
+    if (limit)
+        snprintf(text, size,
+                 "%.1f frames per second, limited by %s: device time %.1f ms; the host waits %.1f "
+                 "ms for the screen",
+                 rate, limit, ui->pace.device * 1e3, ui->pace.screen * 1e3);
+    else
+        snprintf(text, size,
+                 "%.1f frames per second; passes of moving images have no timestamps, so what "
+                 "limits them is not known",
+                 rate);
 }
 
 static const char hint[] =
@@ -142,7 +194,7 @@ static const char hint[] =
 
 void ui_status(const struct ui *ui, const struct ui_view *view)
 {
-    char pace[96];
+    char pace[128];
     char text[256];
     const struct theme *theme = imgui_theme();
     const float room = imgui_available_width();
@@ -161,10 +213,6 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
     imgui_same_line(room - width + 10.0f * imgui_scale());
     imgui_text_dim(pace);
     imgui_name(pace);
-    snprintf(text, sizeof(text),
-             "%.1f frames per second, limited by %s: device time %.1f ms; the host waits %.1f ms "
-             "for the screen",
-             ui->pace.frame > 0.0 ? 1.0 / ui->pace.frame : 0.0, ui_frame_pacing_limit(&ui->pace),
-             ui->pace.device * 1e3, ui->pace.screen * 1e3);
+    print_pace_tip(ui, text, sizeof(text));
     imgui_tooltip(text);
 }

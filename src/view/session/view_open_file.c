@@ -48,7 +48,10 @@ static void load(struct view *v, struct opening *opening)
 {
     const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
-    view_set_title(v, "loading");
+    char words[200];
+    snprintf(words, sizeof(words), "%s %s", opening->scene ? "applying" : "loading",
+             opening->scene ? opening->change : opening->path);
+    view_set_title(v, words);
     presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     view_clear_errors(v);
@@ -108,7 +111,7 @@ void view_replace_materials(struct view *v, const struct material_choice *choice
     }
     snprintf(material, sizeof(material), "%s%s%s", choice->preset->name, choice->finish ? ":" : "",
              choice->finish ? choice->finish->name : "");
-    snprintf(words, sizeof(words), "all materials replaced by %s", material);
+    snprintf(words, sizeof(words), "--material %s", material);
     scene.material = material;
     scene.material_override_count = 0;
     scene.exposure.is_chosen = false;

@@ -105,7 +105,7 @@ void view_load_session(struct view *v, const char *path)
 {
     struct loading loading = { .view = v, .path = path };
     const double start = clock_seconds();
-    view_set_title(v, "loading");
+    view_set_title(v, "loading a session");
     presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     view_clear_errors(v);

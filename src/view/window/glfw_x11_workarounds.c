@@ -5,12 +5,18 @@
 #ifdef WINDOW_X11
 #include <X11/Xlib.h>
 #include <dlfcn.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include "src/base/log.h"
 
 typedef Display *get_display_fn(void);
 typedef Window get_window_fn(struct GLFWwindow *window);
 typedef int change_fn(Display *, Window, unsigned long, XSetWindowAttributes *);
+typedef GC create_gc_fn(Display *, Drawable, unsigned long, XGCValues *);
+typedef int free_gc_fn(Display *, GC);
+typedef int put_fn(Display *, Drawable, GC, XImage *, int, int, int, int, unsigned, unsigned);
+typedef int flush_fn(Display *);
+typedef Status init_fn(XImage *);
 typedef XErrorHandler set_handler_fn(XErrorHandler handler);
 
 /* Conversion of object pointers to function pointers. ISO C does not allow a cast for that. */
@@ -20,6 +26,11 @@ union symbol {
     get_window_fn *get_window;
     change_fn *change;
     set_handler_fn *set_handler;
+    create_gc_fn *create_gc;
+    free_gc_fn *free_gc;
+    put_fn *put;
+    flush_fn *flush;
+    init_fn *init;
 };
 
 /* Returns GLFW's X display and the window's id. Returns NULL and 0 if GLFW does not use X11. */
@@ -48,6 +59,48 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
         dlclose(x11);
 }
 
+void window_x11_show(struct GLFWwindow *window, int x, int y, const uint32_t *pixels,
+                     uint32_t width, uint32_t height)
+{
+    static const uint32_t one = 1;
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
+    const union symbol create_gc = { x11 ? dlsym(x11, "XCreateGC") : NULL };
+    const union symbol free_gc = { x11 ? dlsym(x11, "XFreeGC") : NULL };
+    const union symbol put = { x11 ? dlsym(x11, "XPutImage") : NULL };
+    const union symbol flush = { x11 ? dlsym(x11, "XFlush") : NULL };
+    const union symbol init = { x11 ? dlsym(x11, "XInitImage") : NULL };
+    const bool is_little = *(const char *)&one == 1;
+
+    union {
+        const uint32_t *in;
+        char *out;
+    } data = { pixels };
+
+    XImage image = {
+        .width = (int)width,
+        .height = (int)height,
+        .format = ZPixmap,
+        .data = data.out, /* is only read */
+        .byte_order = is_little ? LSBFirst : MSBFirst,
+        .bitmap_unit = 32,
+        .bitmap_bit_order = is_little ? LSBFirst : MSBFirst,
+        .bitmap_pad = 32,
+        .depth = 24,
+        .bits_per_pixel = 32,
+    };
+    Window id;
+    Display *display = find(window, &id);
+    const bool is_complete = create_gc.create_gc && free_gc.free_gc && put.put && flush.flush;
+    if (id && is_complete && init.init && init.init(&image)) {
+        GC gc = create_gc.create_gc(display, id, 0, NULL);
+        put.put(display, id, gc, &image, 0, 0, x, y, width, height);
+        free_gc.free_gc(display, gc);
+        flush.flush(display);
+    }
+    if (x11)
+        dlclose(x11);
+}
+
 /* Logs X errors other than BadWindow. An X error handler must not call Xlib functions. */
 static int handle_error(Display *display, XErrorEvent *event)
 {
@@ -72,6 +125,17 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
 {
     (void)window;
     (void)color;
+}
+
+void window_x11_show(struct GLFWwindow *window, int x, int y, const uint32_t *pixels,
+                     uint32_t width, uint32_t height)
+{
+    (void)window;
+    (void)x;
+    (void)y;
+    (void)pixels;
+    (void)width;
+    (void)height;
 }
 
 void window_x11_ignore_errors(void)
