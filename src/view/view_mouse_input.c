@@ -199,6 +199,10 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .left = left,
         .right = right,
         .shows_error_map = v->compare.wants_error_map,
+        .error_map =
+            v->compare.wants_error_map && v->compare.has_error_image && !v->compare.flip_map.runs
+                ? &v->compare.flip_map
+                : NULL,
     };
     v->frame_stats.last = (struct ui_frame_pacing){ 0 };
     v->inspector.is_open = false;

@@ -332,6 +332,8 @@ static void count_frame(struct view *v)
     if (v->redrawn && viewport_renderer(p, true))
         times[count++] = renderer_times(viewport_renderer(p, true));
     view_frame_stats_end(c, times, count, v->presenter.wait_seconds);
+    if (p->is_progressive && !v->redrawn)
+        c->last = (struct ui_frame_pacing){ 0 }; /* may have waited for a sample */
     if (p->is_progressive &&
         (v->redrawn || v->progressive.has_full_draft || v->progressive.shown_count == 1))
         view_frame_stats_image(c, v->redrawn);

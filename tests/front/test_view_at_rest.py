@@ -125,7 +125,7 @@ class Still(PanelsCase):
         step = itertools.cycle((8, -8))
 
         def look():
-            found = [re.fullmatch(r'(\d+×\d+)  [\d.]+ ms: .*', label) for label in self.labels()]
+            found = [re.fullmatch(r'(\d+×\d+)  [\d.]+ ms.*', label) for label in self.labels()]
             sizes.update(match[1] for match in found if match)
             return any(map(happens, sizes))
         self.desktop.do('mousemove', '--window', window, *start, 'mousedown', 1)

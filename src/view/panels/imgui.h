@@ -159,11 +159,12 @@ void imgui_disabled_end(void);
 
 void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
-void imgui_value(const char *text);                    /* listed in imgui_items() */
-void imgui_name(const char *text);                     /* lists the last item in imgui_items() */
-void imgui_text_at(float x, const char *text);         /* dim, in the row of the last item */
-void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
-void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
+void imgui_value(const char *text);            /* listed in imgui_items() */
+void imgui_name(const char *text);             /* lists the last item in imgui_items() */
+void imgui_text_at(float x, const char *text); /* dim, in the row of the last item */
+void imgui_text_beside(float x, float y, const char *text); /* dim, at a point of the window */
+void imgui_text_in(const char *text, uint32_t rgb);         /* colour 0xRRGGBB */
+void imgui_text_elided(const char *text, float width);      /* shortened by "..." in the middle */
 void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
 void imgui_align(void);                    /* aligns text with buttons */
 void imgui_warning(const char *text);      /* red, wrapped */
@@ -183,6 +184,11 @@ bool imgui_collapsing_header(const char *label,
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
+
+/* Draws a button that opens a menu. If it returns true, the menu's items and imgui_menu_end() must
+ * follow. */
+bool imgui_menu_begin(const char *label);
+void imgui_menu_end(void);
 
 struct imgui_slider_range {
     float min, max;

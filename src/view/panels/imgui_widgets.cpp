@@ -242,6 +242,12 @@ void imgui_text_at(float x, const char *text)
     ImGui::GetWindowDrawList()->AddText(from, ImGui::GetColorU32(ImGuiCol_TextDisabled), text);
 }
 
+void imgui_text_beside(float x, float y, const char *text)
+{
+    ImGui::GetWindowDrawList()->AddText(ImVec2(x, y), ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                                        text);
+}
+
 void imgui_value(const char *text)
 {
     ImGui::TextUnformatted(text);
@@ -436,6 +442,18 @@ static void focus_ring()
                                             ImGui::GetColorU32(ImGuiCol_NavHighlight),
                                             ImGui::GetStyle().FrameRounding, 0,
                                             2.0f * imgui_scale());
+}
+
+bool imgui_menu_begin(const char *label)
+{
+    if (imgui_button(label))
+        ImGui::OpenPopup("menu");
+    return ImGui::BeginPopup("menu");
+}
+
+void imgui_menu_end(void)
+{
+    ImGui::EndPopup();
 }
 
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size)

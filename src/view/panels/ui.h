@@ -66,9 +66,10 @@ struct ui_view {
     struct pixel_inspector_choice inspector_choice;
     const struct present_area *image_area; /* image position in the window */
     enum view_side_b side_b;
-    const char *left, *right; /* labels of sides A and B */
-    bool has_stored;          /* VIEW_SIDE_B_STATE is available */
-    bool shows_error_map;     /* the error map is shown */
+    const char *left, *right;               /* labels of sides A and B */
+    bool has_stored;                        /* VIEW_SIDE_B_STATE is available */
+    bool shows_error_map;                   /* the error map is shown */
+    const struct flip_error_map *error_map; /* its errors; NULL while there are none */
     bool paused;
     float time;                         /* scene time, seconds */
     uint32_t sample_count, sample_goal; /* 0 during interaction */

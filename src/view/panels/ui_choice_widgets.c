@@ -12,6 +12,7 @@ enum {
 
 static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
+static const float narrow = 200.0f; /* below this width, controls are below their labels */
 
 /* Draws the label on the left of a control that starts at `x`. */
 static void head(const char *name, float x, const char *tip)
@@ -27,8 +28,12 @@ static void head(const char *name, float x, const char *tip)
 static void begin_row(const char *name, const char *tip, char id[static ID_SIZE])
 {
     const float x = imgui_available_width() * 0.46f;
-    head(name, x, tip);
-    imgui_same_line(x);
+    const bool is_narrow = imgui_available_width() < narrow * imgui_scale();
+    head(name, is_narrow ? imgui_available_width() : x, tip);
+    if (is_narrow)
+        imgui_indent(8.0f * imgui_scale());
+    else
+        imgui_same_line(x);
     imgui_next_width(imgui_available_width());
     snprintf(id, ID_SIZE, "##%s", name);
 }

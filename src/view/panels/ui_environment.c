@@ -36,11 +36,11 @@ static void panorama(struct ui *ui, const struct ui_view *view, struct ui_reques
     const bool is_panorama = background->kind == SCENE_ENVIRONMENT;
     float exposure = scene->env_exposure;
     imgui_disabled_begin(!is_panorama);
-    if (ui_named_slider("Rotation", &request->env_rotate, &turns,
-                        is_panorama ? "rotation of the panorama about the vertical (--env-rotate); "
-                                      "Ctrl drag in the image does the same"
-                                    : "No effect: the environment is no panorama."))
-        request->rotates = true;
+    request->rotates = ui_deferred_slider(
+        ui, "Rotation", &request->env_rotate, &turns,
+        is_panorama ? "rotation of the panorama about the vertical (--env-rotate); Ctrl drag in "
+                      "the image does the same"
+                    : "No effect: the environment is no panorama.");
     imgui_disabled_end();
     imgui_disabled_begin(!is_file);
     if (ui_deferred_slider(ui, "Its exposure", &exposure, &stops,

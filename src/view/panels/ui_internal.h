@@ -104,6 +104,9 @@ const char *ui_environment(uint32_t i);
 
 struct imgui_rect ui_rect_of(VkRect2D rectangle);
 
+/* Draws the colour bar of the error map or of false colours over the image (ui_legend.c). */
+void ui_legend(struct ui *ui, const struct ui_view *view);
+
 /* Draws the camera's field of view, focus, bookmarks, directions and projection (ui_camera.c). */
 void ui_camera_rows(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 

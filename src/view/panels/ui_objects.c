@@ -144,15 +144,17 @@ static void transform_rows(struct ui *ui, const struct ui_view *view,
     bool changed = false;
     char name[32];
     for (int k = 0; k < 3; k++) {
-        snprintf(name, sizeof(name), "Move along %c", axes[k]);
-        changed = ui_deferred_slider(ui, name, &t.move.raw[k], &moves,
-                                     "metres (--transform); Ctrl+click types a number") ||
-                  changed;
+        snprintf(name, sizeof(name), "Move %c", axes[k]);
+        changed =
+            ui_deferred_slider(ui, name, &t.move.raw[k], &moves,
+                               "metres along this axis (--transform); Ctrl+click types a number") ||
+            changed;
     }
     for (int k = 0; k < 3; k++) {
-        snprintf(name, sizeof(name), "Rotate about %c", axes[k]);
-        changed = ui_deferred_slider(ui, name, &t.rotate_deg.raw[k], &turns,
-                                     "degrees, about the centre of the object (--transform)") ||
+        snprintf(name, sizeof(name), "Rotate %c", axes[k]);
+        changed = ui_deferred_slider(
+                      ui, name, &t.rotate_deg.raw[k], &turns,
+                      "degrees about this axis, through the centre of the object (--transform)") ||
                   changed;
     }
     t.scale = t.scale > 0.0f ? t.scale : 1.0f;

@@ -332,7 +332,7 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     const struct scene *scene = &view->viewport->scene;
     const struct settings own = setup_scene_settings(&view->viewport->state.scene, scene);
     const struct settings defaults = frame_settings(&own, scene);
-    const struct ui_settings settings = { &request->settings, &defaults };
+    const struct ui_settings settings = { &request->settings, &defaults, scene };
     search(ui, &defaults, request);
     imgui_scroll_begin("rows");
     if (*ui->filter)
@@ -377,9 +377,14 @@ static void tabs(struct ui *ui)
         [UI_INSPECT] = { "Inspect", "layers, histogram, values below the cursor (I)" },
     };
 
+    const float room = imgui_available_width();
+    float used = 0.0f;
     for (enum ui_tab t = UI_SETTINGS; t <= UI_INSPECT; t++) {
-        if (t != UI_SETTINGS)
+        const float width = imgui_width(rows[t].label) + 6.0f * imgui_scale();
+        const bool fits = used + width <= room + 6.0f * imgui_scale();
+        if (t != UI_SETTINGS && fits)
             imgui_same_line(0.0f);
+        used = fits ? used + width : width;
         if (imgui_choice_button(rows[t].label, ui->tab == t))
             ui->tab = t;
         imgui_tooltip(rows[t].tip);
@@ -492,6 +497,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
     }
     ui_objects_outline(ui, view);
     name_sides(ui, view);
+    ui_legend(ui, view);
     if (ui->palette_open)
         ui_command_palette(ui, view, request);
     if (ui->keys_open)

@@ -73,6 +73,30 @@ static void choose(struct pixel_inspector_choice *c)
     imgui_tooltip("show the unmodified image");
 }
 
+/* Draws ticks with numbers below the histogram. */
+static void axis(const struct pixel_inspector *inspector)
+{
+    enum {
+        TICKS = 5
+    };
+
+    const struct imgui_rect at =
+        imgui_reserve(imgui_available_width(), imgui_line_height() + 4.0f * imgui_scale());
+    const struct theme *theme = imgui_theme();
+    char text[32];
+    for (int i = 0; i < TICKS; i++) {
+        const float part = (float)i / (TICKS - 1);
+        const float value = inspector->min + (inspector->max - inspector->min) * part;
+        const float width = 1.0f * imgui_scale();
+        snprintf(text, sizeof(text), "%.3g", (double)value);
+        imgui_rectangle((struct imgui_rect){ at.x + part * (at.width - width), at.y, width,
+                                             4.0f * imgui_scale() },
+                        imgui_rgba(theme->border));
+        imgui_text_beside(at.x + part * (at.width - imgui_width(text)), at.y + 4.0f * imgui_scale(),
+                          text);
+    }
+}
+
 /* Draws the histogram. Bar heights are square roots, so that small bins are visible. */
 static void histogram(const struct pixel_inspector *inspector)
 {
@@ -85,10 +109,9 @@ static void histogram(const struct pixel_inspector *inspector)
     }
     imgui_histogram("##histogram", bars, PIXEL_INSPECTOR_BIN_COUNT, 0, most,
                     histogram_height * imgui_scale());
-    snprintf(text, sizeof(text),
-             inspector->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops relative to 1",
-             (double)inspector->min, (double)inspector->max);
-    imgui_text_wrapped(text);
+    axis(inspector);
+    imgui_text_wrapped(inspector->choice.layer ? "value of the layer, number of pixels"
+                                               : "stops relative to 1, number of pixels");
     if (inspector->below_fraction > 0.0f || inspector->above_fraction > 0.0f) {
         snprintf(text, sizeof(text), "%.1f %% below, %.1f %% above",
                  100.0 * (double)inspector->below_fraction,

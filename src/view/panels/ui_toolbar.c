@@ -4,7 +4,7 @@
 #include "src/view/panels/ui_internal.h"
 #include "src/view/panels/ui_pixel_inspector.h"
 
-/* Buttons from left to right; in narrow windows the last ones are omitted. */
+/* Buttons from left to right; in narrow windows the last ones are in a menu. */
 static const struct button {
     enum view_action action;
     const char *label;
@@ -19,6 +19,7 @@ enum {
     DURATION_SIZE = 32,
 };
 
+static const char menu_label[] = "...##menu";
 static const float slot_width = 130.0f;   /* width of slider and layer list, pixels at scale 1 */
 static const float exposure_reach = 6.0f; /* stops; the setting itself allows more */
 static const float wide_window = 860.0f;  /* from this width on, the status bar has more words */
@@ -64,48 +65,97 @@ static void exposure(float width, struct ui_request *request)
                   "half a stop");
 }
 
+/* Draws a button of the toolbar. */
+static void draw_button(const struct ui_view *view, const struct button *button,
+                        struct ui_request *request)
+{
+    const enum view_action action = button->action;
+    const char *label = label_of(view, button);
+    imgui_disabled_begin(is_disabled(view, action));
+    if (action == VIEW_SPLIT ? imgui_choice_button(label, view->side_b != VIEW_SIDE_B_NONE)
+                             : imgui_button(label))
+        request->action = action;
+    imgui_disabled_end();
+    tip(action);
+}
+
+/* Draws the menu of what does not fit on the toolbar: buttons from `first` on, and both lists. */
+static void draw_menu(const struct ui_view *view, uint32_t first, struct ui_request *request)
+{
+    const float width = 1.5f * slot_width * imgui_scale();
+    if (!imgui_menu_begin(menu_label))
+        return;
+    for (uint32_t i = first; i < BUTTON_COUNT; i++) {
+        imgui_disabled_begin(is_disabled(view, buttons[i].action));
+        if (imgui_selectable(label_of(view, &buttons[i]), false))
+            request->action = buttons[i].action;
+        imgui_disabled_end();
+        tip(buttons[i].action);
+    }
+    imgui_text_dim("Exposure");
+    exposure(width, request);
+    imgui_text_dim("Layer");
+    imgui_next_width(width);
+    ui_pixel_inspector_layer_list("##shown layer", &request->inspector_choice);
+    imgui_menu_end();
+}
+
+/* What fits on the toolbar, from right to left: buttons, exposure, list of layers. */
+struct toolbar {
+    uint32_t count; /* buttons */
+    float width;    /* of the buttons, and of the menu if something does not fit */
+    bool exposes, lists;
+};
+
+static struct toolbar fit_toolbar(const struct ui_view *view, float room, float gap)
+{
+    const float slots = 2.0f * slot_width * imgui_scale();
+    const float min_width = name_width * imgui_scale();
+    float all = 0.0f;
+    for (uint32_t i = 0; i < BUTTON_COUNT; i++)
+        all += imgui_width(label_of(view, &buttons[i])) + gap;
+    if (all + slots + min_width < room)
+        return (struct toolbar){ BUTTON_COUNT, all, true, true };
+    struct toolbar bar = { .width = imgui_width(menu_label) + gap };
+    bar.exposes = all + bar.width + slots / 2.0f + min_width < room;
+    while (bar.count < BUTTON_COUNT) {
+        const float more = imgui_width(label_of(view, &buttons[bar.count])) + gap;
+        if (bar.width + more + min_width > room)
+            break;
+        bar.width += more;
+        bar.count++;
+    }
+    return bar;
+}
+
 void ui_toolbar(const struct ui_view *view, struct ui_request *request)
 {
     const float gap = 6.0f * imgui_scale();
     const float room = imgui_available_width();
-    const float min_width = name_width * imgui_scale();
-    float width = 0.0f;
-    uint32_t count = 0;
-    while (count < BUTTON_COUNT) {
-        const float more = imgui_width(label_of(view, &buttons[count])) + gap;
-        if (width + more + min_width > room)
-            break;
-        width += more;
-        count++;
-    }
     const float slot = slot_width * imgui_scale();
-    const bool exposes = count == BUTTON_COUNT && width + slot + min_width < room;
-    const bool lists = exposes && width + 2.0f * slot + min_width < room;
-    float x = room - width - (exposes ? slot : 0.0f) - (lists ? slot : 0.0f);
+    const struct toolbar bar = fit_toolbar(view, room, gap);
+    float x = room - bar.width - (bar.exposes ? slot : 0.0f) - (bar.lists ? slot : 0.0f);
     imgui_align();
     imgui_text_elided(view->viewport->state.scene.name, x - gap);
     imgui_tooltip(view->viewport->state.scene.name);
-    if (lists) {
+    if (bar.lists) {
         imgui_same_line(x + gap);
         imgui_next_width(slot - gap);
         ui_pixel_inspector_layer_list("##shown layer", &request->inspector_choice);
         x += slot;
     }
-    if (exposes) {
+    if (bar.exposes) {
         imgui_same_line(x + gap);
         exposure(slot - gap, request);
     }
-    for (uint32_t i = 0; i < count; i++) {
-        const enum view_action action = buttons[i].action;
-        const char *label = label_of(view, &buttons[i]);
-        imgui_same_line(i ? 0.0f : room - width + gap);
-        imgui_disabled_begin(is_disabled(view, action));
-        if (action == VIEW_SPLIT ? imgui_choice_button(label, view->side_b != VIEW_SIDE_B_NONE)
-                                 : imgui_button(label))
-            request->action = action;
-        imgui_disabled_end();
-        tip(action);
+    for (uint32_t i = 0; i < bar.count; i++) {
+        imgui_same_line(i ? 0.0f : room - bar.width + gap);
+        draw_button(view, &buttons[i], request);
     }
+    if (bar.lists)
+        return;
+    imgui_same_line(bar.count ? 0.0f : room - bar.width + gap);
+    draw_menu(view, bar.count, request);
 }
 
 /* Writes a duration, such as "5 s" or "12 min". */
