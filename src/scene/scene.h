@@ -16,7 +16,7 @@
 #include "src/scene/medium_density.h"
 #include "src/scene/melt/melt.h"
 #include "src/scene/model_transform.h"
-#include "src/scene/object_transform.h"
+#include "src/scene/geometry/object_transform.h"
 #include "src/scene/stage/stage.h"
 
 enum scene_background_kind {

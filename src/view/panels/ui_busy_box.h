@@ -1,5 +1,5 @@
-/* ui_busy_box.h: picture of a spinner and a line of text, drawn without a device, for times at which
- * another thread uses the device. */
+/* ui_busy_box.h: spinner with a line of text, drawn without a device, for times at which another
+ * thread uses the device. */
 #ifndef FIRN_VIEW_PANELS_UI_BUSY_BOX_H
 #define FIRN_VIEW_PANELS_UI_BUSY_BOX_H
 

@@ -1,4 +1,4 @@
-/* ui_camera.c: rows of the camera group: field of view, focus, directions, projection, bookmarks. */
+/* ui_camera.c: rows of the camera group: field of view, focus, bookmarks, directions. */
 #include <math.h>
 #include <stdio.h>
 #include "src/settings/scene_settings.h"

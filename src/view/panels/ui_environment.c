@@ -1,5 +1,5 @@
-/* ui_environment.c: rows of the group of lights: environment, rotation and exposure of the panorama,
- * and the ground below a model. */
+/* ui_environment.c: rows of the group of lights: environment, its rotation and exposure, and the
+ * ground below a model. */
 #include <string.h>
 #include "src/scene/bundled_assets.h"
 #include "src/view/panels/ui_internal.h"

@@ -113,8 +113,8 @@ void ui_camera_rows(struct ui *ui, const struct ui_view *view, struct ui_request
 /* Draws environments, rotation and exposure of the panorama, and the ground (ui_environment.c). */
 void ui_environment_rows(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
-/* Draws the absorption as the colour of light after a distance (ui_absorption.c). `scale`: factor on
- * absorption coefficients, setup_absorption_scale(). Returns true if it was changed. */
+/* Draws the absorption as the colour of light after a distance (ui_absorption.c). `scale` is the
+ * factor on absorption coefficients, setup_absorption_scale(). Returns true if it was changed. */
 bool ui_absorption_rows(struct ui *ui, struct settings *settings, float scale);
 
 /* Draws a slider of a value whose change reloads the scene. Returns true if it was released at

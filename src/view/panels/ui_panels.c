@@ -125,8 +125,8 @@ static float absorption_scale(const struct ui_view *view)
 }
 
 /* Chooses a preset and a finish: for the selected object, for objects whose material the settings
- * define by these, else instead of the model's own materials. A rough finish selects refraction model `trace`, which
- * draws it. */
+ * define by these, else instead of the model's own materials. A rough finish selects refraction
+ * model `trace`, which draws it. */
 static void choose_material(const struct ui_view *view, struct ui_request *request,
                             const struct material_choice *choice)
 {

@@ -100,7 +100,7 @@ static void draw_menu(const struct ui_view *view, uint32_t first, struct ui_requ
     imgui_menu_end();
 }
 
-/* What fits on the toolbar, from right to left: buttons, exposure, list of layers. */
+/* Parts of the toolbar that fit, from right to left: buttons, exposure, list of layers. */
 struct toolbar {
     uint32_t count; /* buttons */
     float width;    /* of the buttons, and of the menu if something does not fit */

@@ -1,4 +1,4 @@
-"""x11.py: keys, mouse and pixels of an X server by libX11 and libXtst, fast enough to time a window.
+"""x11.py: keys, mouse and pixels of an X server by libX11 and libXtst, to time a window.
 
 A grab of 300x200 pixels takes less than 1 ms on Xvfb; a program such as `import` takes 100.
 """

@@ -1,6 +1,6 @@
-/* object_transform.h: moves, rotates, scales and hides single objects of a loaded model, by name. */
-#ifndef FIRN_SCENE_OBJECT_TRANSFORM_H
-#define FIRN_SCENE_OBJECT_TRANSFORM_H
+/* object_transform.h: moves, rotates, scales and hides single objects of a loaded model. */
+#ifndef FIRN_SCENE_GEOMETRY_OBJECT_TRANSFORM_H
+#define FIRN_SCENE_GEOMETRY_OBJECT_TRANSFORM_H
 
 #include "src/base/status.h"
 #include "src/scene/import/model.h"

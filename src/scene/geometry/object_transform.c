@@ -1,5 +1,5 @@
 /* object_transform.c: moves, rotates, scales and hides single objects of a loaded model. */
-#include "src/scene/object_transform.h"
+#include "src/scene/geometry/object_transform.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
