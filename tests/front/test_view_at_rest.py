@@ -102,14 +102,15 @@ class Still(PanelsCase):
         self.channel(window, pixels)
         self.press_until(window, 'z', 'false colours',
                          lambda: self.picture(window, self.PICTURE) != pixels)
+        wait_until('a legend', lambda: 'mean of R, G, B' in self.labels(), self.words)
         wait_until('the picture', lambda: self.picture(window, self.PICTURE) == pixels, self.words,
                    act=lambda: self.click(window, 'Reset'))
         self.close(window)
 
     def channel(self, window, pixels):
         """One alone is grey; there is a histogram of the picture, in stops."""
-        wait_until('a histogram', lambda: any(re.fullmatch(r'-\d+ to \d+ stops relative to 1', word)
-                                              for word in self.labels()), self.words)
+        wait_until('a histogram', lambda: 'stops relative to 1, number of pixels' in self.labels(),
+                   self.words)
 
         def look():
             shown = self.picture(window, self.PICTURE)
