@@ -34,6 +34,12 @@ static enum status change_viewport(void *user)
     return status;
 }
 
+static enum status rotate_panorama(void *user)
+{
+    const struct change *change = user;
+    return viewport_rotate_panorama(change->view->viewport, change->state->env_rotate);
+}
+
 static bool is_other_side_b(const struct view *v, const struct view_state *state)
 {
     const struct view_state now = view_state_now(v);
@@ -107,7 +113,7 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     const float rotation = v->viewport->state.scene.env_rotate;
     if (status == STATUS_OK && (state->env_rotate < rotation || state->env_rotate > rotation)) {
         presenter_disconnect(&v->presenter);
-        status = viewport_rotate_panorama(v->viewport, state->env_rotate);
+        status = worker_run(&v->window, rotate_panorama, &change);
     }
     if (status == STATUS_OK && is_other_side_b(v, state))
         status = view_compare_use(v, state);

@@ -337,6 +337,8 @@ static void count_frame(struct view *v)
     if (p->is_progressive &&
         (v->redrawn || v->progressive.has_full_draft || v->progressive.shown_count == 1))
         view_frame_stats_image(c, v->redrawn);
+    if (v->progressive.shown_count && !v->redrawn)
+        view_frame_stats_sample(c);
     if (v->redrawn && p->is_progressive && !p->draft.is_off && c->last.frame > 0.0)
         dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame,
                                viewport_pass_seconds(p));

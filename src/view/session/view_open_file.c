@@ -63,8 +63,10 @@ static void load(struct view *v, struct opening *opening)
         describe(v, opening, clock_seconds() - start);
         snprintf(v->scene_change, sizeof(v->scene_change), "%s",
                  opening->scene ? opening->change : "");
-        if (!opening->scene)
+        if (!opening->scene) {
+            *v->selected_name = '\0';
             recent_files_add(opening->path);
+        }
     }
     v->changed = true;
     view_show_name(v);

@@ -19,9 +19,9 @@ from desktop import Desktop, wait_until  # noqa: E402
 RUNS, MOVES, STEP = 3, 150, 0.016
 SCENE = sys.argv[2] if len(sys.argv) > 2 else 'ice-cube'
 WANTED = (('from picture to picture', 1000 / 30), ('the same, 95 %', 50), ('hand to picture', 50),
-          ('the same, 95 %', 100), ('full size after', 300))
+          ('the same, 95 %', 100), ('full size after', 300), ('a sample after', 500))
 LINE = (r'moving: \d+ images, median ([\d.]+) ms, 95 % ([\d.]+) ms; input to image ([\d.]+) ms, '
-        r'95 % ([\d.]+) ms; full size after (\d+) ms')
+        r'95 % ([\d.]+) ms; full size after (\d+) ms, a sample after (\d+) ms')
 
 
 def run(desktop, firn, folder):

@@ -53,7 +53,7 @@ class Window:
         start = time.monotonic()
         self.screen.key('F1')
         while self.screen.grab(*AREA) == before and time.monotonic() < start + PATIENCE:
-            pass
+            time.sleep(0.003)  # leaves the cores to the window
         return time.monotonic() - start
 
     def drag(self):
