@@ -33,7 +33,7 @@ bool ui_absorption_rows(struct ui *ui, struct settings *settings, float scale)
     snprintf(name, sizeof(name), "Colour after %.3g %s",
              (double)(length < 1.0f ? length * 100.0f : length), length < 1.0f ? "cm" : "m");
     bool changed = ui_named_color(name, "absorption colour", color, tip);
-    changed = ui_named_slider("Distance of colour", &ui->absorption_length, &lengths,
+    changed = ui_named_slider("Distance", &ui->absorption_length, &lengths,
                               "distance after which light has the colour above: a change keeps the "
                               "colour") ||
               changed;

@@ -12,7 +12,8 @@ enum {
 
 static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
-static const float narrow = 200.0f; /* below this width, controls are below their labels */
+static const float label_fraction = 0.49f; /* start of the control / row width */
+static const float narrow = 200.0f;        /* below this width, controls are below their labels */
 
 /* Draws the label on the left of a control that starts at `x`. */
 static void head(const char *name, float x, const char *tip)
@@ -27,7 +28,7 @@ static void head(const char *name, float x, const char *tip)
  */
 static void begin_row(const char *name, const char *tip, char id[static ID_SIZE])
 {
-    const float x = imgui_available_width() * 0.46f;
+    const float x = imgui_available_width() * label_fraction;
     const bool is_narrow = imgui_available_width() < narrow * imgui_scale();
     head(name, is_narrow ? imgui_available_width() : x, tip);
     if (is_narrow)
@@ -90,7 +91,7 @@ bool ui_named_buttons(const char *name, const char *const *names, uint32_t count
 {
     const float all = imgui_available_width();
     const float gap = 6.0f * imgui_scale();
-    const float x = all * 0.46f;
+    const float x = all * label_fraction;
     float at = x;
     bool changed = false;
     head(name, x, tip);

@@ -180,9 +180,13 @@ static struct material_choice current_material(const struct ui_view *view,
     } else if (ui_objects_have_own_material(view)) {
         if (object->is_refractive)
             material_choice_parse(&is, object->material, strlen(object->material));
-    } else if (scene->model.object_count == 1 || frame_media_are_from_settings(scene)) {
+    } else if (scene->model.object_count == 1 ||
+               (scene->model.object_count && frame_media_are_from_settings(scene))) {
+        const char *name = scene->model.materials[scene->model.objects[0].material].name;
         is.preset = setup_find_material(&request->settings, absorption_scale(view));
         is.finish = find_finish(request);
+        if (!is.preset && !frame_media_are_from_settings(scene))
+            material_choice_parse(&is, name, strlen(name)); /* a file rounds its index */
     }
     return is;
 }

@@ -13,7 +13,7 @@ enum {
 
 static const double wide = 50.0;    /* a slider is logarithmic if max - min > wide * default */
 static const double too_wide = 1e4; /* maximum integer range of a slider */
-static const float label_fraction = 0.46f; /* widget start / row width */
+static const float label_fraction = 0.49f; /* widget start / row width */
 static const float narrow = 200.0f;        /* below this width, widgets are below their labels */
 
 /* Unit symbols. Widgets show these, because unit names would be wider than the numbers. */
