@@ -32,7 +32,7 @@ def run(desktop, firn, folder):
         desktop.do('windowfocus', '--sync', window, 'mousemove', '--window', window, 400, 400)
         for _ in range(2):  # the first drag learns what a frame costs
             moves = ['mousemove_relative', '--', 2, 1, 'sleep', STEP] * MOVES
-            desktop.do('mousedown', 1, *moves, 'mouseup', 1, 'sleep', 1, 'mousemove', '--window',
+            desktop.do('mousedown', 1, *moves, 'mouseup', 1, 'sleep', 3, 'mousemove', '--window',
                        window, 400, 400)
         wait_until('the end', lambda: process.poll() is not None,
                    act=lambda: desktop.do('windowfocus', '--sync', window, 'key', 'ctrl+q'))
