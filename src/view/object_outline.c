@@ -134,7 +134,7 @@ static bool is_current(const struct object_outline *outline, const struct viewpo
                        uint32_t object)
 {
     return outline->object == object && outline->version == p->version &&
-           !memcmp(&outline->camera, &p->camera, sizeof(p->camera)) &&
+           camera_is_equal(&outline->camera, &p->camera) &&
            !(outline->time < time || outline->time > time);
 }
 

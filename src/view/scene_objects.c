@@ -7,10 +7,10 @@
 #include "src/base/log.h"
 #include "src/tech/frame_resources.h"
 
-void scene_objects_finish(struct scene_objects *objects)
+void scene_objects_finish(struct scene_objects *list)
 {
-    free(objects->all);
-    *objects = (struct scene_objects){ 0 };
+    free(list->all);
+    *list = (struct scene_objects){ 0 };
 }
 
 static void name_object(struct scene_object *one, const char *name, const char *kind, uint32_t id)

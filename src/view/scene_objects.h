@@ -27,13 +27,13 @@ struct scene_objects {
     const void *of;      /* viewport at the last update */
 };
 
-void scene_objects_finish(struct scene_objects *objects); /* {0} is fine */
+void scene_objects_finish(struct scene_objects *list); /* {0} is fine */
 
 /* Updates the list if the viewport has changed. If out of memory, the list is empty. */
-void scene_objects_update(struct scene_objects *objects, const struct viewport *p);
+void scene_objects_update(struct scene_objects *list, const struct viewport *p);
 
 /* Returns the index of the first object of a name, or SCENE_OBJECT_NONE. */
-uint32_t scene_objects_find(const struct scene_objects *objects, const char *name);
+uint32_t scene_objects_find(const struct scene_objects *list, const char *name);
 
 /* Returns the matrix from the space of the refractive objects' mesh to world space. */
 mat4s scene_objects_matrix(const struct viewport *p, float time);

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include "src/settings/scene_settings.h"
 #include "src/view/orbit_camera.h"
 #include "src/view/panels/ui_reproduce_command.h"
@@ -83,17 +82,12 @@ static void change_projection(struct view *v)
     view_use_camera(v, &camera);
 }
 
-static bool is_same_camera(const struct camera *a, const struct camera *b)
-{
-    return !memcmp(a, b, sizeof(*a)); /* a stored copy has the same bytes */
-}
-
 uint32_t view_bookmark(const struct view *v)
 {
     const uint32_t count =
         v->bookmark_count < VIEW_BOOKMARK_COUNT ? v->bookmark_count : VIEW_BOOKMARK_COUNT;
     for (uint32_t i = 0; i < count; i++) {
-        if (is_same_camera(&v->bookmarks[i], &v->viewport->camera))
+        if (camera_is_equal(&v->bookmarks[i], &v->viewport->camera))
             return i;
     }
     return UINT32_MAX;

@@ -28,13 +28,6 @@ static bool differ(float a, float b)
     return a < b || a > b;
 }
 
-static bool is_same_camera(const struct camera *a, const struct camera *b)
-{
-    return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
-           glms_vec3_eqv(a->up, b->up) && !differ(a->fov_deg, b->fov_deg) &&
-           !differ(a->height, b->height) && !differ(a->depth, b->depth);
-}
-
 static bool refines(const struct view *v)
 {
     return v->viewport && v->viewport->is_progressive && v->viewport->renderer &&
@@ -44,7 +37,7 @@ static bool refines(const struct view *v)
 bool view_progressive_is_same(const struct view_identity *a, const struct view_identity *b)
 {
     const struct settings settings = viewport_with_exposure(&a->settings, &b->settings);
-    return a->renderer_version == b->renderer_version && is_same_camera(&a->camera, &b->camera) &&
+    return a->renderer_version == b->renderer_version && camera_is_equal(&a->camera, &b->camera) &&
            !differ(a->time, b->time) && settings_equal(&settings, &b->settings);
 }
 

@@ -102,58 +102,66 @@ static bool has_triangle(const struct part *part, uint32_t index)
                      part->mesh->indices[index] - part->first_vertex < part->vertex_count;
 }
 
-/* Copies the vertices of a part that other triangles use, too, and makes the part use the copies.
- * `is_part` marks the part's vertices. Returns false when out of memory. */
-static bool unshare(const struct part *part, uint8_t **is_part)
+/* Appends copies of the vertices for which to[v] is not 0, as number to[v]. Returns false when out of
+ * memory. */
+static bool append_copies(struct mesh *mesh, const uint32_t *to, uint32_t count)
+{
+    const uint32_t first = mesh->vertex_count;
+    struct mesh copy;
+    bool is_good = mesh_init(&copy, count, 0) && (!mesh->extras || mesh_add_extras(&copy));
+    for (uint32_t v = 0; v < first && is_good; v++) {
+        if (!to[v])
+            continue;
+        copy.vertices[to[v] - first] = mesh->vertices[v];
+        if (mesh->extras)
+            copy.extras[to[v] - first] = mesh->extras[v];
+    }
+    is_good = is_good && mesh_append(mesh, &copy);
+    mesh_finish(&copy);
+    return is_good;
+}
+
+/* Makes a part use copies of the vertices that other triangles use, too. `is_part` marks the part's
+ * vertices. Returns false when out of memory. */
+static bool unshare(const struct part *part, const uint8_t *is_part)
 {
     struct mesh *mesh = part->mesh;
-    const uint32_t old_count = mesh->vertex_count;
-    struct mesh copy = { 0 };
-    uint32_t *to = calloc(old_count, sizeof(*to));
-    uint32_t shared = 0;
+    uint32_t *to = calloc(mesh->vertex_count, sizeof(*to));
+    uint32_t count = 0;
     for (uint32_t i = 0; to && i < mesh->index_count; i++) {
         const uint32_t v = mesh->indices[i];
-        if ((*is_part)[v] && !to[v] && !has_triangle(part, i - i % 3))
-            to[v] = old_count + shared++;
+        if (is_part[v] && !to[v] && !has_triangle(part, i - i % 3))
+            to[v] = mesh->vertex_count + count++;
     }
-    bool is_good = to && (!shared || mesh_init(&copy, shared, 0));
-    for (uint32_t v = 0; is_good && v < old_count && shared; v++) {
-        if (to[v])
-            copy.vertices[to[v] - old_count] = mesh->vertices[v];
+    const bool is_good = to && (!count || append_copies(mesh, to, count));
+    for (uint32_t i = 0; is_good && count && i < part->index_count; i++) {
+        uint32_t *index = &mesh->indices[part->first_index + i];
+        *index = to[*index] ? to[*index] : *index;
     }
-    if (is_good && shared && mesh->extras)
-        is_good = mesh_add_extras(&copy);
-    for (uint32_t v = 0; is_good && v < old_count && shared && mesh->extras; v++) {
-        if (to[v])
-            copy.extras[to[v] - old_count] = mesh->extras[v];
-    }
-    uint8_t *marks = is_good ? realloc(*is_part, (size_t)old_count + shared) : NULL;
-    *is_part = marks ? marks : *is_part;
-    is_good = is_good && marks && (!shared || mesh_append(mesh, &copy));
-    for (uint32_t v = 0; is_good && v < old_count; v++)
-        marks[v] = marks[v] && !to[v];
-    if (is_good)
-        memset(&marks[old_count], 1, shared);
-    for (uint32_t i = 0; is_good && i < mesh->index_count; i++) {
-        if (has_triangle(part, i - i % 3) && to[mesh->indices[i]])
-            mesh->indices[i] = to[mesh->indices[i]];
-    }
-    mesh_finish(&copy);
     free(to);
     return is_good;
+}
+
+/* Returns a byte for each vertex of a part's mesh, 1 for those of the part; NULL when out of memory.
+ * The caller frees it. */
+static uint8_t *mark(const struct part *part)
+{
+    const struct mesh *mesh = part->mesh;
+    uint8_t *is_part = calloc(mesh->vertex_count + (size_t)1, 1);
+    for (uint32_t i = 0; is_part && i < mesh->index_count; i++)
+        is_part[mesh->indices[i]] |= has_triangle(part, i - i % 3);
+    return is_part;
 }
 
 static enum status transform_part(const struct part *part, const struct object_transform *t,
                                   const char *path)
 {
-    struct mesh *mesh = part->mesh;
-    uint8_t *is_part = calloc(mesh->vertex_count + (size_t)1, 1);
-    for (uint32_t i = 0; is_part && i < mesh->index_count; i++)
-        is_part[mesh->indices[i]] |= has_triangle(part, i - i % 3);
-    enum status status = is_part && (!part->is_refractive || unshare(part, &is_part))
-                             ? STATUS_OK
-                             : log_out_of_memory("--transform");
-    if (status == STATUS_OK && !transform_vertices(mesh, is_part, t)) {
+    uint8_t *is_part = mark(part);
+    const bool is_good = is_part && (!part->is_refractive || unshare(part, is_part));
+    free(is_part);
+    is_part = is_good ? mark(part) : NULL;
+    enum status status = is_part ? STATUS_OK : log_out_of_memory("--transform");
+    if (status == STATUS_OK && !transform_vertices(part->mesh, is_part, t)) {
         log_error("%s: --transform %s makes its coordinates larger than 1000000 metres", path,
                   t->name);
         status = STATUS_DATA;
