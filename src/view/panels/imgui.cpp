@@ -1,5 +1,6 @@
 /* imgui.cpp: C wrapper of Dear ImGui: context, style, fonts and frames. */
 #include "src/view/panels/imgui.h"
+#include <cmath>
 #include <cstring>
 #include <new>
 #ifdef IMGUI_FREETYPE
@@ -383,10 +384,10 @@ static void paint_glyph(const ImFontGlyph &glyph, int left, int top,
     int width;
     int height;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&texels, &width, &height);
-    const int u = static_cast<int>(glyph.U0 * static_cast<float>(width) + 0.5f);
-    const int v = static_cast<int>(glyph.V0 * static_cast<float>(height) + 0.5f);
-    const int columns = static_cast<int>(glyph.X1 - glyph.X0 + 0.5f);
-    const int rows = static_cast<int>(glyph.Y1 - glyph.Y0 + 0.5f);
+    const int u = static_cast<int>(lroundf(glyph.U0 * static_cast<float>(width)));
+    const int v = static_cast<int>(lroundf(glyph.V0 * static_cast<float>(height)));
+    const int columns = static_cast<int>(lroundf(glyph.X1 - glyph.X0));
+    const int rows = static_cast<int>(lroundf(glyph.Y1 - glyph.Y0));
     for (int i = 0; i < columns * rows; i++) {
         const int x = left + static_cast<int>(glyph.X0) + i % columns;
         const int y = top + static_cast<int>(glyph.Y0) + i / columns;
@@ -412,6 +413,6 @@ void imgui_paint_text(const struct imgui *, const char *text, int x,
                      static_cast<int>(ImGui::GetIO().Fonts->Fonts[0]->FontSize)) /
                     2;
     for_glyphs(text, [&](const ImFontGlyph &glyph, float from) {
-        paint_glyph(glyph, x + static_cast<int>(from + 0.5f), top, canvas);
+        paint_glyph(glyph, x + static_cast<int>(lroundf(from)), top, canvas);
     });
 }
