@@ -2,6 +2,7 @@
 #include "src/view/scene_objects.h"
 #include <cglm/struct.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -15,7 +16,7 @@ void scene_objects_finish(struct scene_objects *list)
 
 static void name_object(struct scene_object *one, const char *name, const char *kind, uint32_t id)
 {
-    memcpy(one->name, name, sizeof(one->name));
+    snprintf(one->name, sizeof(one->name), "%s", name);
     if (*name || !id)
         snprintf(one->label, sizeof(one->label), "%s", *name ? name : kind);
     else
