@@ -200,6 +200,8 @@ class Panels(PanelsCase):
             pattern = r'\d+×\d+  \d+/5000' + words
             wait_until(pattern, lambda pattern=pattern: self.said(pattern), self.words,
                        act=lambda: self.press(window, 'Escape'))
+        wait_until('it stops', lambda: self.said(r'.*stopped; Esc continues'), self.words,
+                   act=lambda: self.click(window, self.said(r'\d+×\d+  .*')[0]))
         self.press(window, 'space')
         wait_until('it plays', lambda: self.control('Pause'), self.words)
         self.close(window)

@@ -138,6 +138,7 @@ float imgui_list_row_height(void); /* of rows with a check box */
 void imgui_focus_panel(const char *title); /* NULL clears the keyboard focus */
 bool imgui_is_active(void);                /* true while an item is used */
 bool imgui_is_item_active(void);           /* true while the last item is used */
+bool imgui_is_item_clicked(void);          /* true if the last item was clicked now */
 float imgui_scale(void);                   /* scale set by imgui_rescale() */
 const struct theme *imgui_theme(void);     /* current theme */
 float imgui_line_height(void);             /* height of a line of text */

@@ -119,6 +119,11 @@ bool imgui_is_item_active(void)
     return ImGui::IsItemActive();
 }
 
+bool imgui_is_item_clicked(void)
+{
+    return ImGui::IsItemClicked();
+}
+
 float imgui_scale(void)
 {
     return static_cast<const imgui *>(ImGui::GetIO().UserData)->scale;

@@ -70,7 +70,7 @@ void ui_toolbar(const struct ui_view *view, struct ui_request *request);
 void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 void ui_timeline(const struct ui_view *view,
                  struct ui_request *request); /* ui_playback.c: timeline */
-void ui_status(const struct ui *ui, const struct ui_view *view);
+void ui_status(const struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
 /* Draws a drop-down list with a label. Returns true if the choice has changed. */
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,

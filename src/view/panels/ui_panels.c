@@ -496,7 +496,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
             imgui_panel_end();
         }
         imgui_panel_begin(ui->imgui, "status", ui_rect_of(l->status), IMGUI_DOCKED);
-        ui_status(ui, view);
+        ui_status(ui, view, request);
         imgui_panel_end();
     }
     ui_objects_outline(ui, view);

@@ -242,7 +242,7 @@ static void print_pace_tip(const struct ui *ui, char *text, size_t size)
 static const char hint[] =
     "drag: orbit, Ctrl drag: light, wheel: zoom, F1: keys; drop files to open";
 
-void ui_status(const struct ui *ui, const struct ui_view *view)
+void ui_status(const struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     char pace[128];
     char text[256];
@@ -263,6 +263,13 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
     imgui_same_line(room - width + 10.0f * imgui_scale());
     imgui_text_dim(pace);
     imgui_name(pace);
-    print_pace_tip(ui, text, sizeof(text));
+    const bool refines =
+        view->is_stopped || view->is_first_sample || view->sample_count % view->sample_goal;
+    if (refines && imgui_is_item_clicked())
+        request->action = VIEW_STOP;
+    if (refines)
+        snprintf(text, sizeof(text), "%s (Esc, or click here)", key_bindings_help(VIEW_STOP));
+    else
+        print_pace_tip(ui, text, sizeof(text));
     imgui_tooltip(text);
 }
