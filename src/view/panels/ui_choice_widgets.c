@@ -10,7 +10,7 @@ enum {
     BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
 };
 
-static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
+static const float cell_width = 80.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
 static const float label_fraction = 0.49f; /* start of the control / row width */
 static const float narrow = 200.0f;        /* below this width, controls are below their labels */

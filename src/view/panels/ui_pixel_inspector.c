@@ -73,27 +73,22 @@ static void choose(struct pixel_inspector_choice *c)
     imgui_tooltip("show the unmodified image");
 }
 
-/* Draws ticks with numbers below the histogram. */
+/* Draws ticks with numbers below the histogram: five, or three if there is less room. */
 static void axis(const struct pixel_inspector *inspector)
 {
-    enum {
-        TICKS = 5
-    };
-
+    const float scale = imgui_scale();
     const struct imgui_rect at =
-        imgui_reserve(imgui_available_width(), imgui_line_height() + 4.0f * imgui_scale());
-    const struct theme *theme = imgui_theme();
+        imgui_reserve(imgui_available_width(), imgui_line_height() + 4.0f * scale);
+    const uint32_t last = at.width > 5.0f * imgui_width("-0.0001") ? 4 : 2;
     char text[32];
-    for (int i = 0; i < TICKS; i++) {
-        const float part = (float)i / (TICKS - 1);
+    for (uint32_t i = 0; i <= last; i++) {
+        const float part = (float)i / (float)last;
         const float value = inspector->min + (inspector->max - inspector->min) * part;
-        const float width = 1.0f * imgui_scale();
         snprintf(text, sizeof(text), "%.3g", (double)value);
-        imgui_rectangle((struct imgui_rect){ at.x + part * (at.width - width), at.y, width,
-                                             4.0f * imgui_scale() },
-                        imgui_rgba(theme->border));
-        imgui_text_beside(at.x + part * (at.width - imgui_width(text)), at.y + 4.0f * imgui_scale(),
-                          text);
+        imgui_rectangle(
+            (struct imgui_rect){ at.x + part * (at.width - scale), at.y, scale, 4.0f * scale },
+            imgui_rgba(imgui_theme()->border));
+        imgui_text_beside(at.x + part * (at.width - imgui_width(text)), at.y + 4.0f * scale, text);
     }
 }
 
@@ -154,7 +149,7 @@ static void line(const char *name, const float *values, uint32_t count, const ch
             snprintf(text + length, sizeof(text) - (size_t)length, " %.4g", (double)values[c]);
     if (length > 0 && length < (int)sizeof(text))
         snprintf(text + length, sizeof(text) - (size_t)length, "%s", unit);
-    imgui_value(text);
+    imgui_text_wrapped(text);
 }
 
 /* Returns the material preset with the object's refractive index; NULL if there is none. */
