@@ -102,8 +102,8 @@ static bool has_triangle(const struct part *part, uint32_t index)
                      part->mesh->indices[index] - part->first_vertex < part->vertex_count;
 }
 
-/* Appends copies of the vertices for which to[v] is not 0, as number to[v]. Returns false when out of
- * memory. */
+/* Appends copies of the vertices for which to[v] is not 0, as number to[v]. Returns false when out
+ * of memory. */
 static bool append_copies(struct mesh *mesh, const uint32_t *to, uint32_t count)
 {
     const uint32_t first = mesh->vertex_count;
@@ -142,8 +142,8 @@ static bool unshare(const struct part *part, const uint8_t *is_part)
     return is_good;
 }
 
-/* Returns a byte for each vertex of a part's mesh, 1 for those of the part; NULL when out of memory.
- * The caller frees it. */
+/* Returns a byte for each vertex of a part's mesh, 1 for those of the part; NULL when out of
+ * memory. The caller frees it. */
 static uint8_t *mark(const struct part *part)
 {
     const struct mesh *mesh = part->mesh;
