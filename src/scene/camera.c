@@ -14,6 +14,13 @@ static vec3s normalize_safe(vec3s v)
     return glms_vec3_normalize(v);
 }
 
+bool camera_is_equal(const struct camera *a, const struct camera *b)
+{
+    return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
+           glms_vec3_eqv(a->up, b->up) && a->fov_deg == b->fov_deg && a->height == b->height &&
+           a->depth == b->depth;
+}
+
 struct camera_basis camera_basis(const struct camera *camera)
 {
     vec3s forward = normalize_safe(glms_vec3_sub(camera->target, camera->eye));

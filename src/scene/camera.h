@@ -26,6 +26,9 @@ struct camera_basis {
     vec3s right, up, forward;
 };
 
+/* Returns true if all members of two cameras are equal. */
+bool camera_is_equal(const struct camera *a, const struct camera *b);
+
 /* Returns the axes of a camera. Replaces an `up` that is parallel to the view direction. */
 struct camera_basis camera_basis(const struct camera *camera);
 

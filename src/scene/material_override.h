@@ -4,9 +4,13 @@
 
 #include "src/scene/import/model.h"
 
+enum {
+    MATERIAL_OVERRIDE_SIZE = 256, /* size of an option's text in bytes, terminator included */
+};
+
 struct material_override {
-    const char *words;             /* text of the option, "NODE=glass,ior=1.52"; borrowed */
-    char name[MATERIAL_NAME_SIZE]; /* name of mesh nodes or, failing that, of a material */
+    char words[MATERIAL_OVERRIDE_SIZE]; /* text of the option, "NODE=glass,ior=1.52" */
+    char name[MATERIAL_NAME_SIZE];      /* name of mesh nodes or, failing that, of a material */
     struct material material;
 };
 

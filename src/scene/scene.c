@@ -168,6 +168,10 @@ static enum status load_file(struct scene *scene, const struct scene_params *par
                                          params->material_override_count);
     if (status == STATUS_OK && params->model_transform)
         status = model_transform_apply(model, params->model_transform, path);
+    if (status == STATUS_OK)
+        status =
+            object_transform_apply(model, params->object_transforms, params->object_transform_count,
+                                   params->name, !params->previous_pose);
     free(names);
     free(path);
     return status;

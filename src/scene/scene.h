@@ -16,6 +16,7 @@
 #include "src/scene/medium_density.h"
 #include "src/scene/melt/melt.h"
 #include "src/scene/model_transform.h"
+#include "src/scene/geometry/object_transform.h"
 #include "src/scene/stage/stage.h"
 
 enum scene_background_kind {
@@ -119,6 +120,8 @@ struct scene_params {
     struct model_pose pose; /* animation pose; scene_load() sets `objects`, `origin` */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
+    const struct object_transform *object_transforms; /* applied after model_transform */
+    uint32_t object_transform_count;
     const vec3s *background;      /* background colour; NULL for the sky */
     bool is_backdrop;             /* see scene_background.is_backdrop */
     bool is_hidden;               /* see scene_background.is_hidden */

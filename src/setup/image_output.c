@@ -69,6 +69,7 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
 static void print_transform(FILE *out, const struct setup_scene *scene)
 {
     const struct model_transform *model_transform = &scene->model_transform;
+    char words[SETUP_TRANSFORM_SIZE];
     if (model_transform->is_z_up)
         fputs(" up=z", out);
     if (model_transform->scale > 0.0f)
@@ -80,6 +81,12 @@ static void print_transform(FILE *out, const struct setup_scene *scene)
         fprintf(out, " material=%s", scene->material);
     for (uint32_t i = 0; i < scene->material_override_count; i++)
         fprintf(out, " material=%s", scene->material_overrides[i].words);
+    for (uint32_t i = 0; i < scene->object_transform_count; i++) {
+        if (setup_print_transform(&scene->object_transforms[i], words))
+            fprintf(out, " transform=%s", words);
+        if (scene->object_transforms[i].is_hidden)
+            fprintf(out, " hide=%s", scene->object_transforms[i].name);
+    }
     if (scene->animation)
         fprintf(out, " animation=%s", scene->animation);
 }

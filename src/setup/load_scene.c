@@ -415,6 +415,8 @@ struct scene_params setup_scene_params(const struct setup_scene *options,
                   .is_first = !options->animation },
         .material_overrides = options->material_overrides,
         .material_override_count = options->material_override_count,
+        .object_transforms = options->object_transforms,
+        .object_transform_count = options->object_transform_count,
         .environment = is_valley(options) ? NULL : options->environment,
         .environment_turn = options->env_rotate / 360.0f - floorf(options->env_rotate / 360.0f),
         .environment_exposure = options->env_exposure,
@@ -517,12 +519,33 @@ enum status setup_load_exposed(struct scene *scene, struct camera *camera,
     return status;
 }
 
+bool setup_print_transform(const struct object_transform *t, char text[static SETUP_TRANSFORM_SIZE])
+{
+    const struct object_transform shown = {
+        .move = t->move,
+        .rotate_deg = t->rotate_deg,
+        .scale = t->scale > 0.0f ? t->scale : 1.0f,
+    };
+    int length = snprintf(text, SETUP_TRANSFORM_SIZE, "%s=%.7g,%.7g,%.7g", t->name,
+                          (double)shown.move.x, (double)shown.move.y, (double)shown.move.z);
+    const bool is_scaled = shown.scale < 1.0f || shown.scale > 1.0f;
+    if (is_scaled || glms_vec3_norm2(shown.rotate_deg) > 0.0f)
+        length += snprintf(&text[length], SETUP_TRANSFORM_SIZE - (size_t)length, ",%.7g,%.7g,%.7g",
+                           (double)shown.rotate_deg.x, (double)shown.rotate_deg.y,
+                           (double)shown.rotate_deg.z);
+    if (is_scaled)
+        snprintf(&text[length], SETUP_TRANSFORM_SIZE - (size_t)length, ",%.7g",
+                 (double)shown.scale);
+    return !object_transform_is_identity(&shown);
+}
+
 /* Refuses transform, animation and node materials for scenes that are not model files. */
 static enum status check_transform(const struct setup_scene *options)
 {
     const char *refused = options->has_transform             ? "--up, --scale and --rotate"
                           : options->animation               ? "--animation"
                           : options->material_override_count ? "--material NODE=..."
+                          : options->object_transform_count  ? "--transform and --hide"
                                                              : NULL;
     if (!refused || !scene_find_builtin(options->name))
         return STATUS_OK;

@@ -14,8 +14,9 @@
 
 enum {
     SETUP_OUTPUT_COUNT = 16, /* maximum number of -o options */
-    SETUP_NODE_COUNT = 16,   /* maximum number of --material NODE=... */
+    SETUP_NODE_COUNT = 16,   /* maximum number of --material NODE=..., and of nodes to transform */
     SETUP_GROUND_NAME_SIZE = 64,
+    SETUP_TRANSFORM_SIZE = MATERIAL_NAME_SIZE + 7 * 16,
 };
 
 #define SETUP_UI_SCALE_MIN 0.5f /* range of --ui-scale */
@@ -57,6 +58,8 @@ struct setup_scene {
     const char *bump, *bump_mask, *air; /* image files; NULL: generated */
     struct material_override material_overrides[SETUP_NODE_COUNT];
     uint32_t material_override_count;
+    struct object_transform object_transforms[SETUP_NODE_COUNT]; /* --transform and --hide */
+    uint32_t object_transform_count;
     const char *animation; /* name or number of an animation, or "none"; NULL selects the first */
     struct model_transform model_transform;
     bool has_transform;             /* set by an option */
@@ -144,6 +147,11 @@ struct stage_params setup_stage(const struct setup_scene *options, const struct 
 /* Returns the name of a stage's ground as the value of --ground; writes a colour into `text`. */
 const char *setup_ground_name(const struct stage_params *stage,
                               char text[static SETUP_GROUND_NAME_SIZE]);
+
+/* Writes the value of --transform for an object, such as "cube=0,0.01,0". Returns false if the
+ * transform moves nothing. */
+bool setup_print_transform(const struct object_transform *transform,
+                           char text[static SETUP_TRANSFORM_SIZE]);
 
 /* Refuses --ground for built-in scenes: logs and returns STATUS_USAGE. */
 MUST_USE enum status setup_check_ground(const struct setup_scene *options);

@@ -2,6 +2,8 @@
 #include "src/setup/setup_material.h"
 #include <cglm/struct.h>
 #include <math.h>
+#include <stdio.h>
+#include "src/scene/material_override.h"
 #include "src/tech/inclusions/air.h"
 #include "src/tech/refract/absorption.h"
 #include "src/tech/refract/refract.h"
@@ -84,6 +86,34 @@ void setup_set_material(struct settings *settings, const struct material_choice 
     values_of(values, choice, absorption_scale);
     for (int i = 0; i < VALUE_COUNT; i++)
         settings_set_value(settings, values[i].row, values[i].value);
+}
+
+void setup_make_override(struct material_override *made, const char *node,
+                         const struct material_choice *choice, const struct material *material)
+{
+    const struct material own = material_of_choice(choice);
+
+    const struct {
+        const char *name;
+        float value, own;
+    } keys[] = {
+        { "ior", material->ior, own.ior },
+        { "roughness", material->roughness, own.roughness },
+        { "dispersion", material->dispersion, own.dispersion },
+    };
+
+    *made = (struct material_override){ .material = own };
+    snprintf(made->name, sizeof(made->name), "%s", node);
+    int length = snprintf(made->words, sizeof(made->words), "%s=%s%s%s", node, choice->preset->name,
+                          choice->finish ? ":" : "", choice->finish ? choice->finish->name : "");
+    for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++) {
+        if (keys[i].value < keys[i].own || keys[i].value > keys[i].own)
+            length += snprintf(&made->words[length], sizeof(made->words) - (size_t)length,
+                               ",%s=%.6g", keys[i].name, (double)keys[i].value);
+    }
+    made->material.ior = material->ior;
+    made->material.roughness = material->roughness;
+    made->material.dispersion = material->dispersion;
 }
 
 const struct material_preset *setup_find_material(const struct settings *settings,

@@ -22,6 +22,13 @@ void setup_put_material(struct settings *settings, const struct material_choice 
 void setup_set_material(struct settings *settings, const struct material_choice *choice,
                         float absorption_scale);
 
+struct material_override;
+
+/* Makes the override of a node's material, with the text of --material: a choice, then index,
+ * roughness and dispersion of `material` where they differ from those of the choice. */
+void setup_make_override(struct material_override *made, const char *node,
+                         const struct material_choice *choice, const struct material *material);
+
 /* Returns the preset whose settings these are, apart from the roughness; NULL if there is none. */
 const struct material_preset *setup_find_material(const struct settings *settings,
                                                   float absorption_scale);

@@ -232,6 +232,8 @@ enum status pixel_inspector_show(struct pixel_inspector *inspector, const struct
     if (!planes.count)
         return STATUS_OK; /* the image lacks this layer */
     find_range(inspector, &planes);
+    inspector->shown_min = inspector->min;
+    inspector->shown_max = inspector->max;
     if (pixel_inspector_replaces_image(&inspector->choice)) {
         inspector->rgba = make_rgba(inspector, p, &planes);
         if (!inspector->rgba)

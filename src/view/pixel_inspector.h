@@ -31,6 +31,7 @@ struct pixel_inspector {
     char *names;                          /* object_names(), or NULL */
     uint32_t bins[PIXEL_INSPECTOR_BIN_COUNT];
     float min, max;                       /* value range; stops for the image */
+    float shown_min, shown_max;           /* values of the first and last false colour */
     float below_fraction, above_fraction; /* pixel fractions outside the histogram range */
 };
 

@@ -82,6 +82,40 @@ static void change_projection(struct view *v)
     view_use_camera(v, &camera);
 }
 
+uint32_t view_bookmark(const struct view *v)
+{
+    const uint32_t count =
+        v->bookmark_count < VIEW_BOOKMARK_COUNT ? v->bookmark_count : VIEW_BOOKMARK_COUNT;
+    for (uint32_t i = 0; i < count; i++) {
+        if (camera_is_equal(&v->bookmarks[i], &v->viewport->camera))
+            return i;
+    }
+    return UINT32_MAX;
+}
+
+/* Stores the camera or returns to a stored one. Returns false for other actions. */
+static bool use_bookmark(struct view *v, enum view_action action)
+{
+    char words[64];
+    const uint32_t i = v->bookmark_count % VIEW_BOOKMARK_COUNT;
+    if (action == VIEW_ADD_BOOKMARK) {
+        v->bookmarks[i] = v->viewport->camera;
+        v->bookmark_count++;
+        snprintf(words, sizeof(words), "camera stored as bookmark %u: Ctrl %u returns to it", i + 1,
+                 i + 1);
+        ui_show_message(v->ui, words);
+        return true;
+    }
+    if (action < VIEW_BOOKMARK_1 || action > VIEW_BOOKMARK_4)
+        return false;
+    const uint32_t asked = (uint32_t)(action - VIEW_BOOKMARK_1);
+    if (asked < v->bookmark_count)
+        view_use_camera(v, &v->bookmarks[asked]);
+    else
+        ui_show_message(v->ui, "no camera is stored there: Ctrl B stores one");
+    return true;
+}
+
 /* Handles view directions and projection. Returns false for other actions. */
 static bool set_camera(struct view *v, enum view_action action)
 {
@@ -233,6 +267,8 @@ static void change_viewport(struct view *v, enum view_action action)
         ui_show_message(v->ui, draft->is_off
                                    ? "full size and quality while something moves"
                                    : "fast drafts at lower resolution while something moves");
+    } else if (action == VIEW_STOP) {
+        view_progressive_stop(v);
     } else if (action == VIEW_FALSE_COLORS) {
         v->inspector_choice.false_color = !v->inspector_choice.false_color;
     }
@@ -259,7 +295,7 @@ static bool compare(struct view *v, enum view_action action)
 void view_execute(struct view *v, enum view_action action)
 {
     v->changed = true;
-    if (!compare(v, action) && !move_camera(v, action) && !set_camera(v, action) &&
-        !change_window(v, action))
+    if (!compare(v, action) && !use_bookmark(v, action) && !move_camera(v, action) &&
+        !set_camera(v, action) && !change_window(v, action))
         change_viewport(v, action);
 }

@@ -34,6 +34,12 @@ static enum status change_viewport(void *user)
     return status;
 }
 
+static enum status rotate_panorama(void *user)
+{
+    const struct change *change = user;
+    return viewport_rotate_panorama(change->view->viewport, change->state->env_rotate);
+}
+
 static bool is_other_side_b(const struct view *v, const struct view_state *state)
 {
     const struct view_state now = view_state_now(v);
@@ -79,13 +85,14 @@ static enum status return_to(struct view *v, const struct view_state *state)
         return STATUS_OK;
     const bool is_object = strcmp(to->name, v->viewport->state.scene.name) != 0;
     const struct camera camera = is_object ? to->camera : v->viewport->camera;
-    enum status status = undo_scenes_add(&v->undo_scenes, v->scene, v->viewport);
+    enum status status = undo_scenes_add(&v->undo_scenes, v->scene, v->viewport, v->scene_change);
     presenter_disconnect(&v->presenter);
     if (status == STATUS_OK)
         status = worker_run(&v->window, return_to_scene, &change);
     if (status != STATUS_OK)
         return status;
     v->scene = state->scene;
+    snprintf(v->scene_change, sizeof(v->scene_change), "%s", to->change);
     view_use_camera(v, &camera);
     return STATUS_OK;
 }
@@ -106,7 +113,7 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     const float rotation = v->viewport->state.scene.env_rotate;
     if (status == STATUS_OK && (state->env_rotate < rotation || state->env_rotate > rotation)) {
         presenter_disconnect(&v->presenter);
-        status = viewport_rotate_panorama(v->viewport, state->env_rotate);
+        status = worker_run(&v->window, rotate_panorama, &change);
     }
     if (status == STATUS_OK && is_other_side_b(v, state))
         status = view_compare_use(v, state);
@@ -186,6 +193,7 @@ void view_undo_redo(struct view *v, bool again)
     char name[TEXT_SIZE / 2];
     char cost[TEXT_SIZE / 2];
     char words[2 * TEXT_SIZE];
+    char change[TEXT_SIZE / 2];
     const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
     const struct view_state *to =
@@ -195,11 +203,15 @@ void view_undo_redo(struct view *v, bool again)
         return;
     }
     undo_stack_describe(&before, to, name, sizeof(name));
+    snprintf(change, sizeof(change), "%s", v->scene_change);
     if (!view_apply_state(v, to)) {
         (void)(again ? undo_stack_undo(&v->undo_stack) : undo_stack_redo(&v->undo_stack));
         return;
     }
-    if (to->scene != before.scene)
+    const char *scene_change = again ? v->scene_change : change;
+    if (to->scene != before.scene && *scene_change)
+        snprintf(name, sizeof(name), "%s", scene_change);
+    else if (to->scene != before.scene)
         snprintf(name, sizeof(name), "back to %s", v->viewport->state.scene.name);
     print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);

@@ -29,16 +29,18 @@ void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *tim
     const double end = clock_seconds();
     const double whole = end - c->last_end - c->idle;
     double passes = 0.0;
+    bool is_measured = true;
     double slots = 0.0; /* seconds the host waited for an earlier frame's GPU work */
     for (uint32_t i = 0; i < time_count; i++) {
         passes += passes_of(&times[i]);
         slots += (double)times[i].begin * 1e-9;
+        is_measured = is_measured && passes_of(&times[i]) > 0.0;
     }
     /* the first frames are not counted, because GPU times arrive some frames later */
     const bool counts = c->last_end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
     c->last = (struct ui_frame_pacing){
         .frame = counts ? whole : 0.0,
-        .device = fmax(passes, slots),
+        .device = is_measured ? fmax(passes, slots) : -1.0,
         .screen = presentation,
     };
     if (counts) {
@@ -62,7 +64,7 @@ void view_frame_stats_input(struct view_frame_stats *c, double moved, double rel
     if (moved > 0.0 && !(c->dragged_at > 0.0))
         c->dragged_at = moved;
     if (released > 0.0)
-        c->released_at = released;
+        c->released_at = c->ended_at = released;
 }
 
 void view_frame_stats_image(struct view_frame_stats *c, bool is_moving)
@@ -75,6 +77,13 @@ void view_frame_stats_image(struct view_frame_stats *c, bool is_moving)
         add(&c->release_latency, c->last_end - c->released_at);
     c->dragged_at = 0.0;
     c->released_at = is_moving ? c->released_at : 0.0;
+}
+
+void view_frame_stats_sample(struct view_frame_stats *c)
+{
+    if (c->ended_at > 0.0)
+        add(&c->complete_latency, c->last_end - c->ended_at);
+    c->ended_at = 0.0;
 }
 
 static int compare(const void *a, const void *b)
@@ -99,10 +108,11 @@ static void print_moving(const struct view_frame_stats *c, FILE *out)
         return;
     fprintf(out,
             "moving: %u images, median %.1f ms, 95 %% %.1f ms; input to image %.1f ms, 95 %% "
-            "%.1f ms; full size after %.0f ms\n",
+            "%.1f ms; full size after %.0f ms, a sample after %.0f ms\n",
             c->interactive_frames.count, quantile(&c->interactive_frames, 0.5),
             quantile(&c->interactive_frames, 0.95), quantile(&c->drag_latency, 0.5),
-            quantile(&c->drag_latency, 0.95), quantile(&c->release_latency, 0.5));
+            quantile(&c->drag_latency, 0.95), quantile(&c->release_latency, 0.5),
+            quantile(&c->complete_latency, 0.5));
 }
 
 void view_frame_stats_print(const struct view_frame_stats *c, FILE *out)

@@ -36,9 +36,11 @@ struct view_frame_stats {
     double frames, passes;                    /* passes: GPU time */
     double host;                              /* time in which the host worked */
     struct view_time_ring interactive_frames; /* between images while something moves */
-    struct view_time_ring drag_latency;    /* latency from mouse movement to the presented image */
-    struct view_time_ring release_latency; /* latency from mouse release to the full-size image */
-    double dragged_at, released_at;        /* pending latency measurements; 0 if none */
+    struct view_time_ring drag_latency;     /* latency from mouse movement to the presented image */
+    struct view_time_ring release_latency;  /* latency from mouse release to the full-size image */
+    struct view_time_ring complete_latency; /* latency from mouse release to the first sample */
+    double ended_at;                        /* pending measurement of it; 0 if none */
+    double dragged_at, released_at;         /* pending latency measurements; 0 if none */
 };
 
 /* Excludes the time since `start` from the frame time. */
@@ -56,6 +58,9 @@ void view_frame_stats_input(struct view_frame_stats *c, double moved, double rel
 
 /* Records that the last frame showed a new image. `is_moving` is true for interactive images. */
 void view_frame_stats_image(struct view_frame_stats *c, bool is_moving);
+
+/* Records that the last frame showed a sample of full quality. */
+void view_frame_stats_sample(struct view_frame_stats *c);
 
 /* Prints the number of frames and mean times, and interaction times if there were any. */
 void view_frame_stats_print(const struct view_frame_stats *c, FILE *out);

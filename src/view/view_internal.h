@@ -19,6 +19,10 @@
 
 #define VIEW_HOLD 0x80000000u /* gesture-number bit that marks a drag of the light */
 
+enum {
+    VIEW_BOOKMARK_COUNT = 4,
+};
+
 struct view {
     const struct viewer_params *options;
     struct setup_image initial_state; /* from the options */
@@ -38,6 +42,7 @@ struct view {
     struct ui_thumbnails thumbnails; /* thumbnails for `ui` */
     float ui_scale;                  /* scale of text and panels; 0 if not known yet */
     uint32_t theme;                  /* index for theme_at() */
+    char busy[200];                  /* what is being loaded, or "" */
     struct window_layout layout;
     struct present_area image_area; /* image position in the last frame */
     VkExtent2D requested_size;      /* image size after the next resize */
@@ -67,12 +72,20 @@ struct view {
     bool had_inspector_panel; /* the panel was open before */
     struct pixel_inspector inspector;
     struct pixel_inspector_choice inspector_choice; /* chosen, but not applied yet */
+    struct camera bookmarks[VIEW_BOOKMARK_COUNT];
+    uint32_t bookmark_count; /* number stored; the oldest is replaced when all are in use */
+    struct scene_objects objects;
+    uint32_t selected;                      /* index in `objects`; SCENE_OBJECT_NONE for none */
+    char selected_name[MATERIAL_NAME_SIZE]; /* or "" */
+    struct object_outline outline;          /* of the selected object */
+    char scene_change[96]; /* how the scene differs from the one before; "" for another file */
     struct view_identity inspector_identity; /* view for which `inspector.layers` was rendered */
 };
 
-float view_time(const struct view *view);                 /* scene time, seconds */
-void view_seek(struct view *view, float time);            /* sets the scene time, seconds */
-void view_set_title(struct view *view, const char *what); /* sets the window title */
+float view_time(const struct view *view);      /* scene time, seconds */
+void view_seek(struct view *view, float time); /* sets the scene time, seconds */
+/* Sets the window title, and the text beside the spinner, to what is being loaded. */
+void view_set_title(struct view *view, const char *what);
 void view_show_name(struct view *view);
 
 /* Captures errors written to stderr, which are still printed, for view_fail(). All threads may log
@@ -89,6 +102,9 @@ void view_update_layout(struct view *view, VkExtent2D size); /* `size` of the wi
 
 void view_execute(struct view *view, enum view_action action);
 void view_use_camera(struct view *view, const struct camera *camera);
+
+/* Returns the index of the bookmark that the camera is at; UINT32_MAX if it is at none. */
+uint32_t view_bookmark(const struct view *view);
 void view_zoom(struct view *view, float steps);
 void view_move_divider(struct view *view, double to); /* `to`: fraction of the image width */
 
@@ -180,6 +196,28 @@ MUST_USE enum status view_read_session(struct session_file *session, const char 
 /* Loads the scene's file again with one material for all of its nodes, as --material does. */
 void view_replace_materials(struct view *view, const struct material_choice *choice);
 
+/* Loads the scene again with other options for its materials or objects. `words` say what changed.
+ * `scene` must not be that of the viewport. */
+void view_reload_scene(struct view *view, const struct setup_scene *scene, const char *words);
+
+/* ---- view_objects.c: selected object ---- */
+
+/* Brings the list of objects, the selection and its outline up to date. */
+void view_update_objects(struct view *view);
+void view_select(struct view *view, uint32_t index);
+
+/* Selects the object at a point of the image, in fractions of its width and height. */
+void view_pick(struct view *view, float x, float y);
+
+/* Sets the distance of the focus to that of the surface at a point of the image. */
+void view_focus(struct view *view, float x, float y);
+
+/* Gives a node a material, as --material NODE=NAME does; can be undone. */
+void view_override_material(struct view *view, const struct material_override *override);
+
+/* Transforms, hides or shows a node, as --transform and --hide do; can be undone. */
+void view_transform_object(struct view *view, const struct object_transform *transform);
+
 /* Copies a session's scene, settings and refraction model to `state`, which borrows the strings.
  * The caller shows `state`; then view_resume_session() restores camera, time and side B. */
 void view_apply_session(const struct session_file *session, struct setup_image *state);
@@ -198,6 +236,12 @@ MUST_USE enum status view_progressive_draw(struct view *view, const struct rende
 
 /* If the view is at rest, prepares or draws the next sample. *drew is false if nothing was done. */
 MUST_USE enum status view_progressive_step(struct view *view, bool *drew);
+
+/* Stops drawing samples until the view changes or this is called again. */
+void view_progressive_stop(struct view *view);
+
+/* Returns true if samples are drawn, but none is shown yet. */
+bool view_progressive_is_first(const struct view *view);
 
 /* Returns the seconds until the next sample may be drawn. Negative if no samples remain. */
 double view_progressive_wait(const struct view *view);

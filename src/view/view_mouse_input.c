@@ -91,6 +91,39 @@ void view_handle_input(struct view *v)
     v->quit = v->quit || window_is_closed(&v->window);
 }
 
+/* Loads the scene with the exposure of the environment and the ground that were chosen. */
+static void reload(struct view *v, const struct ui_request *request)
+{
+    char words[96];
+    struct setup_scene scene = v->viewport->state.scene;
+    if (request->ground != scene.ground.ground) {
+        scene.exposure.is_chosen = false;
+        snprintf(words, sizeof(words), "--ground %s", stage_ground_names[request->ground]);
+    } else {
+        snprintf(words, sizeof(words), "--env-exposure %.3g", (double)request->env_exposure);
+    }
+    scene.ground.ground = request->ground;
+    scene.env_exposure = request->env_exposure;
+    view_reload_scene(v, &scene, words);
+}
+
+/* Uses what was requested of the objects and of what is around them. */
+static void use_object_request(struct view *v, const struct ui_request *request)
+{
+    if (request->selects)
+        view_select(v, request->selected);
+    if (request->focuses)
+        view_focus(v, request->pick_x, request->pick_y);
+    if (request->picks)
+        view_pick(v, request->pick_x, request->pick_y);
+    if (request->overrides)
+        view_override_material(v, &request->override);
+    if (request->transforms)
+        view_transform_object(v, &request->transform);
+    if (request->reloads)
+        reload(v, request);
+}
+
 static void use_request(struct view *v, const struct ui_request *request)
 {
     struct view_state requested = view_state_now(v);
@@ -102,7 +135,9 @@ static void use_request(struct view *v, const struct ui_request *request)
         view_compare_choose(v, &requested, request->side_b);
     if (other && request->side_b == VIEW_SIDE_B_MODEL)
         requested.split = request->split;
-    if (request->changed || other)
+    if (request->rotates)
+        requested.env_rotate = request->env_rotate;
+    if (request->changed || other || request->rotates)
         view_edit(v, &requested, request->gesture);
     if (awaits)
         view_compare_await(v);
@@ -118,6 +153,7 @@ static void use_request(struct view *v, const struct ui_request *request)
         view_open(v, request->open);
     if (request->material.preset)
         view_replace_materials(v, &request->material);
+    use_object_request(v, request);
     if (request->screenshot_size.width) {
         v->wants_screenshot = v->changed = true;
         v->screenshot_size = request->screenshot_size;
@@ -133,7 +169,12 @@ void view_run_ui(struct view *v, VkExtent2D size)
     char right[VIEW_SIDE_SIZE];
     view_update_layout(v, size);
     view_compare_print(v, left, right);
+    view_update_objects(v);
     const struct ui_view view = {
+        .bookmark = view_bookmark(v),
+        .objects = &v->objects,
+        .selected = v->selected,
+        .outline = &v->outline,
         .viewport = v->viewport,
         .presenter = &v->presenter,
         .pace = v->frame_stats.last,
@@ -143,6 +184,9 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .time = view_time(v),
         .sample_count = v->progressive.shown_count,
         .sample_goal = v->progressive.target_count,
+        .sample_seconds = v->progressive.sample_seconds,
+        .is_first_sample = view_progressive_is_first(v),
+        .is_stopped = v->progressive.is_stopped,
         .seconds_left = view_progressive_seconds_left(v),
         .shows_hint = !v->has_orbited,
         .layout = &v->layout,
@@ -155,6 +199,10 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .left = left,
         .right = right,
         .shows_error_map = v->compare.wants_error_map,
+        .error_map =
+            v->compare.wants_error_map && v->compare.has_error_image && !v->compare.flip_map.runs
+                ? &v->compare.flip_map
+                : NULL,
     };
     v->frame_stats.last = (struct ui_frame_pacing){ 0 };
     v->inspector.is_open = false;

@@ -28,13 +28,6 @@ static bool differ(float a, float b)
     return a < b || a > b;
 }
 
-static bool is_same_camera(const struct camera *a, const struct camera *b)
-{
-    return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
-           glms_vec3_eqv(a->up, b->up) && !differ(a->fov_deg, b->fov_deg) &&
-           !differ(a->height, b->height) && !differ(a->depth, b->depth);
-}
-
 static bool refines(const struct view *v)
 {
     return v->viewport && v->viewport->is_progressive && v->viewport->renderer &&
@@ -44,7 +37,7 @@ static bool refines(const struct view *v)
 bool view_progressive_is_same(const struct view_identity *a, const struct view_identity *b)
 {
     const struct settings settings = viewport_with_exposure(&a->settings, &b->settings);
-    return a->renderer_version == b->renderer_version && is_same_camera(&a->camera, &b->camera) &&
+    return a->renderer_version == b->renderer_version && camera_is_equal(&a->camera, &b->camera) &&
            !differ(a->time, b->time) && settings_equal(&settings, &b->settings);
 }
 
@@ -76,7 +69,7 @@ static bool has_current_samples(const struct view *v)
 double view_progressive_wait(const struct view *v)
 {
     const struct view_progressive *r = &v->progressive;
-    if (!refines(v) || !r->has_identity || r->count >= r->target_count)
+    if (!refines(v) || !r->has_identity || r->count >= r->target_count || r->is_stopped)
         return -1.0;
     const double left = r->moved_at + rest_seconds - clock_seconds();
     return r->skips_rest || left < 0.0 ? 0.0 : left;
@@ -88,6 +81,25 @@ double view_progressive_seconds_left(const struct view *v)
     const double taken = clock_seconds() - r->begun_at;
     return r->count && r->count < r->target_count ? taken * (r->target_count - r->count) / r->count
                                                   : 0.0;
+}
+
+void view_progressive_stop(struct view *v)
+{
+    struct view_progressive *r = &v->progressive;
+    if (r->is_stopped || !r->has_identity || r->count >= r->target_count) {
+        if (r->is_stopped)
+            ui_show_message(v->ui, "drawing continues");
+        r->is_stopped = false;
+        return;
+    }
+    r->is_stopped = true;
+    ui_show_message(v->ui, "drawing stopped; Esc continues");
+}
+
+bool view_progressive_is_first(const struct view *v)
+{
+    const struct view_progressive *r = &v->progressive;
+    return r->has_identity && !r->shown_count && (r->count || r->is_partial);
 }
 
 static bool is_to_be_shown(const struct view_progressive *r)
@@ -166,6 +178,12 @@ static enum status draw_full_draft(struct view *v)
     return status;
 }
 
+static enum status rebuild(void *user)
+{
+    struct view *v = user;
+    return viewport_rebuild(v->viewport);
+}
+
 /* Does one preparation before the next sample, for example creates the draft renderers or draws a
  * full-size draft. Sets *drew to false if there is nothing to prepare. */
 static enum status prepare(struct view *v, bool *drew)
@@ -182,7 +200,7 @@ static enum status prepare(struct view *v, bool *drew)
     if (!r->count && viewport_is_outgrown(p)) {
         presenter_disconnect(&v->presenter);
         v->changed = true; /* the new renderers start from the first sample */
-        return viewport_rebuild(p);
+        return worker_run(&v->window, rebuild, v);
     }
     const bool is_soon = r->sample_seconds > 0.0 && r->sample_seconds <= soon_seconds;
     if (!r->count && !r->has_full_draft && p->shows_draft && !is_soon)
@@ -212,6 +230,8 @@ static enum status draw_part(struct view *v)
     r->begun_at = is_first && !r->count ? start : r->begun_at;
     r->sample_begun_at = is_first ? start : r->sample_begun_at;
     r->is_partial = !is_done;
+    if (is_first && !r->count)
+        ui_wake(v->ui); /* for the text on progress */
     if (is_done) {
         r->count++;
         r->sample_seconds = clock_seconds() - r->sample_begun_at;
@@ -229,7 +249,8 @@ enum status view_progressive_step(struct view *v, bool *drew)
     *drew = false;
     if (!refines(v) || !has_current_samples(v) || (wait > 0.0))
         return STATUS_OK;
-    const enum status status = v->progressive.is_partial ? STATUS_OK : prepare(v, drew);
+    const bool prepares = !v->progressive.is_partial && !v->progressive.is_stopped;
+    const enum status status = prepares ? prepare(v, drew) : STATUS_OK;
     if (status != STATUS_OK || *drew || !is_due)
         return status;
     *drew = true;
@@ -257,7 +278,7 @@ enum status view_progressive_draw(struct view *v, const struct renderer_shot *sh
     r->identity = now;
     r->has_identity = true;
     r->count = r->shown_count = 0;
-    r->has_full_draft = r->is_partial = false;
+    r->has_full_draft = r->is_partial = r->is_stopped = false;
     r->moved_at = first ? 0.0 : clock_seconds();
     v->redrawn = true;
     return status;

@@ -29,6 +29,7 @@ struct view_progressive {
     double begun_at;              /* start of sample 0, seconds */
     double sample_begun_at;       /* start of the sample that is drawn, seconds */
     double sample_seconds;        /* last duration, seconds; 0 if none */
+    bool is_stopped;              /* by the user, until the view changes */
     bool is_partial;              /* a sample is drawn in part */
     double moved_at;              /* last interaction, seconds */
     double shown_at;              /* last displayed mean, seconds */

@@ -610,7 +610,7 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
         state.scene.material = NULL;
         state.camera = NULL;
         state.scene.animation = NULL;
-        state.scene.material_override_count = 0;
+        state.scene.material_override_count = state.scene.object_transform_count = 0;
         if (scene_find_builtin(path))
             state.scene.ground = (struct stage_params){ 0 };
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
@@ -622,13 +622,11 @@ enum status viewport_load(struct viewport **viewport, const char *path, bool *re
     return status;
 }
 
-enum status viewport_replace_materials(struct viewport **viewport, const char *material)
+enum status viewport_reload(struct viewport **viewport, const struct setup_scene *scene)
 {
     struct setup_image state = (*viewport)->state;
+    state.scene = *scene;
     state.scene.settings = state.scene.user_settings;
-    state.scene.exposure.is_chosen = false;
-    state.scene.material = material;
-    state.scene.material_override_count = 0;
     state.scene.quiet = (*viewport)->quiet;
     return replace(viewport, &state, true);
 }

@@ -75,8 +75,9 @@ MUST_USE enum status viewport_resize(struct viewport *p, VkExtent2D size);
 MUST_USE enum status viewport_change(struct viewport **viewport, const struct setup_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
-/* Loads the scene again with a material (--material) for all nodes. Keeps the camera. */
-MUST_USE enum status viewport_replace_materials(struct viewport **viewport, const char *material);
+/* Loads the scene again with other options. Its settings become those of the user, completed by the
+ * scene. Keeps the camera. */
+MUST_USE enum status viewport_reload(struct viewport **viewport, const struct setup_scene *scene);
 
 /* Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.
  * On success *viewport is replaced by one of the same size and *remade is true; on failure it

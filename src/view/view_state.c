@@ -7,11 +7,13 @@
 #include "src/render/frame/pass_list.h"
 #include "src/settings/scene_settings.h"
 #include "src/view/view_internal.h"
+#include "src/view/window/worker_thread.h"
 
 void view_set_title(struct view *v, const char *what)
 {
     char title[256];
     snprintf(title, sizeof(title), "firn: %s", what);
+    snprintf(v->busy, sizeof(v->busy), "%s", what);
     window_title(&v->window, title);
 }
 
@@ -89,6 +91,7 @@ void view_show_name(struct view *v)
     else
         snprintf(words, sizeof(words), "%s%s", p->scene.name, v->paused ? ", paused" : "");
     view_set_title(v, words);
+    *v->busy = '\0';
 }
 
 void view_show_ui(struct view *v, bool shown)
@@ -116,6 +119,12 @@ void view_seek(struct view *v, float time)
     v->changed = true;
 }
 
+static enum status rebuild(void *user)
+{
+    struct view *v = user;
+    return viewport_rebuild(v->viewport);
+}
+
 /* Sets the camera. If the projection changes, replaces the renderers. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {
@@ -127,7 +136,7 @@ void view_use_camera(struct view *v, const struct camera *camera)
         return;
     presenter_disconnect(&v->presenter);
     view_clear_errors(v);
-    if (viewport_rebuild(p) == STATUS_OK)
+    if (worker_run(&v->window, rebuild, v) == STATUS_OK)
         return;
     p->camera = before;
     view_fail(v, "the projection was not changed");

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/view/panels/ui_busy_box.h"
 #include "src/view/session/recent_files.h"
 #include "src/view/shader_reload.h"
 #include "src/view/view_internal.h"
@@ -11,6 +12,7 @@
 
 /* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;
+static const double busy_seconds = 0.2; /* duration of jobs without a spinner, seconds */
 static const double idle_seconds = 0.1; /* poll interval while nothing is drawn, seconds */
 
 /* ---- startup and shutdown ---- */
@@ -39,6 +41,22 @@ static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
     };
 }
 
+/* Shows a spinner and what the worker thread does, in the middle of the image. */
+static void show_busy(void *user, double seconds)
+{
+    struct view *v = user;
+    const VkExtent2D size = window_size(&v->window);
+    const VkRect2D image = v->layout.image;
+    if (!v->ui || seconds < busy_seconds || !size.width || v->options->window->frame_count)
+        return;
+    const struct ui_busy_box box =
+        ui_busy_box_draw(v->ui, *v->busy ? v->busy : "rebuilding", seconds);
+    if (box.pixels)
+        window_show_pixels(&v->window, image.extent.width ? image : (VkRect2D){ .extent = size },
+                           box.pixels, (VkExtent2D){ box.width, box.height });
+    free(box.pixels);
+}
+
 static enum status open_window(struct view *v)
 {
     const struct window_params params = {
@@ -48,6 +66,8 @@ static enum status open_window(struct view *v)
         .background = theme_at(v->theme)->surround,
     };
     enum status status = window_init(&v->window, &params);
+    v->window.show_busy = show_busy;
+    v->window.busy_user = v;
     if (status == STATUS_OK)
         status = window_system(&v->window, &v->system);
     return status;
@@ -57,6 +77,8 @@ static enum status open_device(void *user)
 {
     struct view *v = user;
     struct gpu_params params = v->options->gpu;
+    if (shows_panels(v->options) || !v->options->window->frame_count)
+        ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
     params.windows = &v->system;
     enum status status = gpu_create(&v->gpu, &params);
     if (status == STATUS_OK)
@@ -71,8 +93,6 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->viewport)
         return viewport_upload(v->viewport);
-    if (shows_panels(v->options) || !v->options->window->frame_count)
-        ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
     return viewport_create(&v->viewport, &v->gpu, &v->initial_state, v->shader_reload,
                            v->options->quiet, !v->options->window->frame_count);
 }
@@ -120,6 +140,7 @@ static void finish(struct view *v)
     image_finish(&v->compare.file.linear);
     session_file_finish(&v->session);
     ui_thumbnails_finish(&v->thumbnails);
+    scene_objects_finish(&v->objects);
     viewport_destroy(v->viewport);
     undo_scenes_prune(&v->undo_scenes, NULL);
     shader_reload_destroy(v->shader_reload);
@@ -311,9 +332,13 @@ static void count_frame(struct view *v)
     if (v->redrawn && viewport_renderer(p, true))
         times[count++] = renderer_times(viewport_renderer(p, true));
     view_frame_stats_end(c, times, count, v->presenter.wait_seconds);
+    if (p->is_progressive && !v->redrawn)
+        c->last = (struct ui_frame_pacing){ 0 }; /* may have waited for a sample */
     if (p->is_progressive &&
         (v->redrawn || v->progressive.has_full_draft || v->progressive.shown_count == 1))
         view_frame_stats_image(c, v->redrawn);
+    if (v->progressive.shown_count && !v->redrawn)
+        view_frame_stats_sample(c);
     if (v->redrawn && p->is_progressive && !p->draft.is_off && c->last.frame > 0.0)
         dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame,
                                viewport_pass_seconds(p));
@@ -385,11 +410,10 @@ static enum status begin_device(struct view *v)
         return status;
     snprintf(words, sizeof(words), "loading %s", v->initial_state.scene.name);
     view_set_title(v, words);
-    status = worker_run(&v->window, load, v);
-    if (status != STATUS_OK || window_is_closed(&v->window))
-        return status;
     status = open_ui(v);
-    if (status != STATUS_OK)
+    if (status == STATUS_OK)
+        status = worker_run(&v->window, load, v);
+    if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
     view_set_title(v, "loading shaders");
     v->presenter.replace = v->shader_reload ? shader_reload_replace : NULL;
@@ -450,6 +474,7 @@ enum status viewer_run(const struct viewer_params *options)
         return log_out_of_memory(NULL);
     }
     v->options = options;
+    v->selected = SCENE_OBJECT_NONE;
     v->theme = options->window->theme;
     v->initial_state = *options->image;
     const struct reader_params *reader = &options->image->scene.reader;

@@ -347,6 +347,34 @@ class Scenes(Case):
         self.refuse(DATA, 'graph', 'points.ply', names=['faces'], env=NO_DRIVER)
         self.succeed('graph', 'strips.ply', '-q', env=NO_DRIVER)
 
+    def test_transforms_of_nodes(self):
+        """They draw what a file with other transforms does, and refuse what names nothing."""
+        wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
+
+        def draw(parts, *words):
+            (self.folder / 'a.gltf').write_text(boxes(*parts))
+            self.succeed('render', 'a.gltf', *words, *SMALL, '-r', 'reference', '--ground', 'none',
+                         '--eye', '0,0,9', '--target', '0,0,0', '--aov', 'Z', '-o', 'a.exr',
+                         env=NO_DRIVER)
+            return (self.folder / 'a.exr').read_bytes()
+
+        def planes(image):
+            return [round(x, 3) for x in Exr(image).read_planes(['Z'])['Z']]
+        for left, right in ((wood, wood), (glass(1.5), wood), (glass(1.5), glass(1.5))):
+            parts = [(left, [-1.5, 0, 0], 1), (right, [1.5, 0, 0], [0.5, 0.8, 0.3])]
+            moved = [parts[0], (right, [2, 0.5, 0], [0.6, 1.6, 1])]
+            made = draw(parts, '--hide', 'box 1')
+            self.assertEqual(planes(made), planes(draw(parts[:1])))
+            made = draw(parts, '--transform', 'box 1=0.5,0.5,0,0,90,0,2')
+            self.assertEqual(planes(made), planes(draw(moved)))
+            self.assertIn(b' transform=box 1=0.5,0.5,0,0,90,0,2 ', made)
+        for code, words, name in (
+                (USAGE, ('--transform', 'box 1=1,2'), 'box 1=1,2'),
+                (USAGE, ('--transform', '=1,2,3'), 'name of a node'),
+                (DATA, ('--hide', 'box 0', '--hide', 'box 1'), 'leaves no triangle')):
+            self.refuse(code, 'render', 'a.gltf', *words, '-o', 'a.png', names=[name],
+                        env=NO_DRIVER)
+
     def test_materials_of_nodes(self):
         wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
         parts = [(wood, [-1.5, 0, 0], 1), (wood, [1.5, 0, 0], 1)]

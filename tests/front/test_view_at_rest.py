@@ -102,14 +102,15 @@ class Still(PanelsCase):
         self.channel(window, pixels)
         self.press_until(window, 'z', 'false colours',
                          lambda: self.picture(window, self.PICTURE) != pixels)
+        wait_until('a legend', lambda: 'mean of R, G, B' in self.labels(), self.words)
         wait_until('the picture', lambda: self.picture(window, self.PICTURE) == pixels, self.words,
                    act=lambda: self.click(window, 'Reset'))
         self.close(window)
 
     def channel(self, window, pixels):
         """One alone is grey; there is a histogram of the picture, in stops."""
-        wait_until('a histogram', lambda: any(re.fullmatch(r'-\d+ to \d+ stops relative to 1', word)
-                                              for word in self.labels()), self.words)
+        wait_until('a histogram', lambda: 'stops relative to 1, number of pixels' in self.labels(),
+                   self.words)
 
         def look():
             shown = self.picture(window, self.PICTURE)
@@ -125,7 +126,7 @@ class Still(PanelsCase):
         step = itertools.cycle((8, -8))
 
         def look():
-            found = [re.fullmatch(r'(\d+×\d+)  [\d.]+ ms: .*', label) for label in self.labels()]
+            found = [re.fullmatch(r'(\d+×\d+)  [\d.]+ ms.*', label) for label in self.labels()]
             sizes.update(match[1] for match in found if match)
             return any(map(happens, sizes))
         self.desktop.do('mousemove', '--window', window, *start, 'mousedown', 1)

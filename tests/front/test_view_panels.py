@@ -6,8 +6,9 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CRACKED, PAPER, PLAIN, long, main, unsanitized  # noqa: E402
+from case import CRACKED, PAPER, PLAIN, SMALL_CUBE, long, main, unsanitized  # noqa: E402
 from desktop import PATIENCE, wait_until  # noqa: E402
+from gltf_file import boxes  # noqa: E402
 from test_view import CHECKED, TRIANGLES, WindowCase, png_pixels, png_size  # noqa: E402
 
 
@@ -166,6 +167,45 @@ class Panels(PanelsCase):
         wait_until(f'{group}, {row}', is_so, self.words,
                    act=lambda: is_so() or self.click(window, group))
 
+    def test_objects_are_selected_and_changed(self):
+        """By a click in the image and by the list; what changes them can be undone."""
+        wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
+        (self.folder / 'a.gltf').write_text(boxes((wood, [-1.5, 0, 0], 1), (wood, [1.5, 0, 0], 1)))
+        window = self.start_with_panels('--eye', '0,0,9', '--target', '0,0,0', '--ground', 'none',
+                                        '--set', 'tonemap.exposure=0', '--size', '300x300',
+                                        scene='a.gltf', plain=SMALL_CUBE)
+        wait_until('a selection', lambda: self.label('selected: box 0, wood'), self.words,
+                   act=lambda: self.move(window, (110, 150)))
+        self.choose(window, 'Kind', 'crystal')
+        self.wait_for_command(window, "--material 'box 0=diamond'",
+                              act=lambda: self.click(window, 'diamond'))
+        self.press(window, 'ctrl+z')
+        wait_until('undo', lambda: self.label('undo: box 0=diamond'), self.words)
+        self.assertNotIn('--material', self.command(window))
+        self.fold(window, 'Material', 'Material preset', False)
+        self.fold(window, 'Object', 'box 1', True)
+        self.wait_for_command(window, '--transform', 'box 0=0,', act=lambda: self.move(
+            window, *[self.place('Move Y', x) for x in (0.5, 0.6)]))
+        self.wait_for_command(window, "--hide 'box 1'",
+                              act=lambda: self.click(window, 'show box 1'))
+        self.press(window, 'ctrl+z')
+        self.wait_for_command(window, without='--hide')
+        self.close(window)
+
+    def test_drawing_stops_and_continues(self):
+        """Keys are for the image, also after a click in the panel."""
+        window = self.start_with_panels('--samples', '5000')
+        self.click(window, 'smooth')
+        for words in (', stopped; Esc continues', '.*s left.*'):
+            pattern = r'\d+×\d+  \d+/5000' + words
+            wait_until(pattern, lambda pattern=pattern: self.said(pattern), self.words,
+                       act=lambda: self.press(window, 'Escape'))
+        wait_until('it stops', lambda: self.said(r'.*stopped; Esc continues'), self.words,
+                   act=lambda: self.click(window, self.said(r'\d+×\d+  .*')[0]))
+        self.press(window, 'space')
+        wait_until('it plays', lambda: self.control('Pause'), self.words)
+        self.close(window)
+
     @long
     def test_the_camera_group(self):
         window = self.start_with_panels('--size', '480x400', plain=PLAIN)
@@ -182,7 +222,19 @@ class Panels(PanelsCase):
             self.click(window, projection)
             pictures.append(self.at_rest(window))
         self.assertNotEqual(*pictures)
+        self.press(window, 'ctrl+b')
+        self.wait_for_command(window, without='--eye', act=lambda: self.click(window, 'first'))
+        self.wait_for_command(window, '--eye', act=lambda: self.press(window, 'ctrl+1'))
+        self.wait_for_command(window, 'lens.focus', act=lambda: self.focus(window))
         self.close(window)
+
+    def focus(self, window):
+        """Opens the aperture, and focuses on what is at the middle of the image."""
+        self.move(window, *[self.place('lens.f_stop', x) for x in (0.02, 0.7)])
+        self.at_rest(window)
+        self.click(window, 'click a point')
+        self.at_rest(window)
+        self.move(window, (240, 200))
 
     def test_lists_choose_rungs_and_materials(self):
         second = self.names('rungs')[1]

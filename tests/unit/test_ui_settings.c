@@ -50,9 +50,36 @@ static void test_search(void **state)
     assert_false(ui_settings_contain(&row->name, 1, "ount", true));
 }
 
+/* Returns true if a setting has an effect in a scene at these settings. */
+static bool has_effect(const char *name, const struct settings *settings, const struct scene *scene)
+{
+    return !ui_setting_no_effect(settings_find(name), settings, scene);
+}
+
+static void test_effects(void **state)
+{
+    (void)state;
+    struct settings settings = settings_default();
+    struct scene scene = { .background.kind = SCENE_SKY };
+    assert_true(has_effect("sky.strength", &settings, &scene));
+    assert_false(has_effect("env.sun", &settings, &scene));
+    assert_false(has_effect("water.height", &settings, &scene));
+    scene.background.kind = SCENE_ENVIRONMENT;
+    scene.has_pool = true;
+    assert_false(has_effect("sky.strength", &settings, &scene));
+    assert_true(has_effect("env.sun", &settings, &scene));
+    assert_false(has_effect("env.sun_azimuth", &settings, &scene));
+    assert_true(has_effect("water.height", &settings, &scene));
+    assert_true(has_effect("cracks.size", &settings, &scene));
+    settings_set_value(&settings, settings_find("cracks.count"), 0);
+    assert_false(has_effect("cracks.size", &settings, &scene));
+    assert_true(has_effect("cracks.count", &settings, &scene));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_effects),
         cmocka_unit_test(test_widgets),
         cmocka_unit_test(test_rows_fit),
         cmocka_unit_test(test_search),

@@ -89,7 +89,9 @@ enum status option_node_material(const struct option *option, struct setup_scene
         return option_refuse_name(option, OPTION_MATERIALS, name, strcspn(name, ","));
     }
     struct material_override *made = &scene->material_overrides[scene->material_override_count];
-    *made = (struct material_override){ .words = value, .material = material_of_choice(&choice) };
+    *made = (struct material_override){ .material = material_of_choice(&choice) };
+    if (snprintf(made->words, sizeof(made->words), "%s", value) >= MATERIAL_OVERRIDE_SIZE)
+        return option_refuse(option, value, "at most 255 bytes");
     snprintf(made->name, sizeof(made->name), "%.*s", (int)(end - value), value);
     if (!made->name[0])
         return option_refuse(option, value, "the name of a node before '='");

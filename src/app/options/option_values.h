@@ -44,7 +44,7 @@ enum status option_parse_names(const struct option *option, enum option_names na
 int option_find_word(const char *const *names, int count, const char *value);
 
 enum {
-    OPTION_NUMBERS_MAX = 4, /* maximum `count` of option_parse_numbers() */
+    OPTION_NUMBERS_MAX = 7, /* maximum `count` of option_parse_numbers() */
 };
 
 /* Parses numbers between separators. Returns true if there are exactly `count`, all finite. */

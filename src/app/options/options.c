@@ -6,6 +6,7 @@
 #include "src/app/app.h"
 #include "src/app/options/command_options.h"
 #include "src/app/options/image_options.h"
+#include "src/app/options/object_transform_option.h"
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/output_path_conflicts.h"
@@ -207,6 +208,10 @@ static const struct option options[] = {
       "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (default: 1)" },
     { "Scene", "rotate", 0, "X,Y,Z", IMAGES, SCENE(option_rotate),
       "rotation of the model about X, Y, Z, degrees; does not affect --surroundings" },
+    { "Scene", "transform", 0, "NODE=X,Y,Z", IMAGES, SCENE(option_transform),
+      "moves a node, metres; [,RX,RY,RZ[,S]] also rotates, degrees, and scales it" },
+    { "Scene", "hide", 0, "NODE", IMAGES, SCENE(option_hide),
+      "leaves out a node of the model file; repeatable" },
     { "Scene", "animation", 0, "NAME|N", IMAGES | APP_INFO, TEXT(image.scene.animation),
       "animation of the model file: name, number from 0, or none (default: the first)" },
     { "Scene", "env", 'e', "FILE", IMAGES, INPUT(image.scene.environment),

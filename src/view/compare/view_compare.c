@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_internal.h"
+#include "src/view/window/worker_thread.h"
 
 static struct tonemap_params tone_of(const struct view *v)
 {
@@ -52,15 +53,26 @@ void view_compare_choose(struct view *v, struct view_state *state, enum view_sid
     state->right_settings = c->stored.settings;
 }
 
+struct split {
+    struct view *view;
+    const struct view_state *state;
+};
+
+static enum status split(void *user)
+{
+    const struct split *to = user;
+    const struct view_state *state = to->state;
+    const bool live = state->side_b == VIEW_SIDE_B_MODEL || state->side_b == VIEW_SIDE_B_STATE;
+    return viewport_split(to->view->viewport, live ? state->split : NULL,
+                          state->side_b == VIEW_SIDE_B_STATE ? &state->right_settings : NULL);
+}
+
 enum status view_compare_use(struct view *v, const struct view_state *state)
 {
     struct view_compare *c = &v->compare;
-    const bool live = state->side_b == VIEW_SIDE_B_MODEL || state->side_b == VIEW_SIDE_B_STATE;
     view_compare_stop(v);
     presenter_disconnect(&v->presenter);
-    const enum status status =
-        viewport_split(v->viewport, live ? state->split : NULL,
-                       state->side_b == VIEW_SIDE_B_STATE ? &state->right_settings : NULL);
+    const enum status status = worker_run(&v->window, split, &(struct split){ v, state });
     if (status != STATUS_OK)
         return status;
     c->side_b = state->side_b;

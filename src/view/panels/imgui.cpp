@@ -1,5 +1,6 @@
 /* imgui.cpp: C wrapper of Dear ImGui: context, style, fonts and frames. */
 #include "src/view/panels/imgui.h"
+#include <cmath>
 #include <cstring>
 #include <new>
 #ifdef IMGUI_FREETYPE
@@ -325,6 +326,11 @@ bool imgui_wants_mouse(const struct imgui *ui, float x, float y)
     return ui->popup;
 }
 
+bool imgui_has_popup(const struct imgui *ui)
+{
+    return ui->popup;
+}
+
 bool imgui_wants_keyboard(const struct imgui *)
 {
     return ImGui::GetIO().WantCaptureKeyboard;
@@ -344,4 +350,69 @@ const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count)
 uint32_t imgui_gesture(const struct imgui *ui)
 {
     return ui->gesture;
+}
+
+/* ---- drawing without a frame or a device ---- */
+
+/* Calls `paint` for each glyph of a text, with its distance from the text's left. */
+template <typename Paint> static float for_glyphs(const char *text, const Paint &paint)
+{
+    const ImFont *font = ImGui::GetIO().Fonts->Fonts[0];
+    float x = 0.0f;
+    while (*text) {
+        unsigned int character;
+        text += ImTextCharFromUtf8(&character, text, nullptr);
+        const ImFontGlyph *glyph = font->FindGlyph(static_cast<ImWchar>(character));
+        if (!glyph)
+            continue;
+        paint(*glyph, x);
+        x += glyph->AdvanceX;
+    }
+    return x;
+}
+
+float imgui_painted_width(const struct imgui *, const char *text)
+{
+    return for_glyphs(text, [](const ImFontGlyph &, float) {});
+}
+
+/* Blends the coverage of a glyph's texels into a canvas. */
+static void paint_glyph(const ImFontGlyph &glyph, int left, int top,
+                        const struct imgui_canvas *canvas)
+{
+    unsigned char *texels;
+    int width;
+    int height;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&texels, &width, &height);
+    const int u = static_cast<int>(lroundf(glyph.U0 * static_cast<float>(width)));
+    const int v = static_cast<int>(lroundf(glyph.V0 * static_cast<float>(height)));
+    const int columns = static_cast<int>(lroundf(glyph.X1 - glyph.X0));
+    const int rows = static_cast<int>(lroundf(glyph.Y1 - glyph.Y0));
+    for (int i = 0; i < columns * rows; i++) {
+        const int x = left + static_cast<int>(glyph.X0) + i % columns;
+        const int y = top + static_cast<int>(glyph.Y0) + i / columns;
+        if (x < 0 || y < 0 || x >= static_cast<int>(canvas->width) ||
+            y >= static_cast<int>(canvas->height))
+            continue;
+        const uint32_t cover = texels[(v + i / columns) * width + u + i % columns];
+        uint32_t &pixel = canvas->pixels[y * static_cast<int>(canvas->width) + x];
+        uint32_t mixed = 0;
+        for (uint32_t shift = 0; shift < 24; shift += 8)
+            mixed |=
+                ((pixel >> shift & 255) * (255 - cover) + (canvas->rgb >> shift & 255) * cover) /
+                    255
+                << shift;
+        pixel = mixed;
+    }
+}
+
+void imgui_paint_text(const struct imgui *, const char *text, int x,
+                      const struct imgui_canvas *canvas)
+{
+    const int top = (static_cast<int>(canvas->height) -
+                     static_cast<int>(ImGui::GetIO().Fonts->Fonts[0]->FontSize)) /
+                    2;
+    for_glyphs(text, [&](const ImFontGlyph &glyph, float from) {
+        paint_glyph(glyph, x + static_cast<int>(lroundf(from)), top, canvas);
+    });
 }

@@ -103,6 +103,7 @@ bool imgui_copy_draw_list(const struct imgui *ui, struct overlay_vertex *vertice
 
 bool imgui_wants_mouse(const struct imgui *ui, float x, float y); /* a panel covers this point */
 bool imgui_wants_keyboard(const struct imgui *ui);                /* a panel has the focus */
+bool imgui_has_popup(const struct imgui *ui);                     /* a list is open */
 bool imgui_wants_text(const struct imgui *ui);                    /* a text field has the focus */
 
 /* ---- panels, within a frame ---- */
@@ -128,8 +129,16 @@ void imgui_gap_end(void);
 
 void imgui_scroll_begin(const char *name);
 void imgui_scroll_end(void);
+
+/* A list that scrolls, `height` pixels high. */
+void imgui_list_begin(const char *name, float height);
+void imgui_list_end(void);
+float imgui_list_row_height(void); /* of rows with a check box */
+
 void imgui_focus_panel(const char *title); /* NULL clears the keyboard focus */
 bool imgui_is_active(void);                /* true while an item is used */
+bool imgui_is_item_active(void);           /* true while the last item is used */
+bool imgui_is_item_clicked(void);          /* true if the last item was clicked now */
 float imgui_scale(void);                   /* scale set by imgui_rescale() */
 const struct theme *imgui_theme(void);     /* current theme */
 float imgui_line_height(void);             /* height of a line of text */
@@ -151,10 +160,12 @@ void imgui_disabled_end(void);
 
 void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
-void imgui_value(const char *text);                    /* listed in imgui_items() */
-void imgui_name(const char *text);                     /* lists the last item in imgui_items() */
-void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
-void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
+void imgui_value(const char *text);            /* listed in imgui_items() */
+void imgui_name(const char *text);             /* lists the last item in imgui_items() */
+void imgui_text_at(float x, const char *text); /* dim, in the row of the last item */
+void imgui_text_beside(float x, float y, const char *text); /* dim, at a point of the window */
+void imgui_text_in(const char *text, uint32_t rgb);         /* colour 0xRRGGBB */
+void imgui_text_elided(const char *text, float width);      /* shortened by "..." in the middle */
 void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
 void imgui_align(void);                    /* aligns text with buttons */
 void imgui_warning(const char *text);      /* red, wrapped */
@@ -175,6 +186,11 @@ bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
 
+/* Draws a button that opens a menu. If it returns true, the menu's items and imgui_menu_end() must
+ * follow. */
+bool imgui_menu_begin(const char *label);
+void imgui_menu_end(void);
+
 struct imgui_slider_range {
     float min, max;
     const char *format; /* printf format; float or unsigned */
@@ -183,6 +199,8 @@ struct imgui_slider_range {
 
 bool imgui_slider(const char *label, float *value, const struct imgui_slider_range *slide);
 bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slider_range *slide);
+
+bool imgui_color(const char *label, float color[3]); /* sRGB-encoded, with a picker */
 
 /* Draws a number field with - and + buttons. Returns true when the input is complete. */
 bool imgui_number_field(const char *label, uint32_t *value);
@@ -205,6 +223,19 @@ const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
 /* Returns the current gesture number. Changes during one drag of a widget have the same number. */
 uint32_t imgui_gesture(const struct imgui *ui);
 
+/* ---- drawing without a frame or a device ---- */
+
+struct imgui_canvas {
+    uint32_t *pixels; /* 0xRRGGBB, top row first */
+    uint32_t width, height;
+    uint32_t rgb; /* colour of the text */
+};
+
+/* Paints a line of text from x on, at half the canvas's height. */
+void imgui_paint_text(const struct imgui *ui, const char *text, int x,
+                      const struct imgui_canvas *canvas);
+float imgui_painted_width(const struct imgui *ui, const char *text);
+
 /* ---- drawing ---- */
 
 #define IMGUI_RGBA(r, g, b, a) \
@@ -220,6 +251,12 @@ struct imgui_rect imgui_reserve(float width, float height);
 struct imgui_rect imgui_cursor(void); /* of the next item; size 0x0 */
 uint32_t imgui_rgba(uint32_t rgb);    /* converts 0xRRGGBB to packed RGBA */
 void imgui_rectangle(struct imgui_rect area, uint32_t color);
+
+/* Lines over an area beside the panels, in front of the image and behind later panels. */
+void imgui_lines_begin(struct imgui_rect area);
+void imgui_line(float x, float y, float to_x, float to_y, float width, uint32_t color);
+void imgui_lines_end(void);
+
 void imgui_cursor_tooltip(const char *text);   /* tooltip at the cursor */
 bool imgui_is_hovered(struct imgui_rect area); /* the cursor is in the rectangle */
 

@@ -65,6 +65,21 @@ void imgui_scroll_end(void)
     ImGui::EndChild();
 }
 
+void imgui_list_begin(const char *name, float height)
+{
+    ImGui::BeginChild(name, ImVec2(0.0f, height));
+}
+
+void imgui_list_end(void)
+{
+    ImGui::EndChild();
+}
+
+float imgui_list_row_height(void)
+{
+    return ImGui::GetFrameHeightWithSpacing();
+}
+
 /* Records the last widget for imgui_items(). Its name is the part of `label` before "##". If that
  * part has at most 2 characters, its name is the part after "##". */
 static void note(const char *label)
@@ -97,6 +112,16 @@ void imgui_focus_panel(const char *title)
 bool imgui_is_active(void)
 {
     return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+}
+
+bool imgui_is_item_active(void)
+{
+    return ImGui::IsItemActive();
+}
+
+bool imgui_is_item_clicked(void)
+{
+    return ImGui::IsItemClicked();
 }
 
 float imgui_scale(void)
@@ -213,6 +238,19 @@ void imgui_text_dim(const char *text)
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
+}
+
+void imgui_text_at(float x, const char *text)
+{
+    const float gap = (ImGui::GetItemRectSize().y - ImGui::GetTextLineHeight()) / 2.0f;
+    const ImVec2 from(x, ImGui::GetItemRectMin().y + gap);
+    ImGui::GetWindowDrawList()->AddText(from, ImGui::GetColorU32(ImGuiCol_TextDisabled), text);
+}
+
+void imgui_text_beside(float x, float y, const char *text)
+{
+    ImGui::GetWindowDrawList()->AddText(ImVec2(x, y), ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                                        text);
 }
 
 void imgui_value(const char *text)
@@ -401,10 +439,33 @@ bool imgui_combo(const char *label, const char *const *names, uint32_t count, ui
     return changed;
 }
 
+/* Draws a ring around the last item while it has the keys. */
+static void focus_ring()
+{
+    if (ImGui::IsItemActive())
+        ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                            ImGui::GetColorU32(ImGuiCol_NavHighlight),
+                                            ImGui::GetStyle().FrameRounding, 0,
+                                            2.0f * imgui_scale());
+}
+
+bool imgui_menu_begin(const char *label)
+{
+    if (imgui_button(label))
+        ImGui::OpenPopup("menu");
+    return ImGui::BeginPopup("menu");
+}
+
+void imgui_menu_end(void)
+{
+    ImGui::EndPopup();
+}
+
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size)
 {
     const bool changed = ImGui::InputTextWithHint(label, hint, text, size);
     note(label);
+    focus_ring();
     focus();
     return changed;
 }
@@ -415,10 +476,35 @@ static ImGuiSliderFlags slider_flags(const struct imgui_slider_range *slide)
            (slide->logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 
+/* Draws a slider as a bar below its number, so that no thumb covers the number. */
+static bool slider(const char *label, ImGuiDataType type, void *value, const void *min,
+                   const void *max, const struct imgui_slider_range *slide)
+{
+    const float scale = imgui_scale();
+    ImRect grab;
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImVec4());
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, ImVec4());
+    const bool changed =
+        ImGui::SliderScalar(label, type, value, min, max, slide->format, slider_flags(slide));
+    ImGui::PopStyleColor(2);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 to = ImGui::GetItemRectMax();
+    /* an ID that no item has makes this compute the thumb's position without any interaction */
+    ImGui::SliderBehavior(ImRect(from, to), ImGui::GetID("##thumb"), type, value, min, max,
+                          slide->format, slider_flags(slide), &grab);
+    const float x = (grab.Min.x + grab.Max.x) / 2.0f;
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_CheckMark);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(ImVec2(from.x + 2.0f * scale, to.y - 2.5f * scale),
+                        ImVec2(x, to.y - 1.0f * scale), color);
+    list->AddRectFilled(ImVec2(x - 2.0f * scale, to.y - 5.0f * scale),
+                        ImVec2(x + 2.0f * scale, to.y), color, scale);
+    return changed;
+}
+
 bool imgui_slider(const char *label, float *value, const struct imgui_slider_range *slide)
 {
-    const bool changed = ImGui::SliderFloat(label, value, slide->min, slide->max, slide->format,
-                                            slider_flags(slide));
+    const bool changed = slider(label, ImGuiDataType_Float, value, &slide->min, &slide->max, slide);
     note(label);
     return changed;
 }
@@ -427,8 +513,14 @@ bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_s
 {
     const uint32_t min = static_cast<uint32_t>(slide->min);
     const uint32_t max = static_cast<uint32_t>(slide->max);
-    const bool changed = ImGui::SliderScalar(label, ImGuiDataType_U32, value, &min, &max,
-                                             slide->format, slider_flags(slide));
+    const bool changed = slider(label, ImGuiDataType_U32, value, &min, &max, slide);
+    note(label);
+    return changed;
+}
+
+bool imgui_color(const char *label, float color[3])
+{
+    const bool changed = ImGui::ColorEdit3(label, color, ImGuiColorEditFlags_DisplayHex);
     note(label);
     return changed;
 }
@@ -439,6 +531,7 @@ bool imgui_number_field(const char *label, uint32_t *value)
     const bool changed = ImGui::InputScalar(label, ImGuiDataType_U32, value, &step, nullptr, "%u",
                                             ImGuiInputTextFlags_EnterReturnsTrue);
     note(label);
+    focus_ring();
     return changed;
 }
 
@@ -472,6 +565,27 @@ uint32_t imgui_rgba(uint32_t rgb)
 void imgui_rectangle(struct imgui_rect area, uint32_t color)
 {
     ImGui::GetWindowDrawList()->AddRectFilled(position(area), corner(area), color);
+}
+
+void imgui_lines_begin(struct imgui_rect area)
+{
+    ImGui::SetNextWindowPos(position(area));
+    ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
+    ImGui::Begin("lines", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+}
+
+void imgui_line(float x, float y, float to_x, float to_y, float width, uint32_t color)
+{
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(x, y), ImVec2(to_x, to_y), color, width);
+}
+
+void imgui_lines_end(void)
+{
+    ImGui::End();
 }
 
 void imgui_cursor_tooltip(const char *text)

@@ -132,7 +132,8 @@ bool ui_drags_image(const struct ui *ui)
 
 bool ui_can_skip_frame(const struct ui *ui, double now)
 {
-    return ui_drags_image(ui) && !ui_is_busy(ui) && now - ui->last_frame_at < drag_seconds;
+    return ui_drags_image(ui) && !ui_is_busy(ui) && !ui->has_outline &&
+           now - ui->last_frame_at < drag_seconds;
 }
 
 bool ui_is_busy(const struct ui *ui)
@@ -197,7 +198,7 @@ bool ui_toggle(struct ui *ui, enum view_action action)
 /* ---- input ---- */
 
 /* Handles a click on the image. If the inspector is open, a click pins the pixel under the cursor
- * or unpins the pinned pixel. A drag does neither. */
+ * or unpins the pinned pixel; else it selects the object there. A drag does neither. */
 static void handle_click(struct ui *ui, bool down)
 {
     const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);
@@ -206,11 +207,15 @@ static void handle_click(struct ui *ui, bool down)
         ui->press_y = ui->y;
     } else if (ui->tab == UI_INSPECT && moved <= click_reach)
         ui->pinned = !ui->pinned;
+    else
+        ui->has_clicked = moved <= click_reach;
 }
 
 static bool handle_button(struct ui *ui, const struct window_event *event)
 {
     const unsigned bit = 1u << (event->code & 31);
+    if (event->down)
+        ui->has_panel_keys = false;
     if (event->down && !ui->buttons)
         ui->pressed_panel = imgui_wants_mouse(ui->imgui, ui->x, ui->y);
     ui->buttons = event->down ? ui->buttons | bit : ui->buttons & ~bit;
@@ -219,9 +224,11 @@ static bool handle_button(struct ui *ui, const struct window_event *event)
     return ui->pressed_panel;
 }
 
+/* Returns true if keys are for the panels: in text fields, open lists, and after F6. */
 static bool has_keys(const struct ui *ui)
 {
-    return imgui_wants_keyboard(ui->imgui) && !ui->releases_keys;
+    return !ui->releases_keys && (imgui_wants_text(ui->imgui) || imgui_has_popup(ui->imgui) ||
+                                  (ui->has_panel_keys && imgui_wants_keyboard(ui->imgui)));
 }
 
 /* Handles a navigation key of the open command palette. Returns false for other keys. */
@@ -263,18 +270,21 @@ static bool handle_key(struct ui *ui, const struct window_event *event)
         !function && (event->control ? imgui_wants_text(ui->imgui) && is_for_text(event)
                                      : ui->focus_wait_frames || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
-        ui->focus_panel = true;
+        ui->focus_panel = ui->has_panel_keys = true;
         ui->focused_search = false;
         ui->focus_wait_frames = FOCUS_FRAMES;
         return true;
     }
     if (event->down && event->code == GLFW_KEY_ESCAPE && !imgui_is_active()) {
+        const bool closes = ui->keys_open || has_keys(ui);
         imgui_focus_panel(NULL);
-        ui->keys_open = false;
+        ui->keys_open = ui->has_panel_keys = false;
         ui->releases_keys = true;
-        return true;
+        return closes;
     }
-    ui_input_queue_add(&ui->input, event);
+    /* a key of the viewer must not also activate the widget that was used last */
+    if (keeps || !event->down || event->control || event->code >= GLFW_KEY_LEFT_SHIFT)
+        ui_input_queue_add(&ui->input, event);
     return keeps;
 }
 
@@ -361,6 +371,20 @@ static void take_input(struct ui *ui)
         ui->release = true; /* one Escape leaves the search field */
 }
 
+/* Turns a click on the image into a request to select what is there. */
+static void take_click(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    const struct present_area *p = view->image_area;
+    request->pick_x = p->width ? (ui->press_x - (float)p->x) / (float)p->width : -1.0f;
+    request->pick_y = p->height ? (ui->press_y - (float)p->y) / (float)p->height : -1.0f;
+    const bool is_inside = request->pick_x >= 0.0f && request->pick_x < 1.0f &&
+                           request->pick_y >= 0.0f && request->pick_y < 1.0f;
+    request->focuses = ui->has_clicked && is_inside && ui->focuses;
+    request->picks = ui->has_clicked && is_inside && !ui->focuses;
+    ui->focuses = ui->focuses && !request->focuses;
+    ui->has_clicked = false;
+}
+
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     struct imgui_input *input = &ui->input.now;
@@ -370,6 +394,9 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *requ
         .side_b = view->side_b,
         .split = view->viewport->state.split,
         .inspector_choice = view->inspector_choice,
+        .env_rotate = view->viewport->state.scene.env_rotate,
+        .env_exposure = view->viewport->state.scene.env_exposure,
+        .ground = view->viewport->state.scene.ground.ground,
     };
     take_input(ui);
     if (ui->input.event_count)
@@ -383,6 +410,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *requ
     measure(ui, view);
     ui->image_area = view->layout->image;
     ui->list.version += ui->list.version == UINT32_MAX ? 2 : 1;
+    take_click(ui, view, request);
     imgui_begin(ui->imgui, input);
     ui_panels(ui, view, request);
     imgui_end(ui->imgui);

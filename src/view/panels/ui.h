@@ -9,6 +9,7 @@
 #include "src/view/panels/ui_choice_thumbnails.h"
 #include "src/view/panels/ui_frame_bottleneck.h"
 #include "src/view/pixel_inspector.h"
+#include "src/view/scene_objects.h"
 #include "src/view/session/undo_stack.h"
 #include "src/view/view_renderers.h"
 #include "src/view/window/overlay_draw_list.h"
@@ -65,14 +66,22 @@ struct ui_view {
     struct pixel_inspector_choice inspector_choice;
     const struct present_area *image_area; /* image position in the window */
     enum view_side_b side_b;
-    const char *left, *right; /* labels of sides A and B */
-    bool has_stored;          /* VIEW_SIDE_B_STATE is available */
-    bool shows_error_map;     /* the error map is shown */
+    const char *left, *right;               /* labels of sides A and B */
+    bool has_stored;                        /* VIEW_SIDE_B_STATE is available */
+    bool shows_error_map;                   /* the error map is shown */
+    const struct flip_error_map *error_map; /* its errors; NULL while there are none */
     bool paused;
     float time;                         /* scene time, seconds */
     uint32_t sample_count, sample_goal; /* 0 during interaction */
     double seconds_left;                /* 0 if done or unknown */
+    double sample_seconds;              /* duration of the last sample; 0 if unknown */
+    bool is_first_sample;               /* samples are drawn, but none is shown yet */
+    bool is_stopped;                    /* the user has stopped drawing samples */
     bool shows_hint;                    /* the camera was never orbited */
+    uint32_t bookmark; /* index of the bookmark that the camera is at; UINT32_MAX for none */
+    const struct scene_objects *objects;
+    uint32_t selected; /* index of an object; SCENE_OBJECT_NONE if there is none */
+    const struct object_outline *outline; /* of the selected object */
 };
 
 /* Requests that the user made in the panels during one frame. */
@@ -92,6 +101,20 @@ struct ui_request {
     const struct technique *split;   /* model of side B, or NULL */
     float fov_deg;                   /* new field of view; 0 to keep it */
     struct material_choice material; /* for all of the model; preset NULL if there is none */
+    bool rotates;                    /* rotate the panorama to `env_rotate`, degrees */
+    float env_rotate;
+    bool reloads;       /* load the scene with another `env_exposure` or `ground` */
+    float env_exposure; /* stops */
+    enum stage_ground ground;
+    bool focuses; /* focus on what is at (pick_x, pick_y) */
+    bool picks;   /* select what is at (pick_x, pick_y), fractions of the image */
+    float pick_x, pick_y;
+    bool selects; /* select the object of index `selected` */
+    uint32_t selected;
+    bool overrides; /* give a node a material */
+    struct material_override override;
+    bool transforms; /* transform, hide or show a node */
+    struct object_transform transform;
 };
 
 /* Shows or hides the panel that belongs to an action. Returns true if the panel is now shown. */

@@ -1,6 +1,7 @@
 /* ui_choice_widgets.c: widgets that choose one of several values: list, buttons, thumbnails. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include "src/scene/bundled_assets.h"
 #include "src/view/panels/ui_internal.h"
 
@@ -9,8 +10,10 @@ enum {
     BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
 };
 
-static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
+static const float cell_width = 80.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
+static const float label_fraction = 0.49f; /* start of the control / row width */
+static const float narrow = 200.0f;        /* below this width, controls are below their labels */
 
 /* Draws the label on the left of a control that starts at `x`. */
 static void head(const char *name, float x, const char *tip)
@@ -25,9 +28,13 @@ static void head(const char *name, float x, const char *tip)
  */
 static void begin_row(const char *name, const char *tip, char id[static ID_SIZE])
 {
-    const float x = imgui_available_width() * 0.46f;
-    head(name, x, tip);
-    imgui_same_line(x);
+    const float x = imgui_available_width() * label_fraction;
+    const bool is_narrow = imgui_available_width() < narrow * imgui_scale();
+    head(name, is_narrow ? imgui_available_width() : x, tip);
+    if (is_narrow)
+        imgui_indent(8.0f * imgui_scale());
+    else
+        imgui_same_line(x);
     imgui_next_width(imgui_available_width());
     snprintf(id, ID_SIZE, "##%s", name);
 }
@@ -52,12 +59,39 @@ bool ui_named_slider(const char *name, float *value, const struct imgui_slider_r
     return changed;
 }
 
+bool ui_named_color(const char *name, const char *id, float color[static 3], const char *tip)
+{
+    char unused[ID_SIZE];
+    char label[ID_SIZE];
+    begin_row(name, tip, unused);
+    snprintf(label, sizeof(label), "##%s", id);
+    const bool changed = imgui_color(label, color);
+    imgui_tooltip(tip);
+    return changed;
+}
+
+bool ui_deferred_slider(struct ui *ui, const char *name, float *value,
+                        const struct imgui_slider_range *range, const char *tip)
+{
+    float shown = !strcmp(ui->deferred, name) ? ui->deferred_value : *value;
+    if (ui_named_slider(name, &shown, range, tip)) {
+        snprintf(ui->deferred, sizeof(ui->deferred), "%s", name);
+        ui->deferred_value = shown;
+    }
+    if (strcmp(ui->deferred, name) != 0 || imgui_is_item_active())
+        return false;
+    *ui->deferred = '\0';
+    const bool changed = shown < *value || shown > *value;
+    *value = shown;
+    return changed;
+}
+
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip)
 {
     const float all = imgui_available_width();
     const float gap = 6.0f * imgui_scale();
-    const float x = all * 0.46f;
+    const float x = all * label_fraction;
     float at = x;
     bool changed = false;
     head(name, x, tip);

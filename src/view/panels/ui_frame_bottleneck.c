@@ -1,5 +1,6 @@
 /* ui_frame_bottleneck.c: running means of frame times, and what limits the frame rate. */
 #include "src/view/panels/ui_frame_bottleneck.h"
+#include <stddef.h>
 
 static const double smoothing = 0.1; /* weight of the newest frame */
 static const double busy = 0.8;      /* fraction of frame time above which the GPU is the limit */
@@ -16,14 +17,20 @@ void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pac
     if (sample->frame <= 0.0)
         return;
     mix(&pace->frame, sample->frame, by);
-    mix(&pace->device, sample->device, by);
+    if (sample->device < 0.0 || pace->device < 0.0)
+        pace->device = sample->device;
+    else
+        mix(&pace->device, sample->device, by);
     mix(&pace->screen, sample->screen, by);
 }
 
-/* Checks the device first, because a slow device also prolongs the wait for the screen. */
+/* Checks the device first, because a slow device also prolongs the wait for the screen: what counts
+ * is the rest of that wait. */
 const char *ui_frame_pacing_limit(const struct ui_frame_pacing *pace)
 {
+    if (pace->device < 0.0)
+        return NULL;
     if (pace->device > busy * pace->frame)
         return "the device";
-    return pace->screen > waits * pace->frame ? "the screen" : "the host";
+    return pace->screen - pace->device > waits * pace->frame ? "the screen" : "the host";
 }

@@ -39,6 +39,7 @@ struct ui {
     const struct ui_thumbnails *thumbnails;
     bool focus_panel, focus_search;    /* focus requests for the next frame */
     bool focused_search;               /* focus request was for the search */
+    bool has_panel_keys;               /* F6 has given the keys to the panels */
     bool releases_keys;                /* next frame's keys control the image */
     uint32_t focus_wait_frames;        /* frames to wait for the focus */
     uint32_t pending_frames;           /* frames still to be drawn */
@@ -49,7 +50,13 @@ struct ui {
     float press_x, press_y;            /* last left button press */
     unsigned buttons;                  /* bit b: mouse button b pressed */
     bool pressed_panel;                /* they were pressed over a panel */
-    bool is_full;                      /* vertex limit exceeded, logged once */
+    bool has_clicked;                  /* the image was clicked at (press_x, press_y) */
+    bool has_outline;                  /* an object is outlined in the image */
+    char deferred[64];                 /* slider whose value is used when it is released, or "" */
+    float deferred_value;
+    bool focuses;            /* the next click on the image sets the focus */
+    float absorption_length; /* distance of the colour of absorption; 0 at first */
+    bool is_full;            /* vertex limit exceeded, logged once */
     char filter[64];
     char message[600];
     bool is_failure;       /* `message` is a failure */
@@ -63,7 +70,7 @@ void ui_toolbar(const struct ui_view *view, struct ui_request *request);
 void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 void ui_timeline(const struct ui_view *view,
                  struct ui_request *request); /* ui_playback.c: timeline */
-void ui_status(const struct ui *ui, const struct ui_view *view);
+void ui_status(const struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
 /* Draws a drop-down list with a label. Returns true if the choice has changed. */
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
@@ -85,6 +92,9 @@ bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 bool ui_named_slider(const char *name, float *value, const struct imgui_slider_range *range,
                      const char *tip);
 
+/* Draws a label and a colour, sRGB-encoded, that opens a picker. `id` names it for scripts. */
+bool ui_named_color(const char *name, const char *id, float color[static 3], const char *tip);
+
 /* Draws a label and exclusive buttons on as many lines as needed. Returns true if one is chosen. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip);
@@ -94,7 +104,22 @@ const char *ui_environment(uint32_t i);
 
 struct imgui_rect ui_rect_of(VkRect2D rectangle);
 
-/* Draws the camera's field of view, directions and projection (ui_camera.c). */
-void ui_camera_rows(const struct ui_view *view, struct ui_request *request);
+/* Draws the colour bar of the error map or of false colours over the image (ui_legend.c). */
+void ui_legend(struct ui *ui, const struct ui_view *view);
+
+/* Draws the camera's field of view, focus, bookmarks, directions and projection (ui_camera.c). */
+void ui_camera_rows(struct ui *ui, const struct ui_view *view, struct ui_request *request);
+
+/* Draws environments, rotation and exposure of the panorama, and the ground (ui_environment.c). */
+void ui_environment_rows(struct ui *ui, const struct ui_view *view, struct ui_request *request);
+
+/* Draws the absorption as the colour of light after a distance (ui_absorption.c). `scale` is the
+ * factor on absorption coefficients, setup_absorption_scale(). Returns true if it was changed. */
+bool ui_absorption_rows(struct ui *ui, struct settings *settings, float scale);
+
+/* Draws a slider of a value whose change reloads the scene. Returns true if it was released at
+ * another value, which it then writes to *value. `name` identifies the slider. */
+bool ui_deferred_slider(struct ui *ui, const char *name, float *value,
+                        const struct imgui_slider_range *range, const char *tip);
 
 #endif

@@ -10,12 +10,12 @@
 #include "src/tech/refract/refract.h"
 #include "src/tech/trace/refract_trace.h"
 #include "src/view/panels/ui_internal.h"
+#include "src/view/panels/ui_objects.h"
 #include "src/view/panels/ui_pixel_inspector.h"
 #include "src/view/panels/ui_settings.h"
 
 enum {
     MATERIAL_MAX = 96, /* maximum number of material presets */
-    ENVIRONMENT_MAX = 8,
     REFRACTION_MAX = 32,
     OTHER_COUNT = 3, /* side-B choices besides the refraction models */
 };
@@ -35,23 +35,6 @@ static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX],
         chosen = refraction == next ? *count : chosen;
     }
     return chosen;
-}
-
-static void environment_buttons(const struct ui_view *view, struct ui_request *request)
-{
-    const char *names[ENVIRONMENT_MAX];
-    const char *now = view->viewport->state.scene.environment;
-    const bool is_sky = view->viewport->scene.background.kind == SCENE_SKY;
-    uint32_t count = 0;
-    uint32_t chosen = is_sky ? 0 : UINT32_MAX;
-    for (; count < ENVIRONMENT_MAX && ui_environment(count); count++) {
-        names[count] = ui_environment(count);
-        chosen = now && !strcmp(now, names[count]) ? count : chosen;
-    }
-    if (ui_named_buttons("Environment", names, count, &chosen,
-                         "surrounding panorama (--env); or drop an .exr or .hdr file") &&
-        !request->open)
-        request->open = strdup(names[chosen]);
 }
 
 static void quality_list(struct ui_request *request)
@@ -141,13 +124,17 @@ static float absorption_scale(const struct ui_view *view)
     return setup_absorption_scale(view->viewport->state.scene.name, &view->viewport->scene);
 }
 
-/* Chooses a preset and a finish: for objects whose material the settings define, by these, else
- * instead of the model's own materials. A rough finish selects refraction model `trace`, which
- * draws it. */
+/* Chooses a preset and a finish: for the selected object, for objects whose material the settings
+ * define by these, else instead of the model's own materials. A rough finish selects refraction
+ * model `trace`, which draws it. */
 static void choose_material(const struct ui_view *view, struct ui_request *request,
                             const struct material_choice *choice)
 {
     const struct scene *scene = &view->viewport->scene;
+    if (ui_objects_have_own_material(view)) {
+        ui_objects_choose_material(view, request, choice);
+        return;
+    }
     if (!scene->model.object.index_count || !frame_media_are_from_settings(scene)) {
         request->material = *choice;
         return;
@@ -179,26 +166,51 @@ static void kind_list(struct ui *ui, const struct material_preset *is)
                   "kind of the materials shown below");
 }
 
+/* Returns the material of the selected object, else of all objects; preset NULL if unknown. */
+static struct material_choice current_material(const struct ui_view *view,
+                                               const struct ui_request *request)
+{
+    const struct scene *scene = &view->viewport->scene;
+    const struct material_override *override = ui_objects_override(view);
+    const struct scene_object *object = ui_objects_selected(view);
+    struct material_choice is = { 0 };
+    if (override) {
+        const char *name = &override->words[strlen(override->name) + 1];
+        material_choice_parse(&is, name, strcspn(name, ","));
+    } else if (ui_objects_have_own_material(view)) {
+        if (object->is_refractive)
+            material_choice_parse(&is, object->material, strlen(object->material));
+    } else if (scene->model.object_count == 1 ||
+               (scene->model.object_count && frame_media_are_from_settings(scene))) {
+        const char *name = scene->model.materials[scene->model.objects[0].material].name;
+        is.preset = setup_find_material(&request->settings, absorption_scale(view));
+        is.finish = find_finish(request);
+        if (!is.preset && !frame_media_are_from_settings(scene))
+            material_choice_parse(&is, name, strlen(name)); /* a file rounds its index */
+    }
+    return is;
+}
+
 /* Draws the choice of a smooth, rough or frosted surface. */
 static void finish_buttons(const struct ui_view *view, struct ui_request *request,
-                           const struct material_preset *is)
+                           const struct material_choice *is)
 {
     const char *names[] = { "smooth", material_finishes[0].name, material_finishes[1].name };
-    const struct material_finish *finish = find_finish(request);
-    uint32_t chosen = finish ? 1 + (uint32_t)(finish - material_finishes) : 0;
-    if (!is || !ui_named_buttons("Surface", names, 3, &chosen,
-                                 "finish of the surface; rough ones need refraction model trace"))
+    uint32_t chosen = is->finish ? 1 + (uint32_t)(is->finish - material_finishes) : 0;
+    if (!is->preset ||
+        !ui_named_buttons("Surface", names, 3, &chosen,
+                          "finish of the surface; rough ones need refraction model trace"))
         return;
     choose_material(
         view, request,
-        &(struct material_choice){ is, chosen ? &material_finishes[chosen - 1] : NULL });
+        &(struct material_choice){ is->preset, chosen ? &material_finishes[chosen - 1] : NULL });
 }
 
 /* Draws buttons for the material presets of one kind. */
 static void material_buttons(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
-    const struct material_preset *is =
-        setup_find_material(&request->settings, absorption_scale(view));
+    const struct material_choice now = current_material(view, request);
+    const struct material_preset *is = now.preset;
     const uint32_t *all = thumbnails_if_high(ui, view, ui->thumbnails->materials);
     const struct material_preset *shown[MATERIAL_MAX];
     const char *names[MATERIAL_MAX], *tips[MATERIAL_MAX];
@@ -222,21 +234,49 @@ static void material_buttons(struct ui *ui, const struct ui_view *view, struct u
         .count = count,
     };
     if (ui_gallery(&gallery, &chosen))
-        choose_material(view, request,
-                        &(struct material_choice){ shown[chosen], find_finish(request) });
-    finish_buttons(view, request, is);
+        choose_material(view, request, &(struct material_choice){ shown[chosen], now.finish });
+    finish_buttons(view, request, &now);
+}
+
+/* Draws for which objects the material is, and the choice of it. */
+static void material_group(struct ui *ui, const struct ui_view *view, struct ui_request *request)
+{
+    char text[MATERIAL_NAME_SIZE + 64];
+    const struct scene *scene = &view->viewport->scene;
+    const struct scene_object *object = ui_objects_selected(view);
+    const char *reason = ui_objects_why_no_material(view);
+    if (ui_objects_have_own_material(view))
+        snprintf(text, sizeof(text), "Material of %s", object->label);
+    else if (!frame_media_are_from_settings(scene) || !scene->model.object_count)
+        snprintf(text, sizeof(text), "Material of all objects; click one to choose its own");
+    else
+        *text = '\0';
+    if (*text)
+        imgui_text_wrapped(text);
+    if (reason)
+        imgui_text_wrapped(reason);
+    imgui_disabled_begin(reason);
+    material_buttons(ui, view, request);
+    if (ui_objects_have_own_material(view) && !reason)
+        ui_objects_material_rows(ui, view, request);
+    else if (!reason)
+        request->changed =
+            ui_absorption_rows(ui, &request->settings, absorption_scale(view)) || request->changed;
+    imgui_disabled_end();
 }
 
 /* Draws a group's lists of presets, environments and refraction models. */
 static void lists(struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
                   struct ui_request *request)
 {
+    if (group == UI_OBJECT)
+        ui_objects_rows(ui, view, request);
     if (group == UI_MATERIAL)
-        material_buttons(ui, view, request);
+        material_group(ui, view, request);
     if (group == UI_CAMERA)
-        ui_camera_rows(view, request);
+        ui_camera_rows(ui, view, request);
     if (group == UI_LIGHT)
-        environment_buttons(view, request);
+        ui_environment_rows(ui, view, request);
     if (group == UI_QUALITY) {
         quality_list(request);
         refraction_lists(ui, view, request);
@@ -267,8 +307,9 @@ static void groups(struct ui *ui, const struct ui_view *view, const struct ui_se
                 imgui_text_wrapped(reason);
             imgui_disabled_begin(reason);
             lists(ui, g, view, request);
-            request->changed =
-                ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
+            if (g != UI_MATERIAL || !ui_objects_have_own_material(view))
+                request->changed =
+                    ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
             imgui_disabled_end();
         }
         imgui_id_end();
@@ -295,7 +336,7 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_re
     const struct scene *scene = &view->viewport->scene;
     const struct settings own = setup_scene_settings(&view->viewport->state.scene, scene);
     const struct settings defaults = frame_settings(&own, scene);
-    const struct ui_settings settings = { &request->settings, &defaults };
+    const struct ui_settings settings = { &request->settings, &defaults, scene };
     search(ui, &defaults, request);
     imgui_scroll_begin("rows");
     if (*ui->filter)
@@ -340,9 +381,14 @@ static void tabs(struct ui *ui)
         [UI_INSPECT] = { "Inspect", "layers, histogram, values below the cursor (I)" },
     };
 
+    const float room = imgui_available_width();
+    float used = 0.0f;
     for (enum ui_tab t = UI_SETTINGS; t <= UI_INSPECT; t++) {
-        if (t != UI_SETTINGS)
+        const float width = imgui_width(rows[t].label) + 6.0f * imgui_scale();
+        const bool fits = used + width <= room + 6.0f * imgui_scale();
+        if (t != UI_SETTINGS && fits)
             imgui_same_line(0.0f);
+        used = fits ? used + width : width;
         if (imgui_choice_button(rows[t].label, ui->tab == t))
             ui->tab = t;
         imgui_tooltip(rows[t].tip);
@@ -450,10 +496,12 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *req
             imgui_panel_end();
         }
         imgui_panel_begin(ui->imgui, "status", ui_rect_of(l->status), IMGUI_DOCKED);
-        ui_status(ui, view);
+        ui_status(ui, view, request);
         imgui_panel_end();
     }
+    ui_objects_outline(ui, view);
     name_sides(ui, view);
+    ui_legend(ui, view);
     if (ui->palette_open)
         ui_command_palette(ui, view, request);
     if (ui->keys_open)

@@ -73,6 +73,25 @@ static void choose(struct pixel_inspector_choice *c)
     imgui_tooltip("show the unmodified image");
 }
 
+/* Draws ticks with numbers below the histogram: five, or three if there is less room. */
+static void axis(const struct pixel_inspector *inspector)
+{
+    const float scale = imgui_scale();
+    const struct imgui_rect at =
+        imgui_reserve(imgui_available_width(), imgui_line_height() + 4.0f * scale);
+    const uint32_t last = at.width > 5.0f * imgui_width("-0.0001") ? 4 : 2;
+    char text[32];
+    for (uint32_t i = 0; i <= last; i++) {
+        const float part = (float)i / (float)last;
+        const float value = inspector->min + (inspector->max - inspector->min) * part;
+        snprintf(text, sizeof(text), "%.3g", (double)value);
+        imgui_rectangle(
+            (struct imgui_rect){ at.x + part * (at.width - scale), at.y, scale, 4.0f * scale },
+            imgui_rgba(imgui_theme()->border));
+        imgui_text_beside(at.x + part * (at.width - imgui_width(text)), at.y + 4.0f * scale, text);
+    }
+}
+
 /* Draws the histogram. Bar heights are square roots, so that small bins are visible. */
 static void histogram(const struct pixel_inspector *inspector)
 {
@@ -85,10 +104,9 @@ static void histogram(const struct pixel_inspector *inspector)
     }
     imgui_histogram("##histogram", bars, PIXEL_INSPECTOR_BIN_COUNT, 0, most,
                     histogram_height * imgui_scale());
-    snprintf(text, sizeof(text),
-             inspector->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops relative to 1",
-             (double)inspector->min, (double)inspector->max);
-    imgui_text_wrapped(text);
+    axis(inspector);
+    imgui_text_wrapped(inspector->choice.layer ? "value of the layer, number of pixels"
+                                               : "stops relative to 1, number of pixels");
     if (inspector->below_fraction > 0.0f || inspector->above_fraction > 0.0f) {
         snprintf(text, sizeof(text), "%.1f %% below, %.1f %% above",
                  100.0 * (double)inspector->below_fraction,
@@ -131,7 +149,7 @@ static void line(const char *name, const float *values, uint32_t count, const ch
             snprintf(text + length, sizeof(text) - (size_t)length, " %.4g", (double)values[c]);
     if (length > 0 && length < (int)sizeof(text))
         snprintf(text + length, sizeof(text) - (size_t)length, "%s", unit);
-    imgui_value(text);
+    imgui_text_wrapped(text);
 }
 
 /* Returns the material preset with the object's refractive index; NULL if there is none. */

@@ -173,6 +173,18 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
     }
 }
 
+/* Prints the options that transform and hide single objects. */
+static void print_object_transforms(FILE *out, const struct setup_scene *scene)
+{
+    char words[SETUP_TRANSFORM_SIZE];
+    for (uint32_t i = 0; i < scene->object_transform_count; i++) {
+        const struct object_transform *t = &scene->object_transforms[i];
+        if (setup_print_transform(t, words))
+            print_name(out, "transform", words);
+        print_name(out, "hide", t->is_hidden ? t->name : NULL);
+    }
+}
+
 static void print(FILE *out, const struct ui_render_command *c)
 {
     const struct setup_image *p = c->image;
@@ -194,6 +206,7 @@ static void print(FILE *out, const struct ui_render_command *c)
                                         p->scene.model_transform.rotate_deg });
     for (uint32_t i = 0; i < p->scene.material_override_count; i++)
         print_name(out, "material", p->scene.material_overrides[i].words);
+    print_object_transforms(out, &p->scene);
     print_name(out, "animation", p->scene.animation);
     print_name(out, "env", p->scene.environment);
     print_number(out, "env-rotate", p->scene.env_rotate);

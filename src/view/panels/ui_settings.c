@@ -13,7 +13,8 @@ enum {
 
 static const double wide = 50.0;    /* a slider is logarithmic if max - min > wide * default */
 static const double too_wide = 1e4; /* maximum integer range of a slider */
-static const float label_fraction = 0.5f; /* widget start / row width */
+static const float label_fraction = 0.49f; /* widget start / row width */
+static const float narrow = 200.0f;        /* below this width, widgets are below their labels */
 
 /* Unit symbols. Widgets show these, because unit names would be wider than the numbers. */
 static const struct {
@@ -25,6 +26,7 @@ static const struct {
     { "metres", "m" },
     { "1/metre", "1/m" },
     { "seconds", "s" },
+    { "half widths per second", "half widths/s" },
 };
 
 enum ui_widget ui_settings_widget(const struct setting *row)
@@ -53,7 +55,7 @@ static void reset(const struct ui_settings *settings, const struct setting *row)
 static bool is_scene_value(const struct ui_settings *settings, const struct setting *row)
 {
     struct settings unchanged = *settings->current;
-    reset(&(struct ui_settings){ &unchanged, settings->defaults }, row);
+    reset(&(struct ui_settings){ &unchanged, settings->defaults, settings->scene }, row);
     return settings_equal(&unchanged, settings->current);
 }
 
@@ -161,11 +163,15 @@ static void head(const struct setting *row, bool changed, float x)
         imgui_rectangle(mark, imgui_rgba(theme->changed));
     imgui_indent(8.0f * scale);
     imgui_align();
-    imgui_text_elided(row->label, x - 14.0f * scale);
+    const bool is_narrow = imgui_available_width() < narrow * scale;
+    imgui_text_elided(row->label, is_narrow ? imgui_available_width() : x - 14.0f * scale);
     char text[400];
     describe(row, text, sizeof(text));
     imgui_tooltip(text);
-    imgui_same_line(x);
+    if (is_narrow)
+        imgui_indent(8.0f * scale);
+    else
+        imgui_same_line(x);
 }
 
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row)
@@ -180,9 +186,12 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
     head(row, !unchanged, x);
     imgui_next_width(imgui_available_width() - button - 6.0f * imgui_scale());
     snprintf(id, sizeof(id), "##%s", row->name);
+    const char *reason = ui_setting_no_effect(row, settings->current, settings->scene);
+    imgui_disabled_begin(reason);
     bool changed = widget(row, id, &value);
+    imgui_disabled_end();
     describe(row, text, sizeof(text));
-    imgui_tooltip(text);
+    imgui_tooltip(reason ? reason : text);
     if (changed)
         settings_set_value(settings->current, row, value);
     if (!unchanged) {

@@ -3,6 +3,7 @@
 #ifndef FIRN_VIEW_PANELS_UI_SETTINGS_H
 #define FIRN_VIEW_PANELS_UI_SETTINGS_H
 
+#include "src/scene/scene.h"
 #include "src/settings/settings.h"
 #include "src/view/panels/ui_setting_groups.h"
 
@@ -21,7 +22,12 @@ enum ui_widget ui_settings_widget(const struct setting *row);
 struct ui_settings {
     struct settings *current;
     const struct settings *defaults;
+    const struct scene *scene;
 };
+
+/* Returns why a setting has no effect in a scene, as a sentence; NULL if it has one, or may. */
+const char *ui_setting_no_effect(const struct setting *row, const struct settings *settings,
+                                 const struct scene *scene);
 
 /* Draws a setting: label, widget, tooltip and, if it was changed, a mark and a reset button. */
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row);

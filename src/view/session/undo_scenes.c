@@ -1,5 +1,6 @@
 /* undo_scenes.c: linked list of scenes that undo can return to. */
 #include "src/view/session/undo_scenes.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -29,13 +30,15 @@ static void forget(struct undo_scene **list, uint32_t number)
     finish(found);
 }
 
-enum status undo_scenes_add(struct undo_scene **list, uint32_t number, const struct viewport *now)
+enum status undo_scenes_add(struct undo_scene **list, uint32_t number, const struct viewport *now,
+                            const char *change)
 {
     const struct setup_scene *scene = &now->state.scene;
     struct undo_scene *one = calloc(1, sizeof(*one));
     if (!one)
         return log_out_of_memory(NULL);
     one->number = number;
+    snprintf(one->change, sizeof(one->change), "%s", change);
     one->state = now->state;
     one->camera = now->camera;
     one->state.scene.name = one->name = strdup(scene->name);

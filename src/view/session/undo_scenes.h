@@ -13,12 +13,13 @@ struct undo_scene {
     struct setup_image state; /* options of the scene; settings unused */
     struct camera camera;
     char *name, *environment, *material; /* strings of `state`, owned */
+    char change[96]; /* how it differs from the scene before; "" for another file */
 };
 
 /* Saves the viewport's scene under `number`. Replaces any older scene with this number. If out of
  * memory, logs an error and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status undo_scenes_add(struct undo_scene **list, uint32_t number,
-                                     const struct viewport *now);
+                                     const struct viewport *now, const char *change);
 
 /* Returns the scene saved under this number; NULL if there is none. */
 const struct undo_scene *undo_scenes_find(const struct undo_scene *list, uint32_t number);

@@ -9,7 +9,8 @@
 struct opening {
     struct view *view;
     const char *path;
-    const char *material; /* for the file that is open; NULL to open another file */
+    const struct setup_scene *scene; /* options for the scene that is open; NULL: another file */
+    const char *change;              /* how `scene` differs from the options in use */
     enum file_kind kind;
 };
 
@@ -25,17 +26,17 @@ static enum status open_file(void *user)
     const struct opening *opening = user;
     struct viewport **viewport = &opening->view->viewport;
     bool remade;
-    return opening->material ? viewport_replace_materials(viewport, opening->material)
-                             : viewport_load(viewport, opening->path, &remade);
+    return opening->scene ? viewport_reload(viewport, opening->scene)
+                          : viewport_load(viewport, opening->path, &remade);
 }
 
 /* Writes what was done to the status bar. */
 static void describe(const struct view *v, const struct opening *opening, double seconds)
 {
     char words[200];
-    if (opening->material)
-        snprintf(words, sizeof(words), "all materials replaced by %s (scene loaded in %.0f ms)",
-                 opening->material, seconds * 1e3);
+    if (opening->scene)
+        snprintf(words, sizeof(words), "%s (scene loaded in %.0f ms)", opening->change,
+                 seconds * 1e3);
     else
         snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
                  opening->kind == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
@@ -47,18 +48,25 @@ static void load(struct view *v, struct opening *opening)
 {
     const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
-    view_set_title(v, "loading");
+    char words[200];
+    snprintf(words, sizeof(words), "%s %s", opening->scene ? "applying" : "loading",
+             opening->scene ? opening->change : opening->path);
+    view_set_title(v, words);
     presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     view_clear_errors(v);
-    if (undo_scenes_add(&v->undo_scenes, v->scene, v->viewport) != STATUS_OK ||
+    if (undo_scenes_add(&v->undo_scenes, v->scene, v->viewport, v->scene_change) != STATUS_OK ||
         worker_run(&v->window, open_file, opening) != STATUS_OK) {
-        view_fail(v, opening->material ? "no material was replaced" : "the file was not opened");
+        view_fail(v, opening->scene ? "nothing was changed" : "the file was not opened");
     } else {
         view_enter_scene(v, &before);
         describe(v, opening, clock_seconds() - start);
-        if (!opening->material)
+        snprintf(v->scene_change, sizeof(v->scene_change), "%s",
+                 opening->scene ? opening->change : "");
+        if (!opening->scene) {
+            *v->selected_name = '\0';
             recent_files_add(opening->path);
+        }
     }
     v->changed = true;
     view_show_name(v);
@@ -89,15 +97,25 @@ void view_open(struct view *v, const char *path)
         load(v, &opening);
 }
 
+void view_reload_scene(struct view *v, const struct setup_scene *scene, const char *words)
+{
+    load(v, &(struct opening){ .view = v, .scene = scene, .change = words });
+}
+
 void view_replace_materials(struct view *v, const struct material_choice *choice)
 {
-    const struct setup_scene *scene = &v->viewport->state.scene;
+    struct setup_scene scene = v->viewport->state.scene;
     char material[64];
-    if (scene_find_builtin(scene->name)) {
+    char words[128];
+    if (scene_find_builtin(scene.name)) {
         ui_show_message(v->ui, "the materials of this scene cannot be replaced");
         return;
     }
     snprintf(material, sizeof(material), "%s%s%s", choice->preset->name, choice->finish ? ":" : "",
              choice->finish ? choice->finish->name : "");
-    load(v, &(struct opening){ .view = v, .material = material });
+    snprintf(words, sizeof(words), "--material %s", material);
+    scene.material = material;
+    scene.material_override_count = 0;
+    scene.exposure.is_chosen = false;
+    view_reload_scene(v, &scene, words);
 }

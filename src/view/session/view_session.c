@@ -36,7 +36,7 @@ void view_apply_session(const struct session_file *session, struct setup_image *
     scene->ground = (struct stage_params){ 0 };
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
-    scene->material_override_count = 0;
+    scene->material_override_count = scene->object_transform_count = 0;
     scene->background.is_given = false;
     state->refraction = session->refraction;
     state->is_refraction_named = true;
@@ -105,7 +105,7 @@ void view_load_session(struct view *v, const char *path)
 {
     struct loading loading = { .view = v, .path = path };
     const double start = clock_seconds();
-    view_set_title(v, "loading");
+    view_set_title(v, "loading a session");
     presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     view_clear_errors(v);
@@ -148,6 +148,7 @@ static const char *unsupported(const struct view *v)
         { s->air, "--air" },
         { s->animation, "--animation" },
         { s->material_override_count, "--material NODE=..." },
+        { s->object_transform_count, "--transform and --hide" },
         { s->background.is_given, "--background" },
         { s->ground.ground > STAGE_NONE, "--ground" },
         { v->compare.side_b != VIEW_SIDE_B_NONE, "side B" },

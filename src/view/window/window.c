@@ -378,6 +378,13 @@ void window_title(struct window *w, const char *title)
     glfwPollEvents();
 }
 
+void window_show_pixels(struct window *w, VkRect2D area, const uint32_t *pixels, VkExtent2D size)
+{
+    const int x = area.offset.x + ((int)area.extent.width - (int)size.width) / 2;
+    const int y = area.offset.y + ((int)area.extent.height - (int)size.height) / 2;
+    window_x11_show(w->handle, x, y, pixels, size.width, size.height);
+}
+
 void window_hide(struct window *w)
 {
     glfwHideWindow(w->handle);

@@ -58,10 +58,16 @@ struct window_event {
 /* Callback for every event. Returns true to hide the event from the viewer. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
+/* Callback while a job runs on the worker thread, after `seconds` of it, about ten times a second.
+ * It must not use the device. */
+typedef void window_busy_fn(void *user, double seconds);
+
 struct window {
     struct GLFWwindow *handle;
     window_listen_fn *listen; /* may be NULL */
     void *listener;
+    window_busy_fn *show_busy; /* may be NULL */
+    void *busy_user;
     bool is_initialised; /* GLFW is initialised */
     struct window_input input;
     char *dropped;             /* path of a dropped file, malloc'd; NULL if none */
@@ -104,6 +110,10 @@ float window_scale(const struct window *window);
 void window_copy(struct window *window, const char *text);
 
 void window_title(struct window *window, const char *title);
+
+/* Shows pixels, 0xRRGGBB, in the middle of a part of the window until the next frame. X11 only. */
+void window_show_pixels(struct window *window, VkRect2D area, const uint32_t *pixels,
+                        VkExtent2D size);
 
 void window_hide(struct window *window);
 

@@ -2,8 +2,9 @@
 #include "src/view/window/worker_thread.h"
 #include <pthread.h>
 #include <stdatomic.h>
+#include "src/base/clock.h"
 
-/* interval between checks for a closed window if there are no events, seconds */
+/* interval between checks for a closed window, and between callbacks, seconds */
 static const double poll_seconds = 0.1;
 
 struct job {
@@ -28,8 +29,11 @@ enum status worker_run(struct window *window, worker_fn *work, void *user)
     pthread_t thread;
     if (pthread_create(&thread, NULL, run, &job) != 0)
         return work(user); /* without a thread, the window is blocked during the job */
+    const double start = clock_seconds();
     while (!atomic_load(&job.done)) {
         window_wait(window, poll_seconds);
+        if (window->show_busy && !atomic_load(&job.done))
+            window->show_busy(window->busy_user, clock_seconds() - start);
         if (window_is_closed(window))
             window_hide(window);
     }

@@ -19,9 +19,9 @@ from desktop import Desktop, wait_until  # noqa: E402
 RUNS, MOVES, STEP = 3, 150, 0.016
 SCENE = sys.argv[2] if len(sys.argv) > 2 else 'ice-cube'
 WANTED = (('from picture to picture', 1000 / 30), ('the same, 95 %', 50), ('hand to picture', 50),
-          ('the same, 95 %', 100), ('full size after', 300))
+          ('the same, 95 %', 100), ('full size after', 300), ('a sample after', 500))
 LINE = (r'moving: \d+ images, median ([\d.]+) ms, 95 % ([\d.]+) ms; input to image ([\d.]+) ms, '
-        r'95 % ([\d.]+) ms; full size after (\d+) ms')
+        r'95 % ([\d.]+) ms; full size after (\d+) ms, a sample after (\d+) ms')
 
 
 def run(desktop, firn, folder):
@@ -32,7 +32,7 @@ def run(desktop, firn, folder):
         desktop.do('windowfocus', '--sync', window, 'mousemove', '--window', window, 400, 400)
         for _ in range(2):  # the first drag learns what a frame costs
             moves = ['mousemove_relative', '--', 2, 1, 'sleep', STEP] * MOVES
-            desktop.do('mousedown', 1, *moves, 'mouseup', 1, 'sleep', 1, 'mousemove', '--window',
+            desktop.do('mousedown', 1, *moves, 'mouseup', 1, 'sleep', 3, 'mousemove', '--window',
                        window, 400, 400)
         wait_until('the end', lambda: process.poll() is not None,
                    act=lambda: desktop.do('windowfocus', '--sync', window, 'key', 'ctrl+q'))
