@@ -243,6 +243,7 @@ class Panels(PanelsCase):
 
         def choose_material():
             self.choose(window, 'Kind', 'crystal')
+            wait_until('a closed list', lambda: not self.control('crystal'), self.words)
             self.choose(window, 'Material preset', material)
         self.wait_for_command(window, ior, act=choose_material)
         for group, row, shown in (('Material', 'Material preset', False),
