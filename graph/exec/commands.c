@@ -244,7 +244,7 @@ void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint3
 {
     if (mesh && !count)
         return;
-    if (!bind_mesh(cmd, mesh, "a draw"))
+    if (!bind_mesh(cmd, mesh, "a draw") || !mesh)
         return;
     if (mesh->index_count && (uint64_t)first + count > mesh->index_count)
         rg_exec_misuse(cmd, NULL, "a draw of indices %u to %llu of a mesh with %u", first,
@@ -278,7 +278,7 @@ static VkBuffer find_indirect(const struct rg_cmd *cmd, const struct rg_buffer *
 
 void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, VkDeviceSize offset)
 {
-    const VkBuffer found = find_indirect(cmd, buffer, offset, sizeof(VkDrawIndirectCommand));
+    VkBuffer found = find_indirect(cmd, buffer, offset, sizeof(VkDrawIndirectCommand));
     if (found && can_draw(cmd, "an indirect draw"))
         cmd->exec->vk.CmdDrawIndirect(cmd->commands, found, offset, 1, 0);
 }
@@ -286,7 +286,7 @@ void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer, Vk
 void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                const struct rg_buffer *buffer, VkDeviceSize offset)
 {
-    const VkBuffer found = find_indirect(cmd, buffer, offset, sizeof(VkDrawIndexedIndirectCommand));
+    VkBuffer found = find_indirect(cmd, buffer, offset, sizeof(VkDrawIndexedIndirectCommand));
     if (found && bind_mesh(cmd, mesh, "an indirect draw"))
         cmd->exec->vk.CmdDrawIndexedIndirect(cmd->commands, found, offset, 1, 0);
 }
@@ -332,7 +332,7 @@ void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *m
 void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                               VkDeviceSize offset)
 {
-    const VkBuffer found = find_indirect(cmd, buffer, offset, sizeof(VkDispatchIndirectCommand));
+    VkBuffer found = find_indirect(cmd, buffer, offset, sizeof(VkDispatchIndirectCommand));
     if (found && can_work(cmd, RG_COMPUTE, "an indirect dispatch"))
         cmd->exec->vk.CmdDispatchIndirect(cmd->commands, found, offset);
 }
