@@ -48,7 +48,7 @@ static inline struct matrix view_from_world(const float eye[3])
                               -dot(ahead, eye), 1 } };
 }
 
-/* Returns the projection to Vulkan's clip space, of height / width `aspect`. */
+/* Returns the projection to Vulkan's clip space; `aspect` is height / width. */
 static inline struct matrix clip_from_view(float aspect)
 {
     const float near = 0.1f, far = 40.0f;

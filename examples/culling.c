@@ -3,8 +3,9 @@
  * without waiting. Usage: culling PICTURE.ppm
  *
  * Passes: `reset` fills the draw command, `cull` counts the visible cubes into it and lists them,
- * `draw` draws them indirectly, `count` and `copy` copy the number and the image for the CPU. The
- * number of a frame is read when its slot is begun again: two frames later, by then for certain.
+ * `draw` draws them indirectly, `count` and `copy` copy the number and the image to readback
+ * buffers. A frame's number is read when its slot is used again, two frames later; by then the
+ * device has finished the frame.
  */
 #include "camera.h"
 #include "example.h"
@@ -97,7 +98,7 @@ static const struct rg_pass passes[] = {
       .record = record_count },
 };
 
-/* Turns the camera, and prints the count of the frame that used the slot before. */
+/* Orbits the camera, and prints the count of the frame that used the slot before. */
 static void advance(struct rg_exec *exec, uint32_t slot, struct rg_frame *frame)
 {
     const float angle = 0.02f * (float)frame->number;

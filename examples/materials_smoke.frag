@@ -5,7 +5,7 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 layout(binding = 0) uniform sampler2D depth;
 
-/* Returns the distance along the view direction of a depth, as clip_from_view() projects it. */
+/* Linearises depth: returns the view-space z of a value of the depth buffer. */
 float distance_of(float z)
 {
     return 0.1 * 40.0 / (40.0 - z * 39.9);

@@ -81,7 +81,7 @@ enum {
     RG_MAX_ATTRIBUTES = 16,    /* maximum vertex attributes per pass */
     RG_MAX_STRIDE = 2048,      /* maximum vertex stride in bytes */
     RG_MAX_VERTEX_BUFFERS = 8, /* maximum vertex buffers per pass */
-    RG_MAX_LAYERS = 2048,      /* maximum layers that a pass draws at a time */
+    RG_MAX_LAYERS = 2048,      /* maximum layerCount of layered rendering */
     RG_MAX_ROWS = 1 << 24,     /* maximum entries of other tables */
 };
 
@@ -134,8 +134,8 @@ enum rg_repeat {
     RG_ONCE,      /* a single pass */
     RG_PER_LAYER, /* one pass per layer */
     RG_PER_MIP,   /* one pass per mip level, from the largest to the smallest */
-    /* one pass per mip level, from the smallest to the largest: the last repetition draws to the
-     * mip levels of the row, and the first to the smallest that all targets and uses have */
+    /* one pass per mip level, from the smallest to the largest: the last repetition uses the mip
+     * levels in the row, and the first the smallest ones that all targets and uses have */
     RG_PER_MIP_UP,
 };
 
@@ -187,7 +187,7 @@ struct rg_range {
 };
 
 /* Sampler state. A zeroed struct samples the nearest texel of mip 0 and clamps to the edge. With
- * rg_exec_params.samplers, a VkSampler of the program takes its place. */
+ * rg_exec_params.samplers, a VkSampler of the application takes its place. */
 struct rg_sampler {
     bool linear;      /* linear filter, also between mip levels */
     bool mips;        /* mip chain; otherwise only mip 0 */
@@ -195,10 +195,10 @@ struct rg_sampler {
     bool repeat_v;    /* wraps around vertically */
     bool repeat_w;    /* wraps around in depth */
     float anisotropy; /* maximum; limited by rg_exec_params.max_anisotropy */
-    bool mirror;      /* every other repetition is mirrored */
-    bool border;      /* `border_color` outside of the image, in directions that do not repeat */
+    bool mirror;      /* repeats mirrored (MIRRORED_REPEAT) */
+    bool border;      /* clamps to `border_color`, not to the edge, where it does not repeat */
     VkBorderColor border_color; /* an INT constant for integer formats, else a FLOAT constant */
-    /* comparison of a depth image, for shadow samplers of GLSL, which need it; 0 means none */
+    /* depth comparison, which shadow samplers of GLSL require; 0 means none */
     VkCompareOp compare;
     /* MIN or MAX of the texels that a linear filter averages; needs samplerFilterMinmax */
     VkSamplerReductionMode reduction;
@@ -326,8 +326,9 @@ struct rg_pass {
     struct rg_target depth;        /* depth-stencil target; image may be NULL */
     const struct rg_use *uses;     /* zero-terminated array by RG_USES(), or NULL */
     /* shaders of a raster pass, which without `frag` only writes depth, or of a compute pass. A row
-     * with neither has no pipeline: `record` binds those of the program (rg_cmd_bind_pipeline()),
-     * and the state below is theirs; only `vertices` tells how many buffers a mesh has */
+     * with neither has no pipeline: `record` binds pipelines of the application
+     * (rg_cmd_bind_pipeline()). The fixed-function state below is then ignored, except `vertices`,
+     * which gives the number of vertex buffers of a mesh */
     const struct rg_shader *vert, *frag;
     const struct rg_shader *comp;
     const struct rg_vertex_layout *vertices; /* vertex buffer layout; NULL if none */
@@ -345,9 +346,9 @@ struct rg_pass {
     VkFrontFace front;                /* front-face winding; 0 means counter-clockwise */
     struct rg_depth_bias depth_bias;  /* {0} means none */
     const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
-    const struct rg_set *set;         /* the program's set 1, or NULL */
-    /* layers of each target that are drawn at a time, from rg_target.layer on; 0 means 1. Shaders
-     * choose one by gl_Layer, which needs the feature shaderOutputLayer */
+    const struct rg_set *set;         /* the application's set 1, or NULL */
+    /* layerCount of layered rendering, from rg_target.layer on; 0 means 1. Shaders choose a layer
+     * by gl_Layer, which needs the feature shaderOutputLayer */
     uint32_t layers;
     rg_area_fn *area; /* rectangle to draw; NULL: whole targets */
     rg_more_fn *more; /* rows to merge; NULL if none */

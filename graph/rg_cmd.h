@@ -2,9 +2,9 @@
  * rg_cmd.h: commands that a record function may call: draws, dispatches, copies.
  *
  * The pipeline, descriptor set 0, targets, viewport and scissor of the pass are already bound. All
- * functions record into the pass's command buffer. They may be called only in the thread of
- * rg_exec_submit() or rg_exec_record(), but rg_cmd_record_secondary() in any thread. A `cmd` is
- * valid only until its record function returns.
+ * functions record into the pass's command buffer. Call them only in the thread that calls
+ * rg_exec_submit() or rg_exec_record(); rg_cmd_record_secondary() may be called in any thread. A
+ * `cmd` is valid only until its record function returns.
  *
  * A command that the row does not allow is not recorded: a draw in a compute row, a draw before the
  * push constants that the row declares, a resource without the use that the command needs, bytes
@@ -33,14 +33,14 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 
 /* ---- drawing and computing ---- */
 
-/* Binds a pipeline of the program's own, in place of the row's. It is a graphics pipeline for the
+/* Binds a pipeline of the application in place of the row's. It is a graphics pipeline for the
  * formats and samples of the row's targets, with dynamic viewport and scissor, or a compute
  * pipeline, and its layout is compatible with rg_exec_layout(). It must exist until the frame has
  * been executed. Rows without shaders call this before they draw or dispatch. Unavailable with
  * rg_exec_params.render_passes. */
 RG_API void rg_cmd_bind_pipeline(struct rg_cmd *cmd, VkPipeline pipeline);
 
-/* Binds the program's own descriptor set as set 1. rg_exec_params.sets has the set's layout. The
+/* Binds a descriptor set of the application as set 1. rg_exec_params.sets has the set's layout. The
  * set must exist, unmodified, until the frame has been executed. */
 RG_API void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set);
 
@@ -61,7 +61,7 @@ struct rg_mesh {
     uint32_t index_count;    /* may be 0 for rg_cmd_draw_mesh_part() */
     uint32_t instance_count; /* 0 means 1 */
     const VkBuffer *more;    /* buffers for rg_vertex_layout.next; may be NULL */
-    /* where the mesh begins in shared buffers: bytes, of the vertices by binding (NULL means 0) */
+    /* byte offset into each vertex buffer, indexed by binding; NULL means 0 */
     const VkDeviceSize *vertex_offsets;
     VkDeviceSize index_offset; /* a multiple of the size of an index */
     bool short_indices;
@@ -158,8 +158,8 @@ RG_API void rg_cmd_execute(struct rg_cmd *cmd, const VkCommandBuffer *secondary,
 /* ---- direct Vulkan access ---- */
 
 /* Returns the command buffer being recorded, for direct Vulkan calls. The executor does not check
- * these, and no longer what must be bound before later draws and dispatches of this pass. During
- * the pass, an image is in the layout rg_access_info(access)->layout of its use. */
+ * these, nor, after this call, that later draws and dispatches of the pass have all state bound.
+ * During the pass, an image is in the layout rg_access_info(access)->layout of its use. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
 /* Return the VkImage or VkBuffer of a resource that the pass declares. If the resource is not

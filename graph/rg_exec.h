@@ -6,7 +6,7 @@
  * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
  * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, samplerFilterMinmax,
  * accelerationStructure and the features of the shaders' OpCapabilities. rg_exec_create() logs each
- * missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
+ * missing feature. Functions are loaded through the application's vkGetInstanceProcAddr, without a
  * linked loader, so that executors of several instances can exist side by side.
  *
  *     while (...) {
@@ -19,10 +19,10 @@
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
- *                After a failure only rg_exec_destroy() may be called, except that a function
- *                which returns VK_ERROR_VALIDATION_FAILED_EXT was misused and did nothing: a
- *                refused frame is not submitted (of a frame in parts, only its earlier parts), its
- *                semaphores are untouched, and rg_exec_begin() may begin another one.
+ *                VK_ERROR_VALIDATION_FAILED_EXT means invalid usage: the call had no effect. A
+ *                rejected frame is not submitted (of one in parts, only the earlier parts are),
+ *                its semaphores are untouched, and rg_exec_begin() may begin another one. After any
+ *                other error, only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
  *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
  *                rg_exec_submit_synced(), rg_exec_submit_part() and rg_exec_abandon().
@@ -46,8 +46,8 @@ struct rg_exec_import {
     const VkImage *images;
     uint32_t image_count;
     /* how the object was created; if given, it must suit the plan, else rg_exec_create() and
-     * rg_exec_update() fail and log the member that does not. Only read by these; NULL: the program
-     * vouches for it. Without info, a buffer's size is only compared with its memory's */
+     * rg_exec_update() fail and log the member that does not. Read only during these calls. If
+     * NULL, an image is not checked, and a buffer only against its memory requirements */
     const VkImageCreateInfo *image_info; /* of `image` or of each of `images` */
     const VkBufferCreateInfo *buffer_info;
 };
@@ -170,14 +170,14 @@ RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_fram
 /* Where rg_exec_record() records a frame. */
 struct rg_exec_recording {
     VkCommandBuffer commands; /* primary, in the recording state, outside of rendering */
-    uint32_t slot;            /* below frames_in_flight; the program counts the slots */
+    uint32_t slot;            /* frame number modulo frames_in_flight, counted by the application */
     uint32_t image_index;     /* index into rg_exec_import.images */
 };
 
 /*
- * Records a frame into a command buffer of the program, which may record other commands before and
- * after it, and submits it with semaphores and a fence of its own. Bindings and dynamic state are
- * undefined afterwards. The command buffer is submitted once, to a queue of queue_family, and
+ * Records a frame into a command buffer of the application, which may record other commands before
+ * and after it, and submits it with semaphores and a fence of its own. Bindings and dynamic state
+ * are undefined afterwards. The command buffer is submitted once, to a queue of queue_family, and
  * frames of an executor in the order in which they were recorded; rg_exec_params.queue is not used.
  *
  * The previous frame of the slot must have finished, as its buffers and descriptors are reused: the
@@ -236,7 +236,7 @@ RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region
 /* Returns the VkImage of a declared image; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
-/* Returns a view of an image that is not imported, for example for a bindless set of the program.
+/* Returns a view of an image that is not imported, for example for the application's bindless set.
  * The type is that of a sampled use: 3D, cube (6 layers of a cube), 2D array or 2D; NULL as `range`
  * means all, `each` is ignored. A view to be sampled has one aspect. During a pass that declares
  * the image, its layout is rg_access_info(access)->layout of the use, or that of RG_DEPTH_READ if
@@ -246,7 +246,7 @@ RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *
 RG_API VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
                                 const struct rg_range *range);
 
-/* Return the layouts of a row, for pipelines of the program (rg_cmd_bind_pipeline()). They are
+/* Return the layouts of a row, for the application's pipelines (rg_cmd_bind_pipeline()). They are
  * valid until rg_exec_update() or rg_exec_destroy(); an update with an equal row keeps their
  * content. VK_NULL_HANDLE for transfer rows and for rows that the plan does not have.
  * Set 0 has a binding for each binding of the row's uses, with the type rg_use_descriptor(), for

@@ -208,7 +208,7 @@ static void check_texels(const struct shaders *s, const char *name, const struct
               component_name(declared->component));
 }
 
-/* Checks that a combined image sampler compares depths if its sampler does, and vice versa. */
+/* Checks that the shader declares a shadow sampler if and only if rg_sampler.compare is set. */
 static void check_comparison(const struct shaders *s, const struct spirv *stage,
                              const struct spirv_variable *v, const struct spirv_image *declared,
                              const struct rg_use *use)
@@ -278,7 +278,7 @@ static uint32_t element_count(const struct rg_use *first)
     return count;
 }
 
-/* Returns what all shaders of the row do to the content of a storage binding. */
+/* Returns the loads and stores of a storage binding by all shaders of the row. */
 static uint32_t access_of(const struct shaders *s, uint32_t binding)
 {
     uint32_t access = 0;

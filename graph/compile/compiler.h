@@ -139,7 +139,7 @@ struct compiler {
     uint32_t row;
     uint32_t row_first_fault;
     struct rg_plan_pass *pass; /* its current pass */
-    uint32_t step;             /* layers or mip levels from those that the row names */
+    uint32_t step;             /* offset from the row's layer or mip level */
     uint32_t target_samples;   /* sample count; 0 before any target */
     uint32_t *bindings;        /* bit set, zero outside check_bindings() */
     struct spirv modules[2];   /* its shaders */

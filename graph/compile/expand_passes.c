@@ -241,7 +241,7 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
-    /* tested and sampled in one pass: both in the layout of the test, whatever the range */
+    /* a depth image that is tested and sampled: read-only depth layout for the whole range */
     if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
         use->image == c->pass->pass->depth.image)
         a->layout = rg_access_table[RG_DEPTH_READ].layout;

@@ -81,7 +81,7 @@ struct spirv_id {
     uint32_t stride;                       /* of an array in bytes */
     uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
     uint32_t variable;                     /* `variables` index plus 1, or 0 */
-    uint32_t root;              /* storage variable or parameter that a pointer or image is from */
+    uint32_t root;              /* base variable or parameter of a pointer or image; 0: none */
     uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
     uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
@@ -475,16 +475,16 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
 /* ---- instructions of functions ---- */
 
 enum {
-    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also of pointers that cannot be followed */
-    DERIVES = 4,                       /* the result is a part of what the operand points to */
-    PASSES = 8,                        /* a function does it */
+    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also assumed if the base of a pointer is unknown */
+    DERIVES = 4,                       /* the result points into what the operand points to */
+    PASSES = 8,                        /* argument of a call: as its parameter */
     ALL_OPERANDS = UINT8_MAX,
 };
 
 /* Operands of an instruction that may be pointers or storage images. */
 struct operand_rule {
     uint8_t first, count; /* words */
-    uint8_t access[2];    /* of the first operand, of the others */
+    uint8_t access[2];    /* access of the first operand, and of the others */
 };
 
 static const struct operand_rule operand_rules[OP_IMAGE_SPARSE_READ + 1] = {
@@ -520,7 +520,7 @@ static struct operand_rule operand_rule_of(uint32_t op)
     return op <= OP_IMAGE_SPARSE_READ ? operand_rules[op] : (struct operand_rule){ 0 };
 }
 
-/* Records the access of an operand to the storage variable or parameter `root` that it is from. */
+/* Adds an access to `root`, the base variable or parameter of an operand. */
 static void add_access(struct spirv *s, const struct instruction *in, uint32_t root,
                        uint32_t access)
 {
@@ -565,7 +565,8 @@ static const struct spirv_id *parameter(const struct spirv *s, uint32_t function
     return NULL;
 }
 
-/* Adds what functions do to their parameters to the arguments. Returns true if that adds any. */
+/* Propagates the accesses of functions to their parameters to the arguments of calls. Returns true
+ * if that adds an access. */
 static bool trace_calls(struct spirv *s)
 {
     bool changed = false;

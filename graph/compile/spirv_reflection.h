@@ -68,7 +68,8 @@ struct spirv {
     uint32_t variable_count, constant_count;
     struct spirv_id *ids; /* opaque, as is the rest */
     uint32_t id_room, variable_room, constant_room;
-    bool has_storage, passes_storage; /* storage variables; to functions */
+    bool has_storage;    /* declares storage variables */
+    bool passes_storage; /* passes pointers to them, or images, to functions */
 };
 
 /* Parses the entry point `main` of a stage and its variables. Returns NULL, or an error message.

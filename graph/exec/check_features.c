@@ -73,7 +73,7 @@ static bool limits_depth_bias(const struct rg_plan *plan)
     return false;
 }
 
-/* Returns true if a use has a sampler with a reduction, which the executor creates. */
+/* Returns true if the executor creates a sampler with a reduction mode for some use. */
 static bool reduces(const struct rg_exec *exec)
 {
     const struct rg_exec_params *p = &exec->params;

@@ -11,7 +11,7 @@ static VkResult refuse(const struct rg_exec *exec, const char *name, const char 
     return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, text, name);
 }
 
-/* A number of a create info; `expected` is the plan's. */
+/* Member of a create info: value in the import, and value that the plan expects. */
 struct fact {
     const char *name;
     uint64_t found, expected;

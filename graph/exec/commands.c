@@ -21,7 +21,7 @@ void rg_exec_misuse(const struct rg_cmd *cmd, const char *resource, const char *
                                         resource ? resource : cmd->plan_pass->technique->name);
 }
 
-/* Returns false in a row of secondary command buffers, for its own command buffer. */
+/* Returns false if the pass uses secondary command buffers and `cmd` is its primary one. */
 static bool is_open(const struct rg_cmd *cmd, const char *command)
 {
     const bool open = cmd->is_secondary || !cmd->plan_pass->pass->secondary;

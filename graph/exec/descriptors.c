@@ -46,7 +46,8 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
     };
 }
 
-/* Finds the program's sampler for a use, or finds or creates one; equal structs share it. */
+/* Returns the application's sampler for a use if there is one, else a sampler that equal rg_sampler
+ * structs share. */
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };

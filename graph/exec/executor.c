@@ -49,7 +49,7 @@ static VkResult count_image_sets(struct rg_exec *exec)
     return VK_SUCCESS;
 }
 
-/* Returns how many barriers may be pending: those of the largest batch, or of several. */
+/* Returns the capacity for pending barriers: RG_MERGED_MAX or, if greater, the largest batch. */
 static uint32_t batch_room(const struct rg_plan *plan)
 {
     uint32_t room = RG_MERGED_MAX;

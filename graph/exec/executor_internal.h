@@ -63,7 +63,7 @@ struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
     bool submitted;              /* and not known to have finished */
-    bool recorded;               /* the same, of a frame of rg_exec_record(), without fence */
+    bool recorded;               /* by rg_exec_record(), not known to have finished; no fence */
     uint64_t frame;              /* number of its last frame */
     struct rg_times times;       /* of the current frame, perhaps incomplete */
     struct rg_pass_time *passes; /* per pass; NULL if not measured */

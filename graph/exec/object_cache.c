@@ -285,7 +285,7 @@ static void keep_pipelines(struct rg_exec *exec, struct exec_objects *list)
     }
 }
 
-/* Keeps pipelines of the previous plan that are worth it. */
+/* Keeps pipelines of the previous plan that have been unused for few plans. */
 static void keep_former_pipelines(struct rg_exec *exec)
 {
     for (uint32_t i = 0; i < exec->former.count; i++)

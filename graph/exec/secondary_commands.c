@@ -1,8 +1,8 @@
-/* secondary_commands.c: records secondary command buffers of the program (rg_cmd.h). */
+/* secondary_commands.c: records the application's secondary command buffers (rg_cmd.h). */
 #include "graph/exec/executor_internal.h"
 #include "graph/rg_cmd.h"
 
-/* Returns true if the row says that it uses these functions. */
+/* Returns true if the pass sets rg_pass.secondary; otherwise logs a misuse. */
 static bool can_use(const struct rg_cmd *cmd, const char *command)
 {
     if (!cmd->plan_pass->pass->secondary)

@@ -24,8 +24,8 @@ void setup_set_material(struct settings *settings, const struct material_choice 
 
 struct material_override;
 
-/* Makes the override of a node's material, with the text of --material: a choice, then index,
- * roughness and dispersion of `material` where they differ from those of the choice. */
+/* Fills the material override of a node and its --material text: the preset, followed by index,
+ * roughness and dispersion of `material` where they differ from those of the preset. */
 void setup_make_override(struct material_override *made, const char *node,
                          const struct material_choice *choice, const struct material *material);
 

@@ -10,7 +10,7 @@ enum {
     MASK_SIDE = 400, /* cells along the longer side of the mask */
 };
 
-static const float contour = 2.5f; /* cells of 9 that are set at the contour */
+static const float contour = 2.5f; /* isovalue: set cells among a cell and its 8 neighbours */
 
 struct mask {
     uint8_t *cells;

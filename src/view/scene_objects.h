@@ -18,7 +18,7 @@ struct scene_object {
     struct box box;
 };
 
-/* The objects in the order of the layer `object`, whose IDs are index + 1, then hidden ones. */
+/* Visible objects, indexed by ID - 1 of the layer `object`, followed by hidden objects. */
 struct scene_objects {
     struct scene_object *all;
     uint32_t count;
@@ -51,7 +51,7 @@ enum {
 struct object_outline {
     vec4s lines[OBJECT_OUTLINE_MAX];
     uint32_t count;
-    uint32_t object; /* index that `lines` show; the rest says for which view */
+    uint32_t object; /* object that `lines` outline in the view below */
     struct camera camera;
     float time;
     uint64_t version;

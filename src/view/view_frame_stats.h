@@ -39,8 +39,8 @@ struct view_frame_stats {
     struct view_time_ring drag_latency;     /* latency from mouse movement to the presented image */
     struct view_time_ring release_latency;  /* latency from mouse release to the full-size image */
     struct view_time_ring complete_latency; /* latency from mouse release to the first sample */
-    double ended_at;                        /* pending measurement of it; 0 if none */
-    double dragged_at, released_at;         /* pending latency measurements; 0 if none */
+    double ended_at; /* time of the release whose complete_latency is pending; or 0 */
+    double dragged_at, released_at; /* pending latency measurements; 0 if none */
 };
 
 /* Excludes the time since `start` from the frame time. */

@@ -107,7 +107,7 @@ static void reload(struct view *v, const struct ui_request *request)
     view_reload_scene(v, &scene, words);
 }
 
-/* Uses what was requested of the objects and of what is around them. */
+/* Applies requests of the panels for objects, materials, ground and environment. */
 static void use_object_request(struct view *v, const struct ui_request *request)
 {
     if (request->selects)

@@ -12,7 +12,7 @@
 
 /* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;
-static const double busy_seconds = 0.2; /* duration of jobs without a spinner, seconds */
+static const double busy_seconds = 0.2; /* delay before a job shows a spinner, seconds */
 static const double idle_seconds = 0.1; /* poll interval while nothing is drawn, seconds */
 
 /* ---- startup and shutdown ---- */

@@ -348,7 +348,7 @@ class Scenes(Case):
         self.succeed('graph', 'strips.ply', '-q', env=NO_DRIVER)
 
     def test_transforms_of_nodes(self):
-        """They draw what a file with other transforms does, and refuse what names nothing."""
+        """--transform draws what a file with these transforms draws; unknown nodes are named."""
         wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
 
         def draw(parts, *words):

@@ -218,7 +218,8 @@ static void check(struct run *run)
     }
 }
 
-/* Views exist before the first frame and are found again; imports and others have none. */
+/* rg_exec_view() works before the first frame and returns the same view again. It returns
+ * VK_NULL_HANDLE for images that the plan does not have, and for wrong ranges. */
 static void check_views(struct rg_exec *exec)
 {
     static const struct rg_image other = COLOR_IMAGE("other");

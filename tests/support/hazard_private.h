@@ -129,7 +129,7 @@ struct hazard_pass {
     const struct rg_pass *pass;
     const struct rg_technique *technique;
     uint32_t row, repetition;
-    uint32_t step; /* layers or mips from those that the row names */
+    uint32_t step; /* offset from the row's layer or mip level */
     uint32_t first_use, use_count;
     uint32_t condition; /* number of the condition, from 1; 0 if unconditional */
     bool useful;        /* an output may depend on the pass in some scenario */

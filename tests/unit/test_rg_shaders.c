@@ -277,7 +277,8 @@ static const struct rg_buffer blocks[] = {
     { "fixed", 64 },
 };
 
-/* A row of access.comp after a row that writes what is loaded, with the access to one binding. */
+/* Two passes: the first writes all resources that access.comp loads; the second runs access.comp
+ * with the declared accesses. */
 #define STORED(number, use) \
     { \
         .image = &grids[number], .access = (use), .binding = (number) \

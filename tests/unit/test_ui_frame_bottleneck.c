@@ -15,7 +15,8 @@ static void test_limit(void **state)
     (void)state;
     assert_string_equal(limit_of(0.95, 0.9), "the device");
     assert_string_equal(limit_of(0.2, 0.6), "the screen");
-    assert_string_equal(limit_of(0.5, 0.6), "the host"); /* what is waited for is the device */
+    assert_string_equal(limit_of(0.5, 0.6),
+                        "the host"); /* the present wait is mostly time of the device */
     assert_null(limit_of(-1.0, 0.9));
     assert_string_equal(limit_of(0.3, 0.1), "the host");
 }

@@ -32,10 +32,11 @@ enum {
     TILE = 16, /* tile side in pixels */
     PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
     ROUND_MAX = 16,     /* samples per pixel and round */
-    EXPECTED_STEP = 16, /* texels of the environment map between two that expected_radiance reads */
+    EXPECTED_STEP = 16, /* stride of environment map texels in expected_radiance */
 };
 
-#define EXPECTED_MAX 4.0f /* maximum of expected_radiance, which the sun would raise */
+#define EXPECTED_MAX \
+    4.0f /* upper limit of expected_radiance, so that the sun does not dominate it */
 
 struct reference {
     struct reference_request request;

@@ -20,10 +20,10 @@ struct sum {
     vec3s light, remaining;
 };
 
-/* Applies Russian roulette to a ray, with the mean radiance of the surroundings as a control variate
- * (Owen, "Monte Carlo theory, methods and examples", 8.9): the sum gets it for what is not followed,
- * and loses it for what is followed with too much weight. The mean is exact for any estimate.
- * Returns false if the ray is terminated. */
+/* Applies Russian roulette to a ray, with the mean radiance of the surroundings as control variate
+ * (Owen, "Monte Carlo theory, methods and examples", 8.9): the sum gets
+ * (1 - weight) * throughput * mean radiance, which is negative for a ray that survives. The result
+ * is unbiased for any radiance. Returns false if the ray is terminated. */
 static bool survives(const struct tracer *tracing, struct ray_branch *branch, struct sum *sum)
 {
     const vec3s expected = glms_vec3_mul(branch->throughput, tracing->expected_radiance);

@@ -102,8 +102,8 @@ static bool has_triangle(const struct part *part, uint32_t index)
                      part->mesh->indices[index] - part->first_vertex < part->vertex_count;
 }
 
-/* Appends copies of the vertices for which to[v] is not 0, as number to[v]. Returns false when out
- * of memory. */
+/* Appends a copy of each vertex v with to[v] > 0; to[v] is the index of the copy. Returns false
+ * when out of memory. */
 static bool append_copies(struct mesh *mesh, const uint32_t *to, uint32_t count)
 {
     const uint32_t first = mesh->vertex_count;

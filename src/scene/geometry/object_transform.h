@@ -5,8 +5,8 @@
 #include "src/base/status.h"
 #include "src/scene/import/model.h"
 
-/* Transform of the objects of one name. Rotation and scale are about the centre of each object's
- * bounding box. */
+/* Transform of all objects with the same name. Rotation and scale are about the centre of each
+ * object's bounding box. */
 struct object_transform {
     char name[MATERIAL_NAME_SIZE]; /* name of a node with refractive or opaque triangles */
     bool is_hidden;                /* the object is left out */

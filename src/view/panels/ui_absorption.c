@@ -1,11 +1,11 @@
-/* ui_absorption.c: rows that show the absorption as the colour of light after a distance. */
+/* ui_absorption.c: rows that edit absorption as the transmittance colour at a distance. */
 #include <math.h>
 #include <stdio.h>
 #include "src/file/srgb.h"
 #include "src/tech/refract/absorption.h"
 #include "src/view/panels/ui_internal.h"
 
-/* Least transmittance of a channel that a colour states; black would absorb infinitely. */
+/* Minimum transmittance of a channel of the colour; 0 would need infinite absorption. */
 static const float darkest = 1e-3f;
 
 static void rows_of(const struct setting *rows[static 3])

@@ -1,5 +1,5 @@
-/* ui_busy_box.h: spinner with a line of text, drawn without a device, for times at which another
- * thread uses the device. */
+/* ui_busy_box.h: spinner with a line of text, drawn on the CPU while another thread uses the
+ * device. */
 #ifndef FIRN_VIEW_PANELS_UI_BUSY_BOX_H
 #define FIRN_VIEW_PANELS_UI_BUSY_BOX_H
 
@@ -11,7 +11,7 @@ struct ui_busy_box {
     uint32_t width, height;
 };
 
-/* Draws the box. `seconds` turn the spinner. */
+/* Draws the box. `seconds` is the time since the job started, which rotates the spinner. */
 struct ui_busy_box ui_busy_box_draw(const struct ui *ui, const char *text, double seconds);
 
 #endif

@@ -24,8 +24,8 @@ void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pac
     mix(&pace->screen, sample->screen, by);
 }
 
-/* Checks the device first, because a slow device also prolongs the wait for the screen: what counts
- * is the rest of that wait. */
+/* Checks the device first, because a slow device also prolongs the present wait: the screen is the
+ * limit only if the wait clearly exceeds the time of the device. */
 const char *ui_frame_pacing_limit(const struct ui_frame_pacing *pace)
 {
     if (pace->device < 0.0)

@@ -55,7 +55,7 @@ struct ui {
     char deferred[64];                 /* slider whose value is used when it is released, or "" */
     float deferred_value;
     bool focuses;            /* the next click on the image sets the focus */
-    float absorption_length; /* distance of the colour of absorption; 0 at first */
+    float absorption_length; /* metres of the transmittance colour; 0: not initialised */
     bool is_full;            /* vertex limit exceeded, logged once */
     char filter[64];
     char message[600];

@@ -124,9 +124,9 @@ static float absorption_scale(const struct ui_view *view)
     return setup_absorption_scale(view->viewport->state.scene.name, &view->viewport->scene);
 }
 
-/* Chooses a preset and a finish: for the selected object, for objects whose material the settings
- * define by these, else instead of the model's own materials. A rough finish selects refraction
- * model `trace`, which draws it. */
+/* Applies a preset and a finish to the selected object. Without a selection, changes the settings
+ * if they define the objects' material, else replaces all materials of the model. A rough finish
+ * selects the refraction model `trace`. */
 static void choose_material(const struct ui_view *view, struct ui_request *request,
                             const struct material_choice *choice)
 {
@@ -186,7 +186,7 @@ static struct material_choice current_material(const struct ui_view *view,
         is.preset = setup_find_material(&request->settings, absorption_scale(view));
         is.finish = find_finish(request);
         if (!is.preset && !frame_media_are_from_settings(scene))
-            material_choice_parse(&is, name, strlen(name)); /* a file rounds its index */
+            material_choice_parse(&is, name, strlen(name)); /* files store a rounded index */
     }
     return is;
 }
@@ -238,7 +238,7 @@ static void material_buttons(struct ui *ui, const struct ui_view *view, struct u
     finish_buttons(view, request, &now);
 }
 
-/* Draws for which objects the material is, and the choice of it. */
+/* Draws the names of the objects that the material applies to, and the list of materials. */
 static void material_group(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     char text[MATERIAL_NAME_SIZE + 64];

@@ -58,8 +58,8 @@ struct window_event {
 /* Callback for every event. Returns true to hide the event from the viewer. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
-/* Callback while a job runs on the worker thread, after `seconds` of it, about ten times a second.
- * It must not use the device. */
+/* Callback while a job runs on the worker thread, about ten times a second. `seconds` is the time
+ * since the job started. It must not use the device. */
 typedef void window_busy_fn(void *user, double seconds);
 
 struct window {

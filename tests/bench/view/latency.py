@@ -23,7 +23,7 @@ from x11 import Screen  # noqa: E402
 SCENES = sys.argv[2:] or ['ice-cube', 'slate', 'drink', 'amber']
 PRESSES, PAUSE = 24, 0.5  # seconds between presses
 AREA = (420, 350, 300, 200)  # pixels of the screen, below the list of keys
-PATIENCE = 20.0  # seconds until a key is taken for lost
+PATIENCE = 20.0  # timeout of a key press, seconds
 LIMIT = 0.1
 
 
@@ -40,7 +40,7 @@ class Window:
         desktop.do('windowfocus', '--sync', self.window)
 
     def status(self, pattern):
-        """Whether the status line is as a pattern says."""
+        """Return whether the status line matches a pattern."""
         try:
             words = self.dump.read_text().splitlines()[-1].split(' ', 4)[4]
         except (OSError, IndexError):
@@ -48,7 +48,7 @@ class Window:
         return re.fullmatch(r'\d+×\d+  ' + pattern, words)
 
     def press(self):
-        """Seconds until the pixels are others."""
+        """Press F1, and return the seconds until the grabbed pixels change."""
         before = self.screen.grab(*AREA)
         start = time.monotonic()
         self.screen.key('F1')
@@ -81,7 +81,7 @@ class Window:
 
 
 def measure(desktop, firn, scene):
-    """The median of the key's seconds."""
+    """Measure a scene, and return the median latency of keys in seconds."""
     with tempfile.TemporaryDirectory() as folder:
         window = Window(desktop, firn, scene, folder)
         start = time.monotonic()
