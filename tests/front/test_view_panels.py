@@ -196,7 +196,7 @@ class Panels(PanelsCase):
         """Keys are for the image, also after a click in the panel."""
         window = self.start_with_panels('--samples', '5000')
         self.click(window, 'smooth')
-        for words in (', stopped; Esc continues', '.*s left.*'):
+        for words in (', stopped; Esc continues', '.* left.*'):
             pattern = r'\d+×\d+  \d+/5000' + words
             wait_until(pattern, lambda pattern=pattern: self.said(pattern), self.words,
                        act=lambda: self.press(window, 'Escape'))
