@@ -81,7 +81,7 @@ struct spirv_id {
     uint32_t stride;                       /* of an array in bytes */
     uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
     uint32_t variable;                     /* `variables` index plus 1, or 0 */
-    uint32_t root;              /* base variable or parameter of a pointer or image; 0: none */
+    uint32_t root;              /* base variable or parameter of a pointer or image; 0 if none */
     uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
     uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
