@@ -10,7 +10,7 @@ enum {
     BUTTON_MAX = 8, /* maximum number of values shown as buttons; more are shown as a list */
 };
 
-static const float cell_width = 80.0f; /* minimum width per thumbnail, pixels at scale 1 */
+static const float cell_width = 63.0f; /* minimum width per thumbnail, pixels at scale 1 */
 static const float cell_gap = 6.0f;
 static const float label_fraction = 0.49f; /* start of the control / row width */
 static const float narrow = 200.0f;        /* below this width, controls are below their labels */
@@ -114,13 +114,22 @@ bool ui_named_buttons(const char *name, const char *const *names, uint32_t count
     return changed;
 }
 
+/* Returns the width of a thumbnail that has room for every name. */
+static float widest_cell(const struct ui_gallery *g)
+{
+    float width = cell_width * imgui_scale();
+    for (uint32_t i = 0; i < g->count; i++)
+        width = fmaxf(width, imgui_width(g->names[i]));
+    return width;
+}
+
 bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
 {
     const float scale = imgui_scale();
     const float gap = cell_gap * scale;
     const float margin = 8.0f * scale;
     const float room = imgui_available_width() - margin;
-    const float fits = floorf((room + gap) / (cell_width * scale + gap));
+    const float fits = floorf((room + gap) / (widest_cell(g) + gap));
     const uint32_t columns = fits > 1.0f ? (uint32_t)fits : 1;
     const float width = floorf((room + gap) / (float)columns - gap);
     bool changed = false;
