@@ -232,7 +232,7 @@ static void print_facts(const struct ui_view *view, char text[static TEXT_SIZE])
                      : object->open_edge_count ? "open shell"
                                                : "closed shell");
     else
-        length = snprintf(text, TEXT_SIZE, "%u refractive triangles, %u opaque, %u open shells",
+        length = snprintf(text, TEXT_SIZE, "%u refractive triangles, %u opaque, open shells: %u",
                           scene->model.object.index_count / 3,
                           scene->model.surroundings.index_count / 3, view->objects->open_count);
     if (length > 0 && length < TEXT_SIZE)
