@@ -125,10 +125,12 @@ def write_models(folder):
                                         chunks)
     model['buffers'][0]['uri'] = ('data:application/octet-stream;base64,' +
                                   base64.b64encode(data).decode())
-    (folder / 'room.gltf').write_text(json.dumps(model))
+    for name in ('room', 'Avocado', 'BarramundiFish', 'Suzanne', 'WaterBottle'):
+        (folder / f'{name}.gltf').write_text(json.dumps(model))
     model['nodes'][1]['name'] = 'Tea'
     (folder / 'cup.gltf').write_text(json.dumps(model))
-    shutil.copy(ROOT / 'tests/data/truth/cube.obj', folder / 'teapot.obj')
+    for name in ('spot', 'teapot'):
+        shutil.copy(ROOT / 'tests/data/truth/cube.obj', folder / f'{name}.obj')
     (folder / 'studio.hdr').write_bytes(b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n' +
                                         bytes((128, 120, 110, 129)) * 32)
 
