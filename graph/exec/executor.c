@@ -297,7 +297,7 @@ static VkResult record_own(struct rg_exec *exec, const struct rg_frame *frame,
             });
     (void)rg_exec_record_part(exec, commands, frame, part);
     RG_CALL(exec, NULL, EndCommandBuffer, commands);
-    result = exec->record_result;
+    result = (VkResult)exec->record_result;
 fail:
     return result;
 }
