@@ -369,7 +369,5 @@ VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);
 VkResult rg_exec_wait_fence(const struct rg_exec *exec);
-/* Returns true if the frame with this number, or an earlier one, has not finished. */
-bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame);
 
 #endif
