@@ -1,4 +1,4 @@
-/* camera.h: matrices of the examples, column-major (C17). */
+/* camera.h: matrices of the examples, column-major (C17 and C++20). */
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -43,17 +43,19 @@ static inline struct matrix view_from_world(const float eye[3])
     float right[3], down[3];
     cross(ahead, up, right);
     cross(ahead, right, down);
-    return (struct matrix){ { right[0], down[0], ahead[0], 0, right[1], down[1], ahead[1], 0,
-                              right[2], down[2], ahead[2], 0, -dot(right, eye), -dot(down, eye),
-                              -dot(ahead, eye), 1 } };
+    const struct matrix out = { { right[0], down[0], ahead[0], 0, right[1], down[1], ahead[1], 0,
+                                  right[2], down[2], ahead[2], 0, -dot(right, eye), -dot(down, eye),
+                                  -dot(ahead, eye), 1 } };
+    return out;
 }
 
 /* Returns the projection to Vulkan's clip space; `aspect` is height / width. */
 static inline struct matrix clip_from_view(float aspect)
 {
     const float near = 0.1f, far = 40.0f;
-    return (struct matrix){ { 1.5f * aspect, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, far / (far - near), 1, 0,
-                              0, -near * far / (far - near), 0 } };
+    const struct matrix out = { { 1.5f * aspect, 0, 0, 0, 0, 1.5f, 0, 0, 0, 0, far / (far - near),
+                                  1, 0, 0, -near * far / (far - near), 0 } };
+    return out;
 }
 
 #endif

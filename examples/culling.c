@@ -1,6 +1,6 @@
 /*
  * culling.c: culls cubes on the GPU, draws those that are visible, and reads their number back
- * without waiting. Usage: culling PICTURE.ppm
+ * without waiting, as C17 or C++20 (culling.cpp). Usage: culling PICTURE.ppm
  *
  * Passes: `reset` fills the draw command, `cull` counts the visible cubes into it and lists them,
  * `draw` draws them indirectly, `count` and `copy` copy the number and the image to readback
@@ -78,8 +78,10 @@ static const struct rg_pass passes[] = {
       .push_size = sizeof(struct matrix),
       .record = record_cull },
     { .name = "draw",
-      .color = RG_TARGETS({ &picture, RG_LOAD_CLEAR, { .color.float32 = { 0.1f, 0.1f, 0.2f } } }),
-      .depth = { &depth, RG_LOAD_CLEAR, { .depthStencil = { 1, 0 } } },
+      .color = RG_TARGETS({ .image = &picture,
+                            .load = RG_LOAD_CLEAR,
+                            .clear = { .color = { .float32 = { 0.1f, 0.1f, 0.2f } } } }),
+      .depth = { .image = &depth, .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1, 0 } } },
       .uses = RG_USES({ .buffer = &draw, .access = RG_INDIRECT },
                       { .buffer = &visible,
                         .access = RG_STORAGE_READ,
@@ -115,7 +117,8 @@ static void advance(struct rg_exec *exec, uint32_t slot, struct rg_frame *frame)
 int main(int argc, char **argv)
 {
     const struct rg_technique technique = RG_TECHNIQUE("culling", passes);
-    struct rg_frame frame = { 0 };
-    const struct example example = { &technique, &pixels, { 320, 240 }, &frame, 20, advance };
+    struct rg_frame frame = EXAMPLE_ZERO;
+    const struct example example = { &technique, &pixels, { 320, 240 }, &frame,
+                                     20,         advance, NULL,         NULL };
     return argc == 2 ? example_run(&example, argv[1]) : 2;
 }

@@ -1,4 +1,4 @@
-/* pipeline.h: a graphics pipeline of an example for a row without shaders (C17). */
+/* pipeline.h: a graphics pipeline of an example for a row without shaders (C17 and C++20). */
 #ifndef PIPELINE_H
 #define PIPELINE_H
 

@@ -9,7 +9,8 @@
  * A command that the row does not allow is not recorded: a draw in a compute row, a draw before the
  * push constants that the row declares, a resource without the use that the command needs, bytes
  * beyond a buffer. rg_exec_submit() then logs the first such command with its pass and resource,
- * submits nothing, and returns VK_ERROR_VALIDATION_FAILED_EXT.
+ * submits nothing, and returns VK_ERROR_VALIDATION_FAILED_EXT. In a thread of
+ * rg_cmd_record_secondary(), rg_exec_params.log is called in that thread.
  */
 #ifndef RG_CMD_H
 #define RG_CMD_H

@@ -160,12 +160,22 @@ def build_example(folder, environment, name):
     return [folder / program, folder / 'out.ppm']
 
 
-def check_example(folder, environment, name, pixels):
-    """Builds and runs an example, and checks some pixels."""
+def run_example(folder, environment, name):
+    """Builds and runs an example, and returns its image."""
     printed = output(build_example(folder, environment, name), env=environment)
-    if not re.fullmatch(COUNTS if name == 'culling.c' else '', printed):
+    if not re.fullmatch(COUNTS if name.startswith('culling.') else '', printed):
         sys.exit(f'{name} prints {printed}')
-    _, size, _, texels = (folder / 'out.ppm').read_bytes().split(b'\n', 3)
+    return (folder / 'out.ppm').read_bytes()
+
+
+def check_example(folder, environment, name, pixels):
+    """Checks some pixels of an example, and that its C++ twin draws the same image."""
+    image = run_example(folder, environment, name)
+    twin = pathlib.Path(name).with_suffix('.cpp').name
+    if name != twin and (folder / twin).exists() and \
+            image != run_example(folder, environment, twin):
+        sys.exit(f'{twin} draws another image than {name}')
+    _, size, _, texels = image.split(b'\n', 3)
     width = int(size.split()[0])
     for (x, y), color in pixels.items():
         found = tuple(texels[3 * (y * width + x):][:3])

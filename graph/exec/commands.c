@@ -5,20 +5,25 @@
 
 /* ---- misuse ---- */
 
+/* Sets and logs the error of the frame, unless it has one: also in several threads. */
+static void refuse(struct rg_exec *exec, VkResult result, const char *what, const char *of)
+{
+    int none = VK_SUCCESS;
+    if (atomic_compare_exchange_strong(&exec->record_result, &none, result))
+        rg_exec_check(exec, result, what, of);
+}
+
 void rg_exec_misuse(const struct rg_cmd *cmd, const char *resource, const char *format, ...)
 {
-    struct rg_exec *exec = cmd->exec;
     char what[384];
     int length = snprintf(what, sizeof(what), "%s: ", cmd->plan_pass->pass->name);
     va_list arguments;
-    if (exec->record_result != VK_SUCCESS)
-        return;
     va_start(arguments, format);
     if (length > 0 && (size_t)length < sizeof(what))
         vsnprintf(&what[length], sizeof(what) - (size_t)length, format, arguments);
     va_end(arguments);
-    exec->record_result = rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, what,
-                                        resource ? resource : cmd->plan_pass->technique->name);
+    refuse(cmd->exec, VK_ERROR_VALIDATION_FAILED_EXT, what,
+           resource ? resource : cmd->plan_pass->technique->name);
 }
 
 /* Returns false if the pass uses secondary command buffers and `cmd` is its primary one. */
@@ -298,9 +303,8 @@ static bool find_counted(const struct rg_cmd *cmd, const struct rg_indirect_coun
 {
     struct rg_exec *exec = cmd->exec;
     if (!exec->has_indirect_count) {
-        exec->record_result =
-            rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the feature drawIndirectCount",
-                          cmd->plan_pass->pass->name);
+        refuse(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the feature drawIndirectCount",
+               cmd->plan_pass->pass->name);
         return false;
     }
     *commands =

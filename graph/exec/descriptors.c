@@ -345,6 +345,15 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec)
     return result;
 }
 
+VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image)
+{
+    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
+        if (exec->plan->images[i].image == image)
+            return exec->image_set->images[i];
+    }
+    return VK_NULL_HANDLE;
+}
+
 VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
                          const struct rg_range *range)
 {

@@ -233,20 +233,6 @@ static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *s
     return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
 }
 
-bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame)
-{
-    for (uint32_t i = 0; i < exec->slot_count; i++) {
-        const struct exec_slot *slot = &exec->slots[i];
-        if (slot->frame > frame)
-            continue;
-        if (slot->recorded ||
-            (slot->submitted &&
-             exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT))
-            return true;
-    }
-    return false;
-}
-
 void rg_exec_destroy(struct rg_exec *exec)
 {
     if (!exec)
@@ -297,7 +283,7 @@ static VkResult record_own(struct rg_exec *exec, const struct rg_frame *frame,
             });
     (void)rg_exec_record_part(exec, commands, frame, part);
     RG_CALL(exec, NULL, EndCommandBuffer, commands);
-    result = exec->record_result;
+    result = (VkResult)exec->record_result;
 fail:
     return result;
 }
@@ -449,13 +435,4 @@ void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint3
             return rg_exec_buffer(exec, i, slot)->mapped;
     }
     return NULL;
-}
-
-VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image)
-{
-    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
-        if (exec->plan->images[i].image == image)
-            return exec->image_set->images[i];
-    }
-    return VK_NULL_HANDLE;
 }

@@ -3,6 +3,8 @@
 #ifndef RG_EXEC_EXECUTOR_INTERNAL_H
 #define RG_EXEC_EXECUTOR_INTERNAL_H
 
+#include <stdatomic.h>
+
 #include "graph/exec/vulkan_functions.h"
 #include "graph/rg_exec.h"
 #include "graph/rg_profile.h"
@@ -158,10 +160,10 @@ struct rg_exec {
     uint32_t *origins;
     struct exec_transition *transitions;
     uint32_t transition_count;
-    VkResult record_result;  /* first error of the record functions of the frame */
-    bool begun;              /* rg_exec_begin() was called, and the frame is not submitted */
-    bool has_indirect_count; /* the device has drawIndirectCount */
-    bool has_structures;     /* plan has acceleration structures */
+    atomic_int record_result; /* VkResult: first error of the frame's record functions */
+    bool begun;               /* rg_exec_begin() was called, and the frame is not submitted */
+    bool has_indirect_count;  /* the device has drawIndirectCount */
+    bool has_structures;      /* plan has acceleration structures */
     struct exec_batch batch;
     struct exec_part next_part;   /* where a frame in parts continues; `count` 0: no such frame */
     struct exec_pass_cost *costs; /* NULL until a frame is submitted in parts */
@@ -367,7 +369,5 @@ VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);
 VkResult rg_exec_wait_fence(const struct rg_exec *exec);
-/* Returns true if the frame with this number, or an earlier one, has not finished. */
-bool rg_exec_is_in_flight(const struct rg_exec *exec, uint64_t frame);
 
 #endif

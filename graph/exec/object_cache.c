@@ -324,12 +324,27 @@ VkResult rg_exec_retire_former(struct rg_exec *exec)
     return VK_SUCCESS;
 }
 
+/* Returns true if the frame with this number, or an earlier one, has not finished. */
+static bool is_in_flight(const struct rg_exec *exec, uint64_t frame)
+{
+    for (uint32_t i = 0; i < exec->slot_count; i++) {
+        const struct exec_slot *slot = &exec->slots[i];
+        if (slot->frame > frame)
+            continue;
+        if (slot->recorded ||
+            (slot->submitted &&
+             exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, 0) == VK_TIMEOUT))
+            return true;
+    }
+    return false;
+}
+
 static void free_retired(struct rg_exec *exec, bool all)
 {
     struct exec_retired **link = &exec->retired;
     while (*link) {
         struct exec_retired *retired = *link;
-        if (!all && rg_exec_is_in_flight(exec, retired->frame)) {
+        if (!all && is_in_flight(exec, retired->frame)) {
             link = &retired->next;
             continue;
         }

@@ -229,5 +229,5 @@ VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
     if (part->ends && part->first + part->count == plan->pass_count)
         rg_exec_add_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     rg_exec_record_batch(exec, commands);
-    return exec->record_result;
+    return (VkResult)exec->record_result;
 }

@@ -280,22 +280,57 @@ static void check_links(struct run *run)
         assert_true(run->plan->memory_used == run->plan->memory_without_aliasing / 2);
 }
 
+static const struct paint_push link_paints[] = {
+    { .color = { { 1, 2, 3, 4 } }, ALL },
+    { .color = { { 10, 20, 30, 40 } }, ALL },
+    { .color = { { 100, 200, 300, 400 } }, ALL },
+    { .color = { { 1000, 2000, 3000, 4000 } }, ALL },
+};
+
 static void memory_is_shared(void **state)
 {
-    static const struct paint_push paints[] = {
-        { .color = { { 1, 2, 3, 4 } }, ALL },
-        { .color = { { 10, 20, 30, 40 } }, ALL },
-        { .color = { { 100, 200, 300, 400 } }, ALL },
-        { .color = { { 1000, 2000, 3000, 4000 } }, ALL },
-    };
-    PAINTED_VARIANTS(state, link_rows, paints, check_links, .outputs = { &links_out });
+    PAINTED_VARIANTS(state, link_rows, link_paints, check_links, .outputs = { &links_out });
+}
+
+/* The second link lives longer than the neighbours, of which the later ones must not touch it. */
+static const struct rg_buffer second_out = COLOR_BUFFER("second out");
+static const struct rg_pass neighbour_rows[] = {
+    { .name = "first", .color = RG_TARGETS({ &links[0], RG_LOAD_DISCARD }), PAINTED },
+    LINK("second", 0, 1),
+    LINK("third", 1, 2),
+    LINK("fourth", 2, 3),
+    RUN_READ("read second", links[1], second_out),
+    RUN_READ("read", links[3], links_out),
+};
+
+enum {
+    SIDE = 128, /* an image of it fills many pages of memory */
+};
+
+static void check_neighbours(struct run *run)
+{
+    painted_check_all(run, &second_out, SIDE * SIDE, painted_color(11, 22, 33, 44));
+    painted_check_all(run, &links_out, SIDE * SIDE, painted_color(1111, 2222, 3333, 4444));
+    if (run->params.sharing != RG_SHARE_NOTHING)
+        assert_true(run->plan->memory_used == run->plan->memory_without_aliasing / 4 * 3);
+}
+
+static void large_images_share_memory(void **state)
+{
+    PAINTED_VARIANTS(state, neighbour_rows, link_paints, check_neighbours,
+                     .outputs = { &links_out, &second_out }, .view = { SIDE, SIDE });
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(loads_and_targets), ON_DEVICE(row_per_layer),         ON_DEVICE(row_per_mip),
-        ON_DEVICE(mips_from_mips),    ON_DEVICE(sizes_follow_the_view), ON_DEVICE(memory_is_shared),
+        ON_DEVICE(loads_and_targets),
+        ON_DEVICE(row_per_layer),
+        ON_DEVICE(row_per_mip),
+        ON_DEVICE(mips_from_mips),
+        ON_DEVICE(sizes_follow_the_view),
+        ON_DEVICE(memory_is_shared),
+        ON_DEVICE(large_images_share_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

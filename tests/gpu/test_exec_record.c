@@ -3,6 +3,7 @@
  * semaphores, and secondary command buffers recorded in several threads.
  */
 #include <pthread.h>
+#include <stdatomic.h>
 #include <string.h>
 
 #include "tests/support/assertions.h"
@@ -250,10 +251,14 @@ static void draw_column(struct rg_cmd *cmd, void *user)
     painted_draw(cmd, &push);
 }
 
+static atomic_int waiting; /* threads that have not begun */
+static rg_secondary_fn *record_column_by = draw_column;
+
 static void *record_column(void *user)
 {
     struct column *column = user;
-    column->result = rg_cmd_record_secondary(column->cmd, column->commands, draw_column, column);
+    column->result =
+        rg_cmd_record_secondary(column->cmd, column->commands, record_column_by, column);
     return NULL;
 }
 
@@ -314,14 +319,19 @@ static void make_columns(const struct gpu *gpu)
     }
 }
 
+static void destroy_columns(const struct gpu *gpu)
+{
+    for (uint32_t i = 0; i < THREAD_COUNT; i++)
+        vkDestroyCommandPool(gpu->device, columns[i].pool, NULL);
+}
+
 static void threads_record_a_pass(void **state)
 {
     const struct gpu *gpu = *state;
     make_columns(gpu);
     PAINTED_VARIANTS(state, column_rows, NULL, check_columns, .outputs = { &picture_out },
                      .measure = { RG_CLOCK_STREAM, true });
-    for (uint32_t i = 0; i < THREAD_COUNT; i++)
-        vkDestroyCommandPool(gpu->device, columns[i].pool, NULL);
+    destroy_columns(gpu);
 }
 
 static void record_undeclared(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -356,6 +366,37 @@ static void check_refused(struct gpu *gpu, bool secondary, rg_record_fn *record,
     run_close(&run);
 }
 
+/* Misuses a command in all threads at a time. */
+static void dispatch_in_column(struct rg_cmd *cmd, void *user)
+{
+    (void)user;
+    for (waiting--; waiting > 0;)
+        ;
+    rg_cmd_dispatch(cmd, 1, 1, 1);
+}
+
+static void threads_are_checked(void **state)
+{
+    struct run run;
+    make_columns(*state);
+    record_column_by = dispatch_in_column;
+    run_open(&run, *state,
+             &(struct run_params){
+                 .technique = RG_TECHNIQUE("test", column_rows),
+                 .outputs = { &picture_out },
+             });
+    for (int frame = 1; frame <= 20; frame++) {
+        waiting = THREAD_COUNT;
+        assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+        assert_int_equal(rg_exec_submit(run.exec, NULL), VK_ERROR_VALIDATION_FAILED_EXT);
+        assert_non_null(strstr(run.line, "columns: a dispatch needs a compute row"));
+        assert_int_equal(run.line_count, frame);
+    }
+    run_close(&run);
+    destroy_columns(*state);
+    record_column_by = draw_column;
+}
+
 static void secondary_rows_are_checked(void **state)
 {
     check_refused(*state, false, record_undeclared,
@@ -367,10 +408,9 @@ static void secondary_rows_are_checked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(program_records_and_submits),
-        ON_DEVICE(frames_wait_for_timelines),
-        ON_DEVICE(threads_record_a_pass),
-        ON_DEVICE(secondary_rows_are_checked),
+        ON_DEVICE(program_records_and_submits), ON_DEVICE(frames_wait_for_timelines),
+        ON_DEVICE(threads_record_a_pass),       ON_DEVICE(secondary_rows_are_checked),
+        ON_DEVICE(threads_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
