@@ -9,6 +9,7 @@
 #include "src/scene/environment/environment.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/geometry/framing.h"
+#include "src/scene/geometry/object_transform.h"
 #include "src/scene/ice_bump_map.h"
 #include "src/scene/import/model.h"
 #include "src/scene/import/sandboxed_load.h"
@@ -16,7 +17,6 @@
 #include "src/scene/medium_density.h"
 #include "src/scene/melt/melt.h"
 #include "src/scene/model_transform.h"
-#include "src/scene/geometry/object_transform.h"
 #include "src/scene/stage/stage.h"
 
 enum scene_background_kind {

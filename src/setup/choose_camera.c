@@ -93,6 +93,18 @@ static struct camera frame_model(const struct scene *scene, const struct setup_i
     return framing_camera(&scene->framing, &view);
 }
 
+/* Enlarges the view of a file's camera of aspect ratio `aspect`, so that an image narrower than a
+ * square and than that shows its whole width, at most that of a square. */
+static void fit_width(struct camera *camera, float aspect, const struct setup_image *p)
+{
+    const float least = aspect > 0.0f && aspect < 1.0f ? aspect : 1.0f;
+    const float factor = least * (float)p->height / (float)p->width;
+    if (!(factor > 1.0f))
+        return;
+    camera->fov_deg = glm_deg(2.0f * atanf(factor * tanf(glm_rad(camera->fov_deg) / 2.0f)));
+    camera->height *= factor;
+}
+
 static struct camera choose(const struct scene *scene, const struct setup_image *p,
                             const struct camera *model_camera)
 {
@@ -146,6 +158,8 @@ enum status setup_camera(struct camera *camera, const struct scene *scene,
     const bool is_named = p->camera || (named && !model->has_camera && !(p->fov_deg > 0.0f));
     if (is_named)
         model_camera = camera_of(named, scene);
+    if (!(p->fov_deg > 0.0f))
+        fit_width(&model_camera, is_named ? named->aspect : model->camera_aspect, p);
     *camera = choose(scene, p, is_named || model->has_camera ? &model_camera : NULL);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;

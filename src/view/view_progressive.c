@@ -12,6 +12,7 @@ static const double rest_seconds = 0.12; /* rest before sampling starts, seconds
 static const double show_seconds = 0.25; /* interval between displayed means, seconds */
 static const double part_seconds = 0.02; /* duration of a part of a sample, seconds */
 static const double soon_seconds = 0.15; /* seconds per sample above which a draft is shown first */
+static const double draft_share = 1.0 / 3.0; /* greatest time of that draft, relative to a sample */
 
 enum {
     FIRST_COUNT = 8, /* up to this sample count, the image is shown only after 2^n samples */
@@ -184,6 +185,15 @@ static enum status rebuild(void *user)
     return viewport_rebuild(v->viewport);
 }
 
+/* Returns true if a full-size draft would postpone the first sample by more than it is worth: the
+ * sample is short, or takes hardly longer than the draft. */
+static bool is_sample_soon(const struct view_progressive *r)
+{
+    const double draft = r->dynamic_resolution.passes + r->dynamic_resolution.rest;
+    return r->sample_seconds > 0.0 &&
+           (r->sample_seconds <= soon_seconds || r->sample_seconds * draft_share < draft);
+}
+
 /* Does one preparation before the next sample, for example creates the draft renderers or draws a
  * full-size draft. Sets *drew to false if there is nothing to prepare. */
 static enum status prepare(struct view *v, bool *drew)
@@ -202,8 +212,7 @@ static enum status prepare(struct view *v, bool *drew)
         v->changed = true; /* the new renderers start from the first sample */
         return worker_run(&v->window, rebuild, v);
     }
-    const bool is_soon = r->sample_seconds > 0.0 && r->sample_seconds <= soon_seconds;
-    if (!r->count && !r->has_full_draft && p->shows_draft && !is_soon)
+    if (!r->count && !r->has_full_draft && p->shows_draft && !is_sample_soon(r))
         return draw_full_draft(v);
     *drew = false;
     return STATUS_OK;

@@ -440,6 +440,11 @@ class Scenes(Case):
         self.assertEqual(pictures[''], pictures['--camera 0'])
         self.assertEqual(pictures['--camera Near'], pictures['--camera 1'])
         self.assertNotEqual(pictures[''], pictures['--camera Near'])
+        for size, fov in (('48x24', 45.8366), ('24x24', 45.8366), ('12x24', 80.4348)):
+            self.succeed('render', 'seen.gltf', '--size', size, '-r', 'reference', '--json',
+                         'a.json', '-o', 'a.exr', env=NO_DRIVER)
+            camera = json.loads((self.folder / 'a.json').read_text())['camera']
+            self.assertAlmostEqual(camera['fov'], fov, 3)
 
     def test_cameras_that_are_not_there(self):
         self.write_cameras()

@@ -120,7 +120,12 @@ class WindowCase(Case):
         return paths[0]
 
     def press_to_end(self, window, key):
-        self.press_until(window, key, 'the end', lambda: self.process.poll() is not None)
+        def press():
+            try:
+                self.press(window, key)
+            except subprocess.CalledProcessError:  # the window is gone, the process not yet
+                pass
+        wait_until('the end', lambda: self.process.poll() is not None, self.words, act=press)
         self.assertEqual(self.process.returncode, 0, self.words())
 
     def close(self, window):

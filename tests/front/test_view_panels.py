@@ -186,10 +186,22 @@ class Panels(PanelsCase):
         self.fold(window, 'Object', 'box 1', True)
         self.wait_for_command(window, '--transform', 'box 0=0,', act=lambda: self.move(
             window, *[self.place('Move Y', x) for x in (0.5, 0.6)]))
+        self.press(window, 'ctrl+z')
+        self.wait_for_command(window, without='--transform')
+        self.press(window, 'ctrl+y')
+        self.wait_for_command(window, '--transform')
         self.wait_for_command(window, "--hide 'box 1'",
                               act=lambda: self.click(window, 'show box 1'))
+        self.press_until(window, 'ctrl+s', 'a session', lambda: self.label('saved /'))
+        saved = self.folder / 'data' / 'firn' / 'sessions' / 'session-0001.firn'
+        shown = shlex.split(self.command(window))
         self.press(window, 'ctrl+z')
         self.wait_for_command(window, without='--hide')
+        self.desktop.drop(window, saved)
+        self.wait_for_command(window, "--hide 'box 1'")
+        again = shlex.split(self.command(window))
+        for option in ('--transform', '--hide'):
+            self.assertEqual(again[again.index(option) + 1], shown[shown.index(option) + 1])
         self.close(window)
 
     def test_drawing_stops_and_continues(self):

@@ -75,7 +75,7 @@ static void parts_are_even_and_never_empty(void **state)
             const uint32_t part = dynamic_resolution_scale(length, k);
             assert_in_range(part, 1, length);
             assert_true(part == length || part % 2 == 0);
-            assert_true(2 * (part + 2) >= length);
+            assert_true(16 * (part + 2) >= DYNAMIC_RESOLUTION_MIN * length);
         }
     }
 }

@@ -437,6 +437,7 @@ static void camera(void **state)
         struct model model = load_glb(text);
         assert_true(model.has_camera);
         CHECK_NEAR(model.camera.fov_deg, 0.8 * 180 / 3.14159265, 1e-3);
+        CHECK_NEAR(model.camera_aspect, i ? 2.5 : 0, 0);
         check_vec3(model.camera.eye, 3, 0, 4);
         check_vec3(model.camera.target, -2, 0, 4); /* as far as the square's centre, 5 */
         check_vec3(model.camera.up, 0, 1, 0);

@@ -50,8 +50,14 @@ static void lines_come_back_as_they_were(void **state)
     assert_int_equal(parse(&first, "scene=a%20b%c3%a9%25.glb\nenv=alps\nenv-rotate=-35.5\n"
                                    "rung=bounce\ntime=3.25\n"
                                    "camera=1,2,3,0,0.5,0,0,1,0,40,0,0\n"
+                                   "transform=a%3db%20=0.1,-2,3e-05,0,-45,0,0.3\nhide=b\n"
                                    "cracks.count=5\n"),
                      STATUS_OK);
+    assert_int_equal(first.object_transform_count, 2);
+    assert_string_equal(first.object_transforms[0].name, "a=b ");
+    CHECK_NEAR(first.object_transforms[0].rotate_deg.y, -45, 0);
+    CHECK_NEAR(first.object_transforms[0].scale, 0.3f, 0);
+    assert_true(first.object_transforms[1].is_hidden);
     assert_string_equal(first.scene, "a b\xc3\xa9%.glb");
     CHECK_NEAR(first.env_rotate, -35.5, 0);
     CHECK_NEAR(first.camera.target.y, 0.5, 0);
@@ -63,6 +69,8 @@ static void lines_come_back_as_they_were(void **state)
     assert_string_equal(text, text_again);
     assert_true(settings_equal(&first.settings, &again.settings));
     assert_ptr_equal(first.refraction, again.refraction);
+    assert_memory_equal(first.object_transforms, again.object_transforms,
+                        sizeof(first.object_transforms));
     free(text);
     free(text_again);
     session_file_finish(&first);
@@ -96,6 +104,10 @@ static void wrong_lines_are_refused(void **state)
         "scene=sphere\nrung=bounce\ncamera=0,0,0,0,0,0,0,1,0,45,0,0\n", /* nowhere */
         "scene=sphere\nrung=bounce\ncamera=0,0,1,0,0,0,0,1,0,45,2,0\n", /* no depth */
         "scene=sphere\nrung=bounce\nenv-rotate=361\n",                  /* */
+        "scene=sphere\nrung=bounce\nhide=\n",                           /* nothing */
+        "scene=sphere\nrung=bounce\ntransform=a\n",                     /* no numbers */
+        "scene=sphere\nrung=bounce\ntransform=a=1,2,3,0,0,0,0\n",       /* of no size */
+        "scene=sphere\nrung=bounce\ntransform=a=1,2,3,0,361,0,1\n",     /* */
     };
     struct session_file session;
     (void)state;

@@ -55,8 +55,8 @@ struct fork ray_branch_split(const struct tracer *tracing, const struct ray_bran
                              const struct surface_hit *surface_hit);
 
 /* Applies Russian roulette: if the throughput is below reference.cutoff, the ray survives with
- * probability throughput / cutoff. Multiplies the throughput by the returned weight: 0 if the ray is
- * terminated, else 1 / probability. If the ray has split too often, it becomes a single path. */
+ * probability throughput / cutoff. Multiplies the throughput by the returned weight: 0 if the ray
+ * is terminated, else 1 / probability. If the ray has split too often, it becomes a single path. */
 float ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b);
 
 /* Chooses the reflected or refracted ray at random by Fresnel reflectance, and reweights it. */

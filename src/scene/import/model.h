@@ -60,6 +60,7 @@ struct model_camera {
     char name[MATERIAL_NAME_SIZE];
     uint32_t kind; /* enum model_camera_kind */
     float height;  /* orthographic view's height, metres; else 0 */
+    float aspect;  /* width / height of the view; 0 if the file does not state it */
     /* `target` is as far away as the object; fov_deg is unused for an orthographic camera */
     struct camera camera;
 };
@@ -116,6 +117,7 @@ struct model {
     uint32_t animation_count;
     uint32_t animation;   /* index + 1; 0 at rest */
     struct camera camera; /* first perspective camera; valid if has_camera */
+    float camera_aspect;  /* model_camera.aspect of `camera` */
     float ior;            /* object's KHR_materials_ior; valid if has_ior */
     struct box box;       /* box of refract.lookup=box; scene_load() sets it if !has_box */
     bool has_camera;

@@ -163,6 +163,7 @@ static enum pipe_fault check_camera(const struct model *model, const void *items
     return IS_TEXT(camera->name) && camera->kind < MODEL_CAMERA_KIND_COUNT &&
                    is_camera(&camera->camera) &&
                    is_in_range(camera->height, 0, MODEL_COORDINATE_MAX) &&
+                   is_in_range(camera->aspect, 0, MODEL_COORDINATE_MAX) &&
                    is_flat == (camera->height > 0)
                ? PIPE_OK
                : PIPE_CAMERA;
@@ -264,7 +265,7 @@ enum {
 };
 
 _Static_assert(offsetof(struct texture_layers, texels) == 0, "an array begins with its pointer");
-_Static_assert(sizeof(struct model) == 1344, "every pointer needs a row in `arrays`");
+_Static_assert(sizeof(struct model) == 1352, "every pointer needs a row in `arrays`");
 
 static void *items_of(const struct array *array, const struct model *model)
 {
@@ -349,7 +350,8 @@ static enum pipe_fault check_head(const struct model *head)
     if (!pipe_is_bool(&head->has_camera) || !pipe_is_bool(&head->has_box) ||
         !pipe_is_bool(&head->has_ior) || (head->has_box && !is_box(&head->box)) ||
         (head->has_ior && !is_in_range(head->ior, 1, 4)) ||
-        (head->has_camera && !is_camera(&head->camera)))
+        (head->has_camera && !is_camera(&head->camera)) ||
+        !is_in_range(head->camera_aspect, 0, MODEL_COORDINATE_MAX))
         return PIPE_CAMERA;
     if (!are_undrawn_bits_valid(head->undrawn) || !IS_TEXT(head->undrawn_text))
         return PIPE_NUMBER;

@@ -32,6 +32,7 @@ static const struct number {
 
 enum {
     NUMBER_COUNT = sizeof(numbers) / sizeof(numbers[0]),
+    TRANSFORM_NUMBER_COUNT = 7, /* X,Y,Z,RX,RY,RZ,SCALE, as in --transform */
 };
 
 static int digit(char c)
@@ -61,31 +62,79 @@ static bool decode_name(char *text)
     return to > text;
 }
 
-static void print_name(const char *name, const char *text, FILE *out)
+/* Prints the characters of a name that need it as "%e9". */
+static void print_name(const char *name, FILE *out)
 {
-    fprintf(out, "%s=", name);
-    for (; *text; text++) {
-        if (*text <= ' ' || *text > '~' || *text == '%')
-            fprintf(out, "%%%02x", (unsigned char)*text);
+    for (; *name; name++) {
+        if (*name <= ' ' || *name > '~' || *name == '%')
+            fprintf(out, "%%%02x", (unsigned char)*name);
         else
-            fputc(*text, out);
+            fputc(*name, out);
     }
+}
+
+static void print_named(const char *entry, const char *name, FILE *out)
+{
+    fprintf(out, "%s=", entry);
+    print_name(name, out);
     fputc('\n', out);
 }
 
-/* Parses numbers separated by commas. */
-static bool parse_numbers(const struct number *entry, const char *text, struct session_file *s)
+/* Parses `count` numbers of magnitude at most `most`, separated by commas. */
+static bool parse_numbers(const char *text, float *to, uint32_t count, float most)
 {
-    float *to = (float *)((char *)s + entry->offset);
-    for (uint32_t i = 0; i < entry->count; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         char *end;
         to[i] = strtof(text, &end);
-        if (end == text || !(fabsf(to[i]) <= entry->most) ||
-            *end != (i + 1 < entry->count ? ',' : '\0'))
+        if (end == text || !(fabsf(to[i]) <= most) || *end != (i + 1 < count ? ',' : '\0'))
             return false;
         text = end + 1;
     }
     return true;
+}
+
+/* Finds the transform of a node with a percent-encoded name, or adds one. Returns NULL if the name
+ * is invalid or too many nodes have one. */
+static struct object_transform *transform_of(struct session_file *s, char *name)
+{
+    if (!decode_name(name) || strlen(name) >= sizeof(s->object_transforms[0].name))
+        return NULL;
+    for (uint32_t i = 0; i < s->object_transform_count; i++) {
+        if (!strcmp(s->object_transforms[i].name, name))
+            return &s->object_transforms[i];
+    }
+    if (s->object_transform_count == SETUP_NODE_COUNT)
+        return NULL;
+    struct object_transform *made = &s->object_transforms[s->object_transform_count++];
+    *made = (struct object_transform){ .scale = 1.0f };
+    memcpy(made->name, name, strlen(name) + 1);
+    return made;
+}
+
+/* Parses the value of an entry "transform": NODE=X,Y,Z,RX,RY,RZ,SCALE. */
+static bool parse_transform(struct session_file *s, char *value)
+{
+    float v[TRANSFORM_NUMBER_COUNT];
+    char *end = strrchr(value, '=');
+    if (!end || !parse_numbers(end + 1, v, TRANSFORM_NUMBER_COUNT, 1e6f) || !(v[6] >= 1e-6f))
+        return false;
+    *end = '\0';
+    struct object_transform *made = transform_of(s, value);
+    if (!made)
+        return false;
+    memcpy(made->move.raw, v, sizeof(made->move.raw));
+    memcpy(made->rotate_deg.raw, &v[3], sizeof(made->rotate_deg.raw));
+    made->scale = v[6];
+    return fabsf(v[3]) <= 360.0f && fabsf(v[4]) <= 360.0f && fabsf(v[5]) <= 360.0f;
+}
+
+/* Parses an entry about an object: "transform" or "hide". */
+static bool parse_object(struct session_file *s, bool hides, char *value)
+{
+    struct object_transform *made = hides ? transform_of(s, value) : NULL;
+    if (made)
+        made->is_hidden = true;
+    return hides ? made != NULL : parse_transform(s, value);
 }
 
 static bool is_valid_camera(const struct camera *c)
@@ -102,7 +151,8 @@ static bool parse_own(struct session_file *s, const char *name, char *value, con
     for (size_t i = 0; i < NUMBER_COUNT; i++) {
         if (strcmp(name, numbers[i].name) != 0)
             continue;
-        const bool ok = parse_numbers(&numbers[i], value, s) &&
+        float *to = (float *)((char *)s + numbers[i].offset);
+        const bool ok = parse_numbers(value, to, numbers[i].count, numbers[i].most) &&
                         (numbers[i].count == 1 || is_valid_camera(&s->camera));
         *expected = ok ? NULL : numbers[i].expected;
         return true;
@@ -113,6 +163,10 @@ static bool parse_own(struct session_file *s, const char *name, char *value, con
     } else if (!strcmp(name, "rung")) {
         s->refraction = techniques_find_refraction(value);
         *expected = s->refraction ? NULL : "a refraction model (firn list refractions)";
+    } else if (!strcmp(name, "transform") || !strcmp(name, "hide")) {
+        *expected = parse_object(s, *name == 'h', value)
+                        ? NULL
+                        : "a node of at most 16, and the seven numbers of a transform";
     } else
         return false;
     return true;
@@ -172,24 +226,54 @@ void session_file_finish(struct session_file *s)
     *s = (struct session_file){ 0 };
 }
 
+static void print_numbers(const float *from, uint32_t count, FILE *out)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (i)
+            fputc(',', out);
+        settings_print_number(from[i], out);
+    }
+    fputc('\n', out);
+}
+
+static void print_object(const struct object_transform *t, FILE *out)
+{
+    const float v[TRANSFORM_NUMBER_COUNT] = {
+        t->move.x,
+        t->move.y,
+        t->move.z,
+        t->rotate_deg.x,
+        t->rotate_deg.y,
+        t->rotate_deg.z,
+        t->scale > 0.0f ? t->scale : 1.0f,
+    };
+    struct object_transform shown = *t;
+    shown.is_hidden = false;
+    if (!object_transform_is_identity(&shown)) {
+        fputs("transform=", out);
+        print_name(t->name, out);
+        fputc('=', out);
+        print_numbers(v, TRANSFORM_NUMBER_COUNT, out);
+    }
+    if (t->is_hidden)
+        print_named("hide", t->name, out);
+}
+
 void session_file_print(const struct session_file *s, FILE *out)
 {
     fputs("# a session of firn view: --session\n", out);
-    print_name("scene", s->scene, out);
+    print_named("scene", s->scene, out);
     if (s->environment)
-        print_name("env", s->environment, out);
+        print_named("env", s->environment, out);
     fprintf(out, "rung=%s\n", s->refraction->refraction.name);
     for (size_t i = 0; i < NUMBER_COUNT; i++) {
         const float *from = (const float *)((const char *)s + numbers[i].offset);
         if (numbers[i].count > 1 && !is_valid_camera(&s->camera))
             continue;
         fprintf(out, "%s=", numbers[i].name);
-        for (uint32_t n = 0; n < numbers[i].count; n++) {
-            if (n)
-                fputc(',', out);
-            settings_print_number(from[n], out);
-        }
-        fputc('\n', out);
+        print_numbers(from, numbers[i].count, out);
     }
+    for (uint32_t i = 0; i < s->object_transform_count; i++)
+        print_object(&s->object_transforms[i], out);
     settings_print_changes(&s->settings, "", out);
 }

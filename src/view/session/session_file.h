@@ -11,7 +11,9 @@
 #include <stdio.h>
 #include "src/file/preset.h"
 #include "src/scene/camera.h"
+#include "src/scene/geometry/object_transform.h"
 #include "src/settings/settings.h"
+#include "src/setup/setup.h"
 
 struct technique;
 
@@ -25,6 +27,8 @@ struct session_file {
     struct settings settings;
     struct camera camera; /* .fov_deg 0 if missing */
     float time;           /* scene time, seconds */
+    struct object_transform object_transforms[SETUP_NODE_COUNT];
+    uint32_t object_transform_count;
 };
 
 /* Parses a session file and takes ownership of `lines`. `path` is the file name in messages. On

@@ -36,7 +36,9 @@ void view_apply_session(const struct session_file *session, struct setup_image *
     scene->ground = (struct stage_params){ 0 };
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
-    scene->material_override_count = scene->object_transform_count = 0;
+    scene->material_override_count = 0;
+    scene->object_transform_count = session->object_transform_count;
+    memcpy(scene->object_transforms, session->object_transforms, sizeof(scene->object_transforms));
     scene->background.is_given = false;
     state->refraction = session->refraction;
     state->is_refraction_named = true;
@@ -148,7 +150,6 @@ static const char *unsupported(const struct view *v)
         { s->air, "--air" },
         { s->animation, "--animation" },
         { s->material_override_count, "--material NODE=..." },
-        { s->object_transform_count, "--transform and --hide" },
         { s->background.is_given, "--background" },
         { s->ground.ground > STAGE_NONE, "--ground" },
         { v->compare.side_b != VIEW_SIDE_B_NONE, "side B" },
@@ -167,7 +168,7 @@ static void print_session(const struct view *v, FILE *out)
     const struct view_state state = view_state_now(v);
     char *scene = absolute_name(s->name);
     char *environment = s->environment ? absolute_name(s->environment) : NULL;
-    const struct session_file session = {
+    struct session_file session = {
         .scene = scene ? scene : s->name,
         .environment = environment,
         .env_rotate = state.env_rotate,
@@ -176,7 +177,9 @@ static void print_session(const struct view *v, FILE *out)
         .settings = state.settings,
         .camera = v->viewport->camera,
         .time = view_time(v),
+        .object_transform_count = s->object_transform_count,
     };
+    memcpy(session.object_transforms, s->object_transforms, sizeof(session.object_transforms));
     session_file_print(&session, out);
     free(environment);
     free(scene);

@@ -40,14 +40,18 @@ static bool read_camera(struct model_camera *camera, const struct gltf_object *o
                    node->name[0] ? node->name : camera_name);
     if (perspective.json || !orthographic.json) {
         camera->camera.fov_deg = glm_deg(gltf_number(&perspective, "yfov", 0));
+        camera->aspect = gltf_number(&perspective, "aspectRatio", 0);
     } else {
         camera->kind = MODEL_ORTHOGRAPHIC;
         camera->camera.fov_deg = 45; /* unused, but keeps the camera valid */
         camera->height = 2 * fabsf(gltf_number(&orthographic, "ymag", 0));
+        camera->aspect = 2 * fabsf(gltf_number(&orthographic, "xmag", 0)) / camera->height;
     }
     const bool is_valid = camera->kind == MODEL_PERSPECTIVE
                               ? camera->camera.fov_deg > 0 && camera->camera.fov_deg < 180
                               : camera->height > 0 && camera->height <= MODEL_COORDINATE_MAX;
+    if (!(camera->aspect > 0 && camera->aspect <= MODEL_COORDINATE_MAX))
+        camera->aspect = 0;
     return is_valid &&
            set_transform(&camera->camera,
                          affine_to_mat4(&node->model_from_node, object->gltf->origin), mesh);
@@ -82,6 +86,7 @@ enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
         if (camera->kind == MODEL_PERSPECTIVE && !model->has_camera) {
             model->has_camera = true;
             model->camera = camera->camera;
+            model->camera_aspect = camera->aspect;
         }
     }
     return gltf->status;
