@@ -1,11 +1,13 @@
 /*
  * cmocka.h: the part of cmocka that tests of graph/ use, for systems without cmocka. Failed
- * assertions end their test by longjmp(). Include setjmp.h, stdarg.h, stddef.h and stdint.h before.
+ * assertions end their test by longjmp().
  */
 #ifndef TESTS_STANDALONE_CMOCKA_H
 #define TESTS_STANDALONE_CMOCKA_H
 
+#include <setjmp.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
