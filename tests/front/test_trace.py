@@ -125,7 +125,7 @@ class Trace(Case):
                 images.append(self.planes(name, '-r', rung, *words))
             found, expected = ([x for c in 'RGB' for x in image[c]] for image in images)
             error = sum(abs(a - b) for a, b in zip(found, expected)) / len(found)
-            self.assertLess(error, 0.0015, (rung, len(parts)))
+            self.assertLess(error, 0.002, (rung, len(parts)))
 
     @unsanitized
     def test_faces_that_objects_share(self):
