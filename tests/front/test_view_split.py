@@ -242,7 +242,8 @@ class FirstMinutes(PanelsCase):
         self.do('show a colleague', 1, [key('ctrl+c')], copied.exists)
         self.do('which keys', 1, [key('F1')], lambda: 'Ctrl Shift Z' in self.printed())
         self.press(window, 'F1')
-        self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do('type', 'shini')],
+        self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do(
+            'key', 'ctrl+a', 'type', 'shini')],
                 lambda: self.control('Highlight sharpness (highlight.shininess)'))
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
         self.names_come_first(window)
