@@ -79,7 +79,7 @@ static inline bool example_write(const char *path, const unsigned char *rgba, Vk
     return fclose(file) == 0;
 }
 
-/* What an example renders. */
+/* Image and graph of an example. */
 struct example {
     const struct rg_technique *technique;
     const struct rg_buffer *pixels; /* the last frame's are written to the image file */

@@ -35,7 +35,7 @@ struct graph {
     struct rg_plan *plan;
 };
 
-/* What is measured, in the order of the output. */
+/* Measured operations, in the order of the output. */
 enum {
     COMPILE,
     CREATE,
