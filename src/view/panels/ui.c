@@ -201,14 +201,14 @@ bool ui_toggle(struct ui *ui, enum view_action action)
  * or unpins the pinned pixel; else it selects the object there. A drag does neither. */
 static void handle_click(struct ui *ui, bool down)
 {
-    const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);
     if (down) {
         ui->press_x = ui->x;
         ui->press_y = ui->y;
-    } else if (ui->tab == UI_INSPECT && moved <= click_reach)
+        ui->press_reach = 0.0f;
+    } else if (ui->tab == UI_INSPECT && ui->press_reach <= click_reach)
         ui->pinned = !ui->pinned;
     else
-        ui->has_clicked = moved <= click_reach;
+        ui->has_clicked = ui->press_reach <= click_reach;
 }
 
 static bool handle_button(struct ui *ui, const struct window_event *event)
@@ -308,6 +308,8 @@ bool ui_handle_event(void *user, const struct window_event *event)
     if (event->kind == WINDOW_CURSOR) {
         ui->x = (float)event->x;
         ui->y = (float)event->y;
+        ui->press_reach =
+            fmaxf(ui->press_reach, fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y));
     }
     if (!ui->shown)
         return false;
