@@ -510,7 +510,7 @@ RG_API void rg_plan_destroy(struct rg_plan *plan);
 RG_API VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image);
 
 /* Write a plan, or its faults, to `out`. Equal tables give bit-identical output. I/O errors of
- * `out` are for the caller to check. docs/render-graph.md describes the formats. */
+ * `out` are for the caller to check. docs/reference/render-graph.md describes the formats. */
 RG_API void rg_dump(const struct rg_plan *plan, FILE *out);      /* text, one item per line */
 RG_API void rg_dump_json(const struct rg_plan *plan, FILE *out); /* one JSON object */
 RG_API void rg_dump_html(const struct rg_plan *plan, FILE *out); /* one self-contained page */

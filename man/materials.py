@@ -1,4 +1,4 @@
-"""materials.py: generates docs/materials.md on stdout from `firn list materials --json`.
+"""materials.py: generates docs/reference/materials.md on stdout from `firn list materials --json`.
 
 Usage: materials.py FIRN
 """

@@ -1,4 +1,4 @@
-"""settings.py: generates docs/settings.md on stdout from the output of `firn list settings`.
+"""settings.py: writes docs/reference/settings.md, from `firn list settings`, to stdout.
 
 Usage: settings.py FIRN
 """

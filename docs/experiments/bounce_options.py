@@ -1,4 +1,4 @@
-"""bounce_options.py: error and cost of options of `bounce`, beside `trace`, for docs/truth.md.
+"""bounce_options.py: error and cost of options of `bounce`, beside `trace`.
 
 Usage: bounce_options.py [FIRN [FOLDER [SCENE...]]]   (build/firn, out/bounce-options, all scenes)
 Prints, for each scene, MAE and FLIP against the reference on the object's pixels, and user CPU time

@@ -1,5 +1,5 @@
 #!/bin/sh
-# inclusions.sh: error of inclusions and surface detail against the reference, for docs/truth.md.
+# inclusions.sh: error of inclusions and surface detail against the reference.
 #
 # inclusions.sh [FIRN [FOLDER]]   (build/firn, out/inclusions)
 # Compares the ice cube rendered with `bounce` and by the ray-traced reference with the same

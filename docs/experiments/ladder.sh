@@ -1,5 +1,5 @@
 #!/bin/sh
-# ladder.sh: error of each refraction model against the reference, for the tables of docs/truth.md.
+# ladder.sh: error of each refraction model against the reference.
 #
 # ladder.sh [FIRN [FOLDER]]   (build/firn, out/ladder)
 # Each cell is the error of the exit direction in degrees (pixels without total internal reflection)

@@ -1,4 +1,4 @@
-/* json_dump.c: dumps a plan as a JSON object; docs/render-graph.md describes its members. */
+/* json_dump.c: dumps a plan as a JSON object (docs/reference/render-graph.md). */
 #include "graph/dump/dump_internal.h"
 
 enum {

@@ -1,4 +1,4 @@
-/* diff_report.h: prints the result of firn diff. docs/diff.md explains each number and key. */
+/* diff_report.h: prints the result of firn diff. See docs/how-to/diff.md. */
 #ifndef FIRN_APP_DIFF_REPORT_H
 #define FIRN_APP_DIFF_REPORT_H
 

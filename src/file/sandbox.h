@@ -1,11 +1,11 @@
 /*
  * sandbox.h: restricts this process to reading one file or folder and computing.
  *
- * Four mechanisms are applied as far as the kernel supports them (docs/trust.md describes what
- * remains possible without them): Landlock, so that no other file can be opened; a seccomp filter
- * that allows few system calls (no new processes or programs, sockets, signals to others, opening
- * for writing, or new executable memory); no capabilities except those to read other users' files;
- * and no_new_privs. Other calls fail with EPERM.
+ * Four mechanisms are applied as far as the kernel supports them (docs/explanation/trust.md
+ * describes what remains possible without them): Landlock, so that no other file can be opened; a
+ * seccomp filter that allows few system calls (no new processes or programs, sockets, signals to
+ * others, opening for writing, or new executable memory); no capabilities except those to read
+ * other users' files; and no_new_privs. Other calls fail with EPERM.
  */
 #ifndef FIRN_FILE_SANDBOX_H
 #define FIRN_FILE_SANDBOX_H

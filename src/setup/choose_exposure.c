@@ -100,14 +100,15 @@ static bool meter_init(struct meter *meter, const struct image *image, bool is_m
     return true;
 }
 
-/* Returns the scene without inclusions and bumps, whose textures may not be generated yet. The
- * result borrows the scene's memory. */
-static struct scene without_inclusions(const struct scene *scene)
+/* Makes a copy of the scene without inclusions and bumps, whose textures may not be generated yet,
+ * but with the density of scattering media. The result borrows the scene's memory, except
+ * inclusions.media. Returns false when out of memory. */
+static bool copy_without_inclusions(struct scene *bare, const struct scene *scene)
 {
-    struct scene bare = *scene;
-    bare.inclusions = (struct scene_inclusions){ .media = scene->inclusions.media };
-    bare.bump = (struct bump_maps){ 0 };
-    return bare;
+    *bare = *scene;
+    bare->inclusions = (struct scene_inclusions){ .media = scene->inclusions.media };
+    bare->bump = (struct bump_maps){ 0 };
+    return scattering_media_fill(&bare->inclusions.media, &scene->model);
 }
 
 /* Returns the settings of the metered image. They do not depend on the quality level. */
@@ -131,7 +132,8 @@ static enum status render(const struct setup_image *p, const struct scene *scene
     const float aspect = (float)p->width / (float)p->height;
     const float width = fminf(fmaxf(sqrtf(PIXEL_COUNT * aspect), 1.0f), PIXEL_COUNT);
     const struct settings settings = metering_settings(&p->scene.settings);
-    const struct scene bare = without_inclusions(scene);
+    struct scene bare;
+    const bool is_copied = copy_without_inclusions(&bare, scene);
     const struct reference_request request = {
         .scene = &bare,
         .settings = &settings,
@@ -142,11 +144,13 @@ static enum status render(const struct setup_image *p, const struct scene *scene
         .linear = true,
     };
     const struct renderer_shot shot = { .camera = *camera }; /* at time 0 */
-    struct reference *reference;
-    enum status status = reference_create(&reference, &request);
+    struct reference *reference = NULL;
+    enum status status =
+        is_copied ? reference_create(&reference, &request) : log_out_of_memory("scattering media");
     if (status == STATUS_OK)
         status = reference_render(reference, &shot, result, NULL, NULL);
     reference_destroy(reference);
+    scattering_media_finish(&bare.inclusions.media);
     return status;
 }
 

@@ -3,7 +3,7 @@
  *
  * A technique is one file of src/tech: citation, images, pass tables, record functions, settings.
  * It owns nothing and has no writable data. A new technique is added to the list `techniques` in
- * the root meson.build and nowhere else; docs/adding-a-technique.md shows how.
+ * the root meson.build and nowhere else; docs/how-to/adding-a-technique.md shows how.
  */
 #ifndef FIRN_TECH_TECHNIQUE_H
 #define FIRN_TECH_TECHNIQUE_H

@@ -16,7 +16,7 @@ CORNERS = (0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2)
 
 
 class Entry(NamedTuple):
-    kind: str     # a row of the table in docs/trust.md
+    kind: str     # a row of the table in docs/explanation/trust.md
     use: str      # what the file is given to
     name: str     # of the file to read
     content: bytes

@@ -1,4 +1,4 @@
-"""test_adding_a_technique.py: the technique that docs/adding-a-technique.md adds, built and drawn.
+"""test_adding_a_technique.py: builds and draws the technique of docs/how-to.
 
 Usage: test_adding_a_technique.py FIRN ROOT BUILD MESON [--without] [TEST...]
     ROOT, BUILD: the source tree and its build folder; --without: it cannot trace
@@ -99,7 +99,7 @@ class Technique(Case):
         cls.addClassCleanup(temporary.cleanup)
         cls.tree = pathlib.Path(temporary.name).resolve()
         cls.build = cls.tree / 'build'
-        cls.page = (ROOT / 'docs' / 'adding-a-technique.md').read_text(encoding='utf-8')
+        cls.page = (ROOT / 'docs' / 'how-to' / 'adding-a-technique.md').read_text(encoding='utf-8')
         for name in sources():
             (cls.tree / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, cls.tree / name)  # with its time, which ninja looks at
@@ -156,7 +156,8 @@ class Technique(Case):
         self.assertEqual([path for path, _, _ in edits_of(self.page)], ['meson.build'])
         command, = re.findall(r'^    (python3 man/settings.py .*)$', self.page, re.M)
         must(command, shell=True, cwd=self.tree)
-        self.assertIn('`fog.density`', (self.tree / 'docs' / 'settings.md').read_text('utf-8'))
+        page = self.tree / 'docs' / 'reference' / 'settings.md'
+        self.assertIn('`fog.density`', page.read_text('utf-8'))
         must([sys.executable, self.tree / 'tests' / 'style.py', self.tree])
 
     def test_pixels_are_as_the_formula_says(self):

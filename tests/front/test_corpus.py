@@ -1,7 +1,8 @@
 """test_corpus.py: tests malformed input files. Usage: see case.py.
 
 Each ends in a picture or in one line and exit code 65, without crash or hang. `--table` prints the
-table of docs/trust.md. FIRN_SCENES in the environment is the number of random scenes (12).
+table of docs/explanation/trust.md. FIRN_SCENES in the environment is the number of random scenes
+(12).
 """
 import collections
 import concurrent.futures
@@ -28,7 +29,7 @@ TINY = ('--size', '16x12', *PLAIN, '-q', '-o', 'a.exr')
 CODES = (DATA,) if resource.getrlimit(resource.RLIMIT_AS)[0] < 0 else (DATA, TRY_AGAIN)
 # A sanitizer makes a program start four times as long.
 STEP = 4 if os.environ.get('FAIL_SAMPLE') == '1' else 1
-TEXT = pathlib.Path(__file__).parents[2] / 'docs' / 'trust.md'
+TEXT = pathlib.Path(__file__).parents[2] / 'docs' / 'explanation' / 'trust.md'
 
 
 def row(kind, entries):

@@ -191,7 +191,7 @@ class Examples(Case):
     def pages(self):
         """What examples are on, by their names."""
         pages = {str(path.relative_to(ROOT)): path.read_text()
-                 for path in (ROOT / 'README.md', *sorted((ROOT / 'docs').glob('*.md')))}
+                 for path in (ROOT / 'README.md', *sorted((ROOT / 'docs').rglob('*.md')))}
         pages['--help'] = self.succeed('--help').stdout.decode()
         for command in COMMANDS:
             done = self.firn(command, '--help')  # none of `firn view` where that was not built

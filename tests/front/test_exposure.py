@@ -77,6 +77,12 @@ class Exposure(Case):
                       ('--exposure', 'x'), ('--exposure', '17'), ('--exposure', 'nan')):
             self.refuse(USAGE, 'render', 'a.obj', *words, names=['--exposure'])
 
+    def test_scattering_media_are_metered(self):
+        """The density of a file's medium is known before the textures of inclusions are made."""
+        def metered(*words):
+            return self.stops('--exposure', 'auto', '--env', 'studio', *words, scene='ice-cube')
+        self.assertNotEqual(metered('--set', 'air.media=40'), metered('--set', 'air.media=0'))
+
     def test_stated_background_is_not_metered(self):
         flat = ('--env', 'studio', '--background')
         self.assertEqual(self.stops(*flat, '0,0,0'), 0)

@@ -49,8 +49,8 @@ class Pages(Case):
             self.assertIn(' '.join(what.split()), ' '.join(page.split()))
 
     def test_the_same_in_the_docs(self):
-        """python3 man/settings.py FIRN > docs/settings.md makes it anew."""
-        docs = pathlib.Path(__file__).parents[2] / 'docs/settings.md'
+        """python3 man/settings.py FIRN > docs/reference/settings.md makes it anew."""
+        docs = pathlib.Path(__file__).parents[2] / 'docs/reference/settings.md'
         self.assertEqual(docs.read_text(), settings.page(Case.program))
 
     def test_what_it_is(self):

@@ -1,5 +1,5 @@
 /*
- * profile_reports.h: tables and files of profiles. docs/profile.md describes the formats.
+ * profile_reports.h: tables and files of profiles. docs/how-to/profile.md describes the formats.
  *
  * Reports are of a sweep; a single profile is a sweep of one point without parameters. All
  * functions log an error and return STATUS_TRY_AGAIN if out of memory. The caller checks `out` for

@@ -2,13 +2,13 @@
  * model.h: model file loader and the imported model: meshes, objects, materials, cameras, lights.
  *
  * Reads .gltf and .glb (gltf.h), and .obj, .ply and .stl (obj_ply.h). All meshes are transformed
- * and merged into two: the refractive objects and the surroundings. If any mesh of a glTF file
- * has a material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
- * transmissive material (docs/models.md), meshes with such a material are the objects and all
- * others the surroundings; in any other file `default_role` decides. Coordinates are those of the
- * file, minus model.origin. Primitives of one instance of a mesh and one medium whose shells close
- * together are one object; a file without materials has a single object. Points and lines are left
- * out; polygons are triangulated; identical vertices are welded.
+ * and merged into two: the refractive objects and the surroundings. If any mesh of a glTF file has
+ * a material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
+ * transmissive material (docs/reference/models.md), meshes with such a material are the objects
+ * and all others the surroundings; in any other file `default_role` decides. Coordinates are those
+ * of the file, minus model.origin. Primitives of one instance of a mesh and one medium whose
+ * shells close together are one object; a file without materials has a single object. Points and
+ * lines are left out; polygons are triangulated; identical vertices are welded.
  *
  * Normals are taken from the file. Where they are missing, flat normals are computed for glTF
  * primitives, and smooth normals otherwise. Vertex colours, base colours and base colour textures

@@ -5,7 +5,7 @@
  * front normal alone, eq. 3, 4 and 6 as in their method.
  *
  * Error: for an ice sphere half of the true deviation; 11 to 15 degrees on average elsewhere
- * (docs/truth.md).
+ * (docs/explanation/truth.md).
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"

@@ -7,8 +7,9 @@
  * of the pixel in which the path ends. Wyman precomputes the thickness along the normal per vertex;
  * here it is the distance to the back face visible where a slab would end.
  *
- * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). Totally
- * reflected light leaves in the direction of its first reflection.
+ * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot
+ * (docs/explanation/truth.md).
+ * Totally reflected light leaves in the direction of its first reflection.
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"
