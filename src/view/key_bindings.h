@@ -95,7 +95,7 @@ enum view_action key_bindings_find(const struct key_press *press);
 
 const char *key_bindings_help(enum view_action action); /* the help text or the label */
 
-/* Prints one line for each shortcut and mouse gesture. See docs/how-to/view.md. */
+/* Prints one line for each shortcut and mouse gesture. See docs/reference/keys.md. */
 void key_bindings_print(FILE *out);
 
 #endif

@@ -180,7 +180,7 @@ class Hands(WindowCase):
         self.press_to_end(window, 'q')
         for word in ('Space', 'Q, Ctrl Q', 'drop a file'):
             self.assertIn(word, self.printed())
-        text = (pathlib.Path(__file__).parents[2] / 'docs' / 'how-to' / 'view.md').read_text()
+        text = (pathlib.Path(__file__).parents[2] / 'docs' / 'reference' / 'keys.md').read_text()
         table = text.partition('## Mouse and keyboard')[2].partition('\n\n')[2].partition('\n\n')[0]
         rows = [tuple(cell.strip() for cell in line.split('|')[1:3])
                 for line in table.splitlines()[2:]]

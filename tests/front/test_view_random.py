@@ -1,6 +1,6 @@
 """test_view_random.py: hands that do anything, in any order. Usage: see case.py.
 
-All keys of the table in docs/how-to/view.md are pressed equally often, one at a time, and the
+All keys of the table in docs/reference/keys.md are pressed equally often, one at a time, and the
 mouse does all that is in it equally often between them, by a seed that FIRN_RANDOM_SEED changes.
 Where a line of text or a panel has the keys, Esc mostly gives them back before: else few would do
 what they are there for.
@@ -44,7 +44,7 @@ NO_KEYS = ('drag', 'right drag', 'Ctrl drag', 'Ctrl Shift drag', 'wheel', 'doubl
 
 def keys():
     """As xdotool names them."""
-    text = (pathlib.Path(__file__).parents[2] / 'docs' / 'how-to' / 'view.md').read_text()
+    text = (pathlib.Path(__file__).parents[2] / 'docs' / 'reference' / 'keys.md').read_text()
     table = text.partition('## Mouse and keyboard')[2].partition('\n\n')[2].partition('\n\n')[0]
     found = []
     for line in table.splitlines()[2:]:
