@@ -1,5 +1,5 @@
 /* example.h: framework of the examples (C17 and C++20): creates a device, renders frames, writes an
- * image file. A real program has its own device; see docs/reference/render-graph.md. */
+ * image file. A real program has its own device; see docs/how-to/use-the-render-graph.md. */
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 

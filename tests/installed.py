@@ -1,7 +1,8 @@
 """installed.py: tests of an installation: libraries of graph/, examples, the program's assets.
 
 Usage: installed.py ROOT MESON BUILD   BUILD: a folder in which everything is built
-Installs the shared and static libraries, and builds the programs of docs/reference/render-graph.md
+Installs the shared and static libraries, and builds the programs of
+docs/how-to/use-the-render-graph.md
 and graph/README.md outside the tree with the commands of the page; they must print the output
 given there. The programs of examples/ must render their images. The libraries must export exactly
 the functions of the headers, and have the SONAME of the version. The program must find its assets
@@ -224,7 +225,7 @@ def check_assets(meson, build):
 def main(root, meson, build):
     check_assets(meson, build)
     pages = [(pathlib.Path(root) / page).read_text(encoding='utf-8')
-             for page in ('docs/reference/render-graph.md', 'graph/README.md')]
+             for page in ('docs/how-to/use-the-render-graph.md', 'graph/README.md')]
     with tempfile.TemporaryDirectory() as folder:
         prefix = pathlib.Path(folder)
         install(root, meson, prefix)
