@@ -1,6 +1,7 @@
 """build_site.py: builds the documentation as a site with Sphinx, MyST and furo.
 
 Usage: build_site.py FIRN SPHINX_BUILD FOLDER   (`meson compile docs`)
+       build_site.py --install FOLDER DIRECTORY   (`meson install`)   nothing if it is not built
 FOLDER/source is a staged copy of the pages, with generated ones: a strip of images of each setting
 (docs/strips.txt) and the API of the headers. FOLDER/html is the site. A broken link is an error.
 """
@@ -21,6 +22,7 @@ from help import names  # noqa: E402
 PAGES = ('CHANGELOG.md', 'CONTRIBUTING.md', 'README.md', 'SECURITY.md', 'graph/README.md',
          'assets/README.md')
 LINK = re.compile(r'(!?)\[([^]\[]*)\]\(([^)#\s]+)(#[^)\s]*)?\)')
+ORPHAN = '---\norphan: true\n---\n'  # front matter of a page without a place in the contents
 STRIP = ('--size', '160x120', '--samples', '4', '-q')  # unless a line of strips.txt has its own
 
 
@@ -74,18 +76,23 @@ def staged(page, text, source):
         if (ROOT / path).is_file() and not (source / path).exists():
             (source / path).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / path, source / path)
+            if path.suffix == '.md':
+                (source / path).write_text(ORPHAN + (ROOT / path).read_text('utf-8'), 'utf-8')
         return match[0]
     return LINK.sub(link, text)
 
 
-def toctrees(index):
-    """Returns hidden tables of contents in the order of the links below each heading of the index.
-    """
+def toctrees(index, generated):
+    """Returns hidden tables of contents: the links below each heading of the index, in their order,
+    and generated pages in the section of their folder."""
     text = ''
     for section in re.split(r'(?m)^## ', index)[1:]:
         pages = dict.fromkeys(m[3] for m in LINK.finditer(section) if m[3].endswith('.md'))
-        rows = '\n'.join(page.removesuffix('.md') for page in pages)
         caption = section.splitlines()[0]
+        folder = f'docs/{caption.lower()}/'
+        pages.update((page.removeprefix('docs/'), 0) for page in generated
+                     if page.startswith(folder))
+        rows = '\n'.join(page.removesuffix('.md') for page in pages)
         text += f'\n```{{toctree}}\n:hidden:\n:caption: {caption}\n\n{rows}\n```\n'
     return text
 
@@ -101,9 +108,9 @@ def stage(source, generated):
     pages.update(generated)
     for path, text in pages.items():
         if path == 'docs/index.md':
-            text += toctrees(text)
+            text += toctrees(text, generated)
         elif path in PAGES:
-            text = '---\norphan: true\n---\n' + text
+            text = ORPHAN + text
         (source / path).parent.mkdir(parents=True, exist_ok=True)
         (source / path).write_text(staged(pathlib.Path(path), text, source), 'utf-8')
 
@@ -124,7 +131,17 @@ def main(firn, sphinx, folder):
     print(html / 'index.html')
 
 
+def install(folder, directory):
+    """Copies the site, if it has been built, below the prefix of `meson install`."""
+    target = pathlib.Path(os.environ['MESON_INSTALL_DESTDIR_PREFIX']) / directory / 'html'
+    if (pathlib.Path(folder) / 'html/index.html').exists():
+        shutil.copytree(pathlib.Path(folder) / 'html', target, dirs_exist_ok=True)
+
+
 if __name__ == '__main__':
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    if sys.argv[1] == '--install':
+        install(*sys.argv[2:])
+    else:
+        main(*sys.argv[1:])

@@ -131,6 +131,7 @@ def write_models(folder):
     (folder / 'cup.gltf').write_text(json.dumps(model))
     for name in ('spot', 'teapot'):
         shutil.copy(ROOT / 'tests/data/truth/cube.obj', folder / f'{name}.obj')
+    subprocess.run([sys.executable, ROOT / 'docs/recipes/models.py', folder], check=True)
     (folder / 'studio.hdr').write_bytes(b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n' +
                                         bytes((128, 120, 110, 129)) * 32)
 

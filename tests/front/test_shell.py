@@ -11,6 +11,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import Case, main  # noqa: E402
 sys.path.append(str(pathlib.Path(__file__).parents[2] / 'man'))
 import settings  # noqa: E402
+from help import names  # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv.pop(2)).resolve()
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
@@ -52,6 +53,11 @@ class Pages(Case):
         """python3 man/settings.py FIRN > docs/reference/settings.md makes it anew."""
         docs = pathlib.Path(__file__).parents[2] / 'docs/reference/settings.md'
         self.assertEqual(docs.read_text(), settings.page(Case.program))
+
+    def test_each_setting_has_a_strip(self):
+        words = (pathlib.Path(__file__).parents[2] / 'docs/strips.txt').read_text().splitlines()
+        have = [line.split()[0] for line in words if line and line[0] != '#']
+        self.assertEqual(sorted(have), sorted(names(Case.program, 'settings')))
 
     def test_what_it_is(self):
         page = self.read('firn')
