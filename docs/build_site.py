@@ -103,6 +103,7 @@ def stage(source, generated):
     (source / 'docs').mkdir(parents=True)
     for name in ('meson.build', 'docs/conf.py'):
         shutil.copy(ROOT / name, source / pathlib.Path(name).name)
+    shutil.copytree(ROOT / 'docs/static', source / 'docs/static')
     pages = {path: (ROOT / path).read_text('utf-8') for path in
              (*PAGES, *(str(p.relative_to(ROOT)) for p in (ROOT / 'docs').rglob('*.md')))}
     pages.update(generated)
