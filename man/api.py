@@ -11,7 +11,8 @@ PAGES = {
     'rg-profile': ('rg-exec: profiles of passes', ('graph/rg_profile.h',)),
 }
 COMMENT = re.compile(r'/\*(.*?)\*/', re.S)
-NAME = (re.compile(r'^#define (\w+)'), re.compile(r'^(?:typedef )?(?:struct|enum|union) (\w+)\s*\{'),
+NAME = (re.compile(r'^#define (\w+)'),
+        re.compile(r'^(?:typedef )?(?:struct|enum|union) (\w+)\s*\{'),
         re.compile(r'\(\*?(\w+)\)\('), re.compile(r'(\w+)\s*\('))
 
 

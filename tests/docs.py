@@ -25,7 +25,8 @@ def anchor(heading):
 
 
 def anchors(text):
-    return {anchor(m[1]) for m in re.finditer(r'(?m)^#+ (.*)$', re.sub(r'(?ms)^```.*?^```$', '', text))}
+    prose = re.sub(r'(?ms)^```.*?^```$', '', text)
+    return {anchor(match[1]) for match in re.finditer(r'(?m)^#+ (.*)$', prose)}
 
 
 def link_faults(root, page, text):
@@ -88,8 +89,8 @@ def report(root):
     """Prints the counts of each page."""
     for path in sorted((root / 'docs').rglob('*.md')):
         words, digits, images = counts(path.read_text('utf-8'))
-        print(f'{path.relative_to(root)}: {words} words, {100 * digits / words:.1f} digits per 100, '
-              f'{images} images')
+        print(f'{path.relative_to(root)}: {words} words, '
+              f'{100 * digits / words:.1f} digits per 100, {images} images')
 
 
 if __name__ == '__main__':
