@@ -2,8 +2,9 @@
 
 Usage: build_site.py FIRN SPHINX_BUILD FOLDER   (`meson compile docs`)
        build_site.py --install FOLDER DIRECTORY   (`meson install`)   nothing if it is not built
-FOLDER/source is a staged copy of the pages, with generated ones: a strip of images of each setting
-(docs/strips.txt) and the API of the headers. FOLDER/html is the site. A broken link is an error.
+FIRN is - for a site without strips. FOLDER/source is a staged copy of the pages, with generated
+ones: a strip of images of each setting (docs/strips.txt) and the API of the headers. FOLDER/html is
+the site. A broken link is an error.
 """
 import hashlib
 import os
@@ -118,16 +119,19 @@ def stage(source, generated):
 
 def main(firn, sphinx, folder):
     folder = pathlib.Path(folder).resolve()
-    drawn = draw_strips(firn, folder / 'strips')
     generated = {f'docs/reference/{name}.md': text for name, text in api.pages(ROOT).items()}
-    generated['docs/reference/settings-images.md'] = strips_page(firn, drawn, '../strips/')
+    drawn = draw_strips(firn, folder / 'strips') if firn != '-' else {}
+    if drawn:
+        generated['docs/reference/settings-images.md'] = strips_page(firn, drawn, '../strips/')
     stage(folder / 'source', generated)
     (folder / 'source/docs/strips').mkdir()
     for path, _ in drawn.values():
         shutil.copy(path, folder / 'source/docs/strips')
     html = folder / 'html'
-    subprocess.run([sphinx, '-q', '-W', '--keep-going', '-b', 'html', folder / 'source', html],
-                   check=True)
+    done = subprocess.run([sphinx, '-q', '-W', '--keep-going', '-b', 'html', folder / 'source',
+                           html], check=False)
+    if done.returncode:
+        sys.exit(done.returncode)
     (html / 'index.html').write_text('<meta http-equiv="refresh" content="0; url=docs/index.html">')
     print(html / 'index.html')
 
