@@ -83,16 +83,16 @@ def staged(page, text, source):
     return LINK.sub(link, text)
 
 
-def toctrees(index, generated):
+def toctrees(index, paths):
     """Returns hidden tables of contents: the links below each heading of the index, in their order,
-    and generated pages in the section of their folder."""
+    and the other pages of `paths` in the section of their folder, or in More."""
     text = ''
     for section in re.split(r'(?m)^## ', index)[1:]:
         pages = dict.fromkeys(m[3] for m in LINK.finditer(section) if m[3].endswith('.md'))
         caption = section.splitlines()[0]
-        folder = f'docs/{caption.lower()}/'
-        pages.update((page.removeprefix('docs/'), 0) for page in generated
-                     if page.startswith(folder))
+        folder = '' if caption == 'More' else caption.lower()
+        pages.update((page, 0) for page in (path.removeprefix('docs/') for path in paths)
+                     if os.path.dirname(page) == folder and page not in ('index.md', *PAGES))
         rows = '\n'.join(page.removesuffix('.md') for page in pages)
         text += f'\n```{{toctree}}\n:hidden:\n:caption: {caption}\n\n{rows}\n```\n'
     return text
@@ -110,7 +110,7 @@ def stage(source, generated):
     pages.update(generated)
     for path, text in pages.items():
         if path == 'docs/index.md':
-            text += toctrees(text, generated)
+            text += toctrees(text, pages)
         elif path in PAGES:
             text = ORPHAN + text
         (source / path).parent.mkdir(parents=True, exist_ok=True)

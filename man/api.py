@@ -8,6 +8,7 @@ PAGES = {
     'rg-plan': ('rg: compiled plans', ('graph/rg_plan.h',)),
     'rg-exec': ('rg-exec: execution on a device', ('graph/rg_exec.h',)),
     'rg-cmd': ('rg-exec: record functions', ('graph/rg_cmd.h',)),
+    'firn-h': ('firn.h: firn as a library', ('src/lib/firn.h',)),
     'rg-profile': ('rg-exec: profiles of passes', ('graph/rg_profile.h',)),
 }
 COMMENT = re.compile(r'/\*(.*?)\*/', re.S)
@@ -73,12 +74,12 @@ def entries(text):
     """Yields Markdown for each named declaration of a header."""
     for comment, declaration in declarations(text):
         name = name_of(declaration)
-        if not name or name.endswith('_H') or name in ('RG_API', 'RG_BUILD'):
+        if not name or name.endswith(('_H', '_API', '_BUILD')):
             continue
         yield f'\n## {name}\n\n'
         if comment:
             yield prose(comment[2:-2]) + '\n\n'
-        yield f'```c\n{declaration.replace("RG_API ", "")}\n```\n'
+        yield f'```c\n{re.sub(r"[A-Z]+_API ", "", declaration)}\n```\n'
 
 
 def page(title, headers):
@@ -93,6 +94,7 @@ def page(title, headers):
 
 
 def pages(root):
-    """Returns {name of the page: text} of all public headers below the source tree `root`."""
+    """Returns {name of the page: text} of the public headers that the source tree `root` has."""
     return {name: page(title, [pathlib.Path(root) / header for header in headers])
-            for name, (title, headers) in PAGES.items()}
+            for name, (title, headers) in PAGES.items()
+            if all((pathlib.Path(root) / header).exists() for header in headers)}
