@@ -36,19 +36,31 @@ def strips():
             yield name, values, words
 
 
+def commands(name, values, words):
+    """Yields (words of firn, command to show) of a strip: one sheet or, since sheets have no
+    reference, an image per value."""
+    if 'reference' in words:
+        for value in values.split(','):
+            words_of_value = [*words, '--set', f'{name}={value}']
+            yield ['render', *STRIP, *words_of_value], f'firn render {" ".join(words_of_value)}'
+    else:
+        words = [*words, '--sweep', f'{name}={values}']
+        yield ['sheet', *STRIP, *words], f'firn sheet {" ".join(words)}'
+
+
 def draw_strips(firn, folder):
-    """Draws the strips that `folder` lacks; a file's name has the hash of its command."""
+    """Draws the strips that `folder` lacks; a file's name has the hash of its command. Returns
+    {setting: [(file, command to show)]}."""
     folder.mkdir(parents=True, exist_ok=True)
     drawn = {}
     for name, values, words in strips():
-        if values == '-':
-            continue
-        command = ['sheet', *STRIP, *words, '--sweep', f'{name}={values}']
-        mark = hashlib.sha256(' '.join(command).encode()).hexdigest()[:8]
-        path = folder / f'{name}-{mark}.png'
-        if not path.exists():
-            subprocess.run([firn, *command, '-o', path], check=True, stderr=subprocess.DEVNULL)
-        drawn[name] = (path, f'firn sheet {" ".join(words)} --sweep {name}={values}')
+        for command, shown in commands(name, values, words) if values != '-' else ():
+            mark = hashlib.sha256(' '.join(command).encode()).hexdigest()[:8]
+            path = folder / f'{name}-{mark}.png'
+            if not path.exists():
+                subprocess.run([firn, *command, '-o', path], check=True,
+                               stderr=subprocess.DEVNULL)
+            drawn.setdefault(name, []).append((path, shown))
     return drawn
 
 
@@ -61,8 +73,9 @@ def strips_page(firn, drawn, prefix):
             if name.split('.')[0] != group:
                 group = name.split('.')[0]
                 text += f'\n## {group}\n'
-            path, command = drawn[name]
-            text += f'\n### {name}\n\n{what}\n\n![{name}]({prefix}{path.name})\n\n    {command}\n'
+            text += f'\n### {name}\n\n{what}\n\n'
+            text += '\n'.join(f'![{name}]({prefix}{path.name})' for path, _ in drawn[name])
+            text += '\n\n' + ''.join(f'    {command}\n' for _, command in drawn[name])
     return text
 
 
@@ -125,7 +138,7 @@ def main(firn, sphinx, folder):
         generated['docs/reference/settings-images.md'] = strips_page(firn, drawn, '../strips/')
     stage(folder / 'source', generated)
     (folder / 'source/docs/strips').mkdir()
-    for path, _ in drawn.values():
+    for path, _ in (image for images in drawn.values() for image in images):
         shutil.copy(path, folder / 'source/docs/strips')
     html = folder / 'html'
     done = subprocess.run([sphinx, '-q', '-W', '--keep-going', '-b', 'html', folder / 'source',
