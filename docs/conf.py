@@ -15,6 +15,6 @@ html_theme = 'furo'
 html_title = f'firn {version}'
 html_static_path = ['docs/static']
 html_js_files = ['slider.js']
-html_css_files = ['slider.css']
+html_css_files = ['firn.css']
 html_show_sphinx = False
 html_copy_source = False
