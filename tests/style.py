@@ -24,8 +24,9 @@ SPOKEN = ('graph/', 'src/', 'shaders/', 'examples/', 'assets/', 'tests/support/'
 FOLDERS = ('.ci', 'assets', 'completions', 'docs', 'graph', 'man', 'shaders', 'src', 'tests')
 # Objects with tables of a library's header that are not const there: stb_easy_font's
 THEIR_DATA = ('lab_ladder_canvas.c.o',)
-# One that counts what a property of the process depends on: whether it is dumpable.
-PROCESS_DATA = ('file_reader_process.c.o',)
+# One that counts what a property of the process depends on: whether it is dumpable. Two with a
+# property of each thread: where its messages and cache files go.
+PROCESS_DATA = ('file_reader_process.c.o', 'base_log.c.o', 'base_disk_cache.c.o')
 C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
 CODE = (*C, *GLSL, '.py', '.sh', '.build')
@@ -74,7 +75,10 @@ MAY_INCLUDE = {
     'src/setup/': ('src/setup/', 'src/lab/reference/', 'src/render/', 'src/tech/', 'src/scene/',
                    'src/settings/', 'src/file/', 'src/gpu/', 'src/base/', 'src/version.h',
                    'shaders/', 'graph/'),
-    'src/app/': ('src/app/', 'src/setup/', 'src/lab/', 'src/render/', 'src/tech/', 'src/scene/',
+    'src/lib/': ('src/lib/', 'src/app/options/set_option.h', 'src/setup/', 'src/lab/', 'src/render/',
+                 'src/tech/', 'src/scene/', 'src/settings/', 'src/file/', 'src/gpu/', 'src/base/',
+                 'src/version.h', 'graph/'),
+    'src/app/': ('src/app/', 'src/lib/', 'src/setup/', 'src/lab/', 'src/render/', 'src/tech/', 'src/scene/',
                  'src/settings/', 'src/file/', 'src/gpu/', 'src/base/', 'src/version.h', 'shaders/',
                  'graph/'),
     'src/view/': ('src/view/', 'src/setup/', 'src/lab/', 'src/render/', 'src/tech/', 'src/scene/',

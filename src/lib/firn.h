@@ -153,8 +153,8 @@ FIRN_API const char *firn_device_name(const firn *device);
  *     "camera", "Front"               "plain", ""              "exposure", "auto"
  *
  * `size`, `aov`, `show`, `tiles` and options of output files are refused. Options without value,
- * such as `plain`, take "". The default quality is `high`, with 1 sample per pixel unless
- * `samples` or the renderer's options say otherwise.
+ * such as `plain`, take "". As in `firn render`, the default quality is `high`, which means several
+ * samples per pixel, unless samples are stated.
  *
  * Returns FIRN_NO_INPUT, FIRN_DATA, FIRN_USAGE or FIRN_TRY_AGAIN.
  */
@@ -281,6 +281,10 @@ struct firn_mesh {
     size_t position_stride, normal_stride, uv_stride;
 };
 
+/* Material number of instances without a material. If no instance has one, the objects are those of
+ * a file without materials: ice, or the option `material`; else it is white and opaque. */
+#define FIRN_NO_MATERIAL UINT32_MAX
+
 /* Instance of a mesh. */
 struct firn_instance {
     size_t size;
@@ -364,8 +368,9 @@ struct firn_camera {
     double world_from_camera[12]; /* rotation and position of the camera, 3x4 */
 };
 
-/* Converts a camera for images of a renderer: sets all members but size, kind and time to describe
- * `from` as the kind to->kind (LOOK_AT: without off-centre and non-square pixels). Returns
+/* Converts a camera for images of a renderer: sets all members of `to` but its size and kind, to
+ * describe `from` as that kind. A view by `eye`, `target`, `up` and `fov_deg` has a centred principal
+ * point and square pixels. Returns
  * FIRN_USAGE for an invalid camera. */
 FIRN_API firn_status firn_camera_convert(firn_renderer *renderer, const struct firn_camera *from,
                                          struct firn_camera *to);
@@ -389,8 +394,9 @@ FIRN_API firn_status firn_layer_get(uint32_t index, struct firn_layer *layer);
 
 struct firn_renderer_options {
     size_t size;
-    uint32_t width, height;    /* pixels, 1 to 16384 */
-    uint32_t samples;          /* per pixel; 0: option `samples` of the scene, else 1 */
+    uint32_t width, height; /* pixels, 1 to 16384 */
+    /* per pixel, instead of the scene's option `samples`; 0: by that option or the quality level */
+    uint32_t samples;
     const char *const *layers; /* names of the layers that buffers may receive */
     size_t layer_count;
 };

@@ -437,6 +437,7 @@ struct scene_params setup_scene_params(const struct setup_scene *options,
         .cracks = { sheets->count, sheets->seed, sheets->size, options->cracks },
         .image_files = { options->bump, options->bump_mask, options->air },
         .decode = &options->reader,
+        .source = options->source,
         .pool = { pool->size, pool->depth, pool->ice },
         .defers_texels = true,
     };

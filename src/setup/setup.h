@@ -72,6 +72,7 @@ struct setup_scene {
     struct stage_params stage;      /* chosen by setup_choose_stage() */
     bool is_stage_bare;             /* only one clear object stands on the stage */
     struct reader_params reader;
+    const struct scene_source *source; /* data instead of files; NULL for none */
     struct settings settings;
     struct settings user_settings; /* without those that the scene sets */
     struct setup_exposure exposure;

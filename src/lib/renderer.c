@@ -1,0 +1,274 @@
+/* renderer.c: renders views of a scene, and converts their layers to buffers of the caller. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/suggest.h"
+#include "src/lib/lib.h"
+#include "src/render/frame/output_layers.h"
+#include "src/settings/scene_settings.h"
+#include "src/setup/aov_to_png.h"
+#include "src/setup/image_output.h"
+#include "src/tech/refract/cpu_reference_settings.h"
+
+/* ---- creation ---- */
+
+static enum status find_layer(const char *name, uint32_t *index)
+{
+    struct suggest suggest = { .word = name ? name : "" };
+    char hint[SUGGEST_HINT_SIZE];
+    for (*index = 0; lib_layer(*index) && name; ++*index) {
+        if (!strcmp(lib_layer(*index)->name, name))
+            return STATUS_OK;
+        suggest_offer(&suggest, lib_layer(*index)->name);
+    }
+    log_error("unknown layer '%s'%s (firn list layers)", suggest.word,
+              suggest_hint(&suggest, hint));
+    return STATUS_USAGE;
+}
+
+static enum status add_layers(firn_renderer *r, const struct firn_renderer_options *options)
+{
+    enum status status = STATUS_OK;
+    if (options->layer_count)
+        status = lib_require(options->layers, "options.layers");
+    for (size_t i = 0; i < options->layer_count && status == STATUS_OK; i++) {
+        uint32_t index;
+        status = find_layer(options->layers[i], &index);
+        if (status != STATUS_OK)
+            return status;
+        r->has_beauty = r->has_beauty || index == 0;
+        r->has_display = r->has_display || index == 1;
+        if (index > 1)
+            r->layers |= 1u << (index - 2);
+    }
+    return status;
+}
+
+static enum status check_options(const struct firn_renderer_options *o)
+{
+    if (o->width && o->height && o->width <= 16384 && o->height <= 16384 && o->samples <= 65536)
+        return STATUS_OK;
+    log_error("options: expected a size of 1x1 to 16384x16384 and at most 65536 samples, got %ux%u "
+              "and %u",
+              o->width, o->height, o->samples);
+    return STATUS_USAGE;
+}
+
+/* Takes over the scene's options, and makes the choices that depend on the image. */
+static enum status refresh(firn_renderer *r)
+{
+    firn_scene *scene = r->scene;
+    const bool is_first = !r->version;
+    enum status status = lib_scene_update(scene);
+    if (status != STATUS_OK || r->version == scene->version)
+        return status;
+    struct setup_image *image = &r->image;
+    *image = scene->image;
+    if (r->samples)
+        status = lib_scene_image(scene, r->samples, image);
+    image->width = r->width;
+    image->height = r->height;
+    image->layers = r->layers;
+    image->scene.quiet = image->scene.quiet || !is_first;
+    r->session.quiet = image->scene.quiet;
+    r->session.skips_exposure = !r->has_display && !image->is_adaptive;
+    if (status == STATUS_OK)
+        status = image_session_choose(&r->session);
+    if (status == STATUS_OK)
+        status = output_check_tiles(image, &(struct setup_outputs){ 0 });
+    if (status != STATUS_OK)
+        return status;
+    image_session_change(&r->session);
+    r->version = scene->version;
+    return STATUS_OK;
+}
+
+static void init(firn_renderer *r, firn_scene *scene, const struct firn_renderer_options *options)
+{
+    r->scene = scene;
+    r->next = scene->renderers;
+    scene->renderers = r;
+    scene->refs++;
+    r->width = options->width;
+    r->height = options->height;
+    r->samples = options->samples;
+    pthread_mutex_init(&r->lock, NULL);
+    pthread_cond_init(&r->changed, NULL);
+    r->session = (struct image_session){
+        .image = &r->image,
+        .scene = &scene->session,
+        .gpu = &scene->device->gpu,
+        .gpu_params = &scene->device->gpu_params,
+        .layers = r->layers,
+        .linear = r->has_beauty,
+        .display = r->has_display,
+        .resolved = r->has_display,
+    };
+}
+
+static void release(firn_renderer *r)
+{
+    firn_renderer **link = &r->scene->renderers;
+    lib_worker_end(r);
+    while (*link != r)
+        link = &(*link)->next;
+    *link = r->next;
+    image_session_close(&r->session);
+    pthread_mutex_destroy(&r->lock);
+    pthread_cond_destroy(&r->changed);
+    lib_release_scene(r->scene);
+    free(r);
+}
+
+/* Refuses to draw with a Vulkan device if there is none. */
+static enum status check_device(const firn_renderer *r)
+{
+    if (r->scene->device->has_gpu || r->image.refraction == &cpu_reference_settings)
+        return STATUS_OK;
+    log_error("the device was opened without a Vulkan device: only refraction=reference can draw");
+    return STATUS_NO_DEVICE;
+}
+
+static enum status create(firn_scene *scene, const struct firn_renderer_options *given,
+                          firn_renderer **created)
+{
+    struct firn_renderer_options options;
+    struct renderer_shot shot;
+    const struct firn_camera camera = { .size = sizeof(camera) };
+    enum status status = lib_read(&options, sizeof(options), given, "options");
+    if (status == STATUS_OK)
+        status = check_options(&options);
+    firn_renderer *r = status == STATUS_OK ? calloc(1, sizeof(*r)) : NULL;
+    if (!r)
+        return status == STATUS_OK ? log_out_of_memory(NULL) : status;
+    status = add_layers(r, &options);
+    if (status != STATUS_OK) {
+        free(r);
+        return status;
+    }
+    init(r, scene, &options);
+    status = lib_renderer_aim(r, &camera, &shot);
+    if (status == STATUS_OK)
+        status = image_session_open(&r->session, &r->session.camera);
+    if (status == STATUS_OK)
+        *created = r;
+    else
+        release(r);
+    return status;
+}
+
+firn_status firn_renderer_create(firn_scene *scene, const struct firn_renderer_options *options,
+                                 firn_renderer **renderer)
+{
+    struct lib_call call;
+    if (renderer)
+        *renderer = NULL;
+    if (!lib_enter(&call, scene ? scene->device : NULL, true))
+        return scene ? FIRN_FAILED : FIRN_USAGE;
+    enum status status = lib_require(renderer, "renderer");
+    if (status == STATUS_OK)
+        status = create(scene, options, renderer);
+    return lib_leave(&call, status);
+}
+
+void firn_renderer_close(firn_renderer *renderer)
+{
+    struct lib_call call;
+    if (!renderer || !lib_is_own(renderer->scene->device))
+        return;
+    firn_cancel(renderer);
+    if (!lib_enter(&call, renderer->scene->device, true))
+        return;
+    release(renderer);
+    (void)lib_leave(&call, STATUS_OK);
+}
+
+/* ---- drawing ---- */
+
+enum status lib_renderer_aim(firn_renderer *r, const struct firn_camera *camera,
+                             struct renderer_shot *shot)
+{
+    struct session_scene *session = &r->scene->session;
+    enum status status = refresh(r);
+    if (status == STATUS_OK)
+        status = check_device(r);
+    if (status != STATUS_OK)
+        return status;
+    const struct motion_params *motion = settings_of(&r->image.scene.settings, &motion_settings);
+    const bool is_own = camera->kind == FIRN_CAMERA_SCENE;
+    *shot = (struct renderer_shot){
+        .camera = r->session.camera,
+        .time = camera->has_time ? (float)camera->time : motion->time,
+    };
+    if (session->scene.is_animated &&
+        (session->scene.time < shot->time || session->scene.time > shot->time))
+        lib_scene_close_sessions(r->scene);
+    status = image_session_pose(&r->session, shot, is_own);
+    return status == STATUS_OK && !is_own ? lib_camera_of(&shot->camera, camera, r) : status;
+}
+
+struct progress {
+    firn_renderer *renderer;
+    firn_progress_fn *fn;
+    void *user;
+};
+
+static bool show_progress(void *user, uint32_t done, uint32_t all)
+{
+    const struct progress *progress = user;
+    if (progress->fn && progress->fn(progress->user, done, all))
+        atomic_store(&progress->renderer->is_cancelled, true);
+    return !atomic_load(&progress->renderer->is_cancelled);
+}
+
+enum status lib_draw(firn_renderer *r, const struct firn_camera *camera,
+                     struct render_result *result, firn_progress_fn *fn, void *user)
+{
+    struct progress progress = { r, fn, user };
+    struct renderer_shot shot;
+    *result = (struct render_result){ 0 };
+    enum status status = lib_renderer_aim(r, camera, &shot);
+    if (status == STATUS_OK)
+        status = image_session_open(
+            &r->session, camera->kind == FIRN_CAMERA_SCENE ? &r->session.camera : &shot.camera);
+    if (status == STATUS_OK && !atomic_load(&r->is_cancelled))
+        status = image_session_draw(&r->session, &shot, result, show_progress, &progress);
+    if (atomic_load(&r->is_cancelled) && (status == STATUS_OK || status == STATUS_FAILED)) {
+        render_result_finish(result);
+        log_error("cancelled");
+        status = LIB_CANCELLED;
+    }
+    return status;
+}
+
+firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camera,
+                        const struct firn_buffer *buffers, size_t count, firn_progress_fn *progress,
+                        void *user)
+{
+    struct lib_call call;
+    struct firn_camera copied;
+    struct render_result result = { 0 };
+    if (!lib_enter(&call, renderer ? renderer->scene->device : NULL, true))
+        return renderer ? FIRN_FAILED : FIRN_USAGE;
+    enum status status = lib_camera_read(&copied, camera);
+    if (status == STATUS_OK)
+        status = lib_buffers_check(renderer, buffers, count);
+    if (status == STATUS_OK && renderer->submitted > renderer->fetched) {
+        log_error("views of the renderer are in flight: fetch them first");
+        status = STATUS_USAGE;
+    }
+    if (status == STATUS_OK) {
+        atomic_store(&renderer->is_cancelled, false);
+        status = lib_draw(renderer, &copied, &result, progress, user);
+    }
+    if (status == STATUS_OK)
+        status = lib_buffers_write(renderer, buffers, count, &result);
+    render_result_finish(&result);
+    return lib_leave(&call, status);
+}
+
+void firn_cancel(firn_renderer *renderer)
+{
+    if (renderer && lib_is_own(renderer->scene->device))
+        atomic_store(&renderer->is_cancelled, true);
+}
