@@ -42,8 +42,8 @@ bool disk_cache_is_intact(const void *data, size_t size)
     return stored == hash(data, size);
 }
 
-/* Writes the cache folder's path. Returns false if there is none: neither XDG_CACHE_HOME nor HOME is
- * absolute. */
+/* Writes the cache folder's path. Returns false if the thread has set none and neither
+ * XDG_CACHE_HOME nor HOME is absolute. */
 static bool find_folder(char folder[static FOLDER_SIZE])
 {
     const char *cache = getenv("XDG_CACHE_HOME");

@@ -8,8 +8,8 @@
  * folder, and compute (sandbox.h). The data it sends is validated again (reader_pipe.h). The child
  * is spawned rather than forked: this is safe in a multithreaded program, and no memory is shared.
  * While a reader exists, the parent is not dumpable unless it asks to stay as it is, so the child
- * cannot open the parent's memory either. Smaller limits of the program itself (RLIMIT_AS, RLIMIT_CPU, RLIMIT_NOFILE, as set by
- * batch systems) also apply to the child.
+ * cannot open the parent's memory either. Smaller limits of the program itself (RLIMIT_AS,
+ * RLIMIT_CPU, RLIMIT_NOFILE, as set by batch systems) also apply to the child.
  *
  * Thread-safety: any thread; one reader is used by one thread at a time. Errors: one line is
  * logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the file; STATUS_TRY_AGAIN if

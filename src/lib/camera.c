@@ -173,6 +173,7 @@ static struct pinhole pinhole_of(const struct camera *camera, const firn_rendere
     return p;
 }
 
+/* Writes a camera as the kind to->kind. */
 static void write_pinhole(struct firn_camera *to, const struct pinhole *p, double height)
 {
     const bool is_opencv = to->kind == FIRN_CAMERA_OPENCV;
@@ -193,42 +194,12 @@ static void write_pinhole(struct firn_camera *to, const struct pinhole *p, doubl
     }
 }
 
-static enum status convert(firn_renderer *renderer, const struct firn_camera *from,
-                           struct firn_camera *to)
+void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
+                         const struct camera *camera, const firn_renderer *renderer)
 {
-    struct firn_camera source, result;
-    struct renderer_shot shot;
-    struct pinhole pinhole;
-    enum status status = lib_camera_read(&source, from);
-    if (status == STATUS_OK)
-        status = lib_read(&result, sizeof(result), to, "to");
-    if (status == STATUS_OK &&
-        (result.kind == FIRN_CAMERA_SCENE || result.kind > FIRN_CAMERA_OPENGL)) {
-        log_error(
-            "to.kind: expected FIRN_CAMERA_LOOK_AT, FIRN_CAMERA_OPENCV or FIRN_CAMERA_OPENGL");
-        status = STATUS_USAGE;
-    }
-    if (status == STATUS_OK)
-        status = lib_renderer_aim(renderer, &source, &shot);
-    if (status == STATUS_OK && shot.camera.height > 0.0f) {
-        log_error("camera: it is orthographic and has no focal length");
-        status = STATUS_USAGE;
-    }
-    if (status != STATUS_OK)
-        return status;
-    pinhole = source.kind >= FIRN_CAMERA_OPENCV ? pinhole_of_matrix(&source)
-                                                : pinhole_of(&shot.camera, renderer);
-    write_pinhole(&result, &pinhole, renderer->height);
-    result.has_time = source.has_time;
-    result.time = source.time;
-    return lib_write(to, &result, sizeof(result), "to");
-}
-
-firn_status firn_camera_convert(firn_renderer *renderer, const struct firn_camera *from,
-                                struct firn_camera *to)
-{
-    struct lib_call call;
-    if (!lib_enter(&call, renderer ? renderer->scene->device : NULL, true))
-        return renderer ? FIRN_FAILED : FIRN_USAGE;
-    return lib_leave(&call, convert(renderer, from, to));
+    const struct pinhole pinhole =
+        from->kind >= FIRN_CAMERA_OPENCV ? pinhole_of_matrix(from) : pinhole_of(camera, renderer);
+    write_pinhole(to, &pinhole, renderer->height);
+    to->has_time = from->has_time;
+    to->time = from->time;
 }

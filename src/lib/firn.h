@@ -94,11 +94,11 @@ FIRN_API const char *firn_status_name(int status);
 
 /* ---- device ---- */
 
-typedef enum firn_log_level {
+enum firn_log_level {
     FIRN_LOG_ERROR = 0,   /* the text that firn_error() returns */
     FIRN_LOG_WARNING = 1, /* something is missing from the image */
     FIRN_LOG_NOTE = 2,    /* information, such as a default that was chosen */
-} firn_log_level;
+};
 
 /* Callback for messages, one line without newline. It is called during calls with handles of its
  * device, by the calling thread or a thread of the library, by one at a time. It must not call
@@ -179,12 +179,12 @@ FIRN_API firn_status firn_scene_get(firn_scene *scene, const char *name, char *t
 
 /* ---- list of settings ---- */
 
-typedef enum firn_setting_type {
+enum firn_setting_type {
     FIRN_SETTING_FLOAT = 0,
     FIRN_SETTING_COUNT = 1,  /* whole number */
     FIRN_SETTING_SWITCH = 2, /* "on" or "off"; numbers 1 and 0 */
     FIRN_SETTING_CHOICE = 3, /* a name of `choices`; its index as a number */
-} firn_setting_type;
+};
 
 /* Description of a setting. Strings stay valid forever. */
 struct firn_setting {
@@ -293,11 +293,11 @@ struct firn_instance {
     float world[12];         /* world from mesh space, 3x4; all zeros: identity */
 };
 
-typedef enum firn_light_kind {
+enum firn_light_kind {
     FIRN_LIGHT_DIRECTIONAL = 0,
     FIRN_LIGHT_POINT = 1,
     FIRN_LIGHT_SPOT = 2,
-} firn_light_kind;
+};
 
 /* Punctual light, as in KHR_lights_punctual. It lights opaque surfaces. */
 struct firn_light {
@@ -343,12 +343,12 @@ FIRN_API firn_status firn_scene_set_environment(firn_scene *scene,
 
 /* ---- cameras ---- */
 
-typedef enum firn_camera_kind {
+enum firn_camera_kind {
     FIRN_CAMERA_SCENE = 0,   /* camera of the scene's options or file, else one that frames it */
     FIRN_CAMERA_LOOK_AT = 1, /* eye, target, up, fov_deg */
     FIRN_CAMERA_OPENCV = 2,  /* fx, fy, cx, cy; camera axes +X right, +Y down, +Z forward */
     FIRN_CAMERA_OPENGL = 3,  /* fx, fy, cx, cy; camera axes +X right, +Y up, -Z forward */
-} firn_camera_kind;
+};
 
 /*
  * Camera of a shot. A point (x, y, z) in the axes of OpenCV appears at the pixel coordinates
@@ -369,8 +369,8 @@ struct firn_camera {
 };
 
 /* Converts a camera for images of a renderer: sets all members of `to` but its size and kind, to
- * describe `from` as that kind. A view by `eye`, `target`, `up` and `fov_deg` has a centred principal
- * point and square pixels. Returns
+ * describe `from` as that kind. A view by `eye`, `target`, `up` and `fov_deg` has a centred
+ * principal point and square pixels. Returns
  * FIRN_USAGE for an invalid camera. */
 FIRN_API firn_status firn_camera_convert(firn_renderer *renderer, const struct firn_camera *from,
                                          struct firn_camera *to);
@@ -408,13 +408,13 @@ FIRN_API firn_status firn_renderer_create(firn_scene *scene,
                                           firn_renderer **renderer);
 FIRN_API void firn_renderer_close(firn_renderer *renderer);
 
-typedef enum firn_type {
+enum firn_type {
     FIRN_FLOAT32 = 0,
     /* `display`: sRGB 0 to 255 or 65535; other layers: rounded, clamped to the range, 0 for NaN */
     FIRN_UINT8 = 1,
     FIRN_UINT16 = 2,
     FIRN_UINT32 = 3, /* not for `display` */
-} firn_type;
+};
 
 /* Memory of the caller that receives a layer. */
 struct firn_buffer {
@@ -455,7 +455,7 @@ FIRN_API firn_status firn_fetch(firn_renderer *renderer, uint64_t ticket,
                                 const struct firn_buffer *buffers, size_t count);
 
 /* Returns 1 if firn_fetch() of the oldest ticket would not wait, else 0. */
-FIRN_API int firn_is_ready(const firn_renderer *renderer);
+FIRN_API int firn_is_ready(firn_renderer *renderer);
 
 /* Cancels the view that is being drawn and all submitted views, after their present sample. Any
  * thread may call it while the renderer is open. */

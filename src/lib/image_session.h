@@ -47,8 +47,8 @@ MUST_USE enum status image_session_pose(struct image_session *session, struct re
 /* Notes that *session->image has changed, but not its scene. */
 void image_session_change(struct image_session *session);
 
-/* Creates the renderer or the path tracer, or adapts it to the image's options, the present pose and
- * a camera, unless it fits. */
+/* Creates the renderer or the path tracer, or adapts it to the image's options, the present pose
+ * and a camera, unless it fits. */
 MUST_USE enum status image_session_open(struct image_session *session, const struct camera *camera);
 
 /* Draws a shot with the renderer or the path tracer, as renderer_render() does. */

@@ -156,9 +156,8 @@ firn_status firn_fetch(firn_renderer *renderer, uint64_t ticket, const struct fi
     return lib_leave(&call, fetch(renderer, ticket, buffers, count));
 }
 
-int firn_is_ready(const firn_renderer *renderer)
+int firn_is_ready(firn_renderer *r)
 {
-    firn_renderer *r = (firn_renderer *)(uintptr_t)renderer;
     if (!r || !lib_is_own(r->scene->device))
         return 0;
     pthread_mutex_lock(&r->lock);

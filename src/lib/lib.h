@@ -160,11 +160,7 @@ void lib_scene_reload(firn_scene *scene);
 
 void lib_release_scene(firn_scene *scene);
 
-/* ---- arrays and materials ---- */
-
-/* Sets scene->source for the arrays and changed materials of a scene. */
-void lib_set_source(firn_scene *scene);
-void lib_free_arrays(struct lib_arrays *arrays);
+/* ---- materials ---- */
 
 /* Sets the members of a material that the interface knows; keeps its textures. If values are out of
  * range, logs an error and returns STATUS_USAGE. */
@@ -179,6 +175,11 @@ MUST_USE enum status lib_camera_read(struct firn_camera *to, const struct firn_c
 /* Converts a checked camera of explicit kind. */
 MUST_USE enum status lib_camera_of(struct camera *camera, const struct firn_camera *from,
                                    const firn_renderer *renderer);
+
+/* Describes a camera as the kind to->kind. `from` is of an explicit kind with a matrix, or it is
+ * `camera` that is described. */
+void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
+                         const struct camera *camera, const firn_renderer *renderer);
 
 /* ---- rendering ---- */
 

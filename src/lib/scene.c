@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/options/set_option.h"
-#include "src/lib/lib.h"
+#include "src/lib/scene_source.h"
 #include "src/settings/settings.h"
 
 /* ---- strings ---- */
@@ -81,7 +81,7 @@ static void adapt(firn_scene *scene, struct setup_image *image)
     image->scene.source = scene->source.user ? &scene->source : NULL;
 }
 
-/* Sets the scene's options with what follows from them. `samples` replaces theirs unless it is 0. */
+/* Sets the scene's options and what follows from them. `samples` replaces theirs unless it is 0. */
 static enum status complete(firn_scene *scene, uint32_t samples, struct setup_image *image)
 {
     *image = scene->given;
