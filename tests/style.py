@@ -24,9 +24,10 @@ SPOKEN = ('graph/', 'src/', 'shaders/', 'examples/', 'assets/', 'tests/support/'
 FOLDERS = ('.ci', 'assets', 'completions', 'docs', 'graph', 'man', 'shaders', 'src', 'tests')
 # Objects with tables of a library's header that are not const there: stb_easy_font's
 THEIR_DATA = ('lab_ladder_canvas.c.o',)
-# One that counts what a property of the process depends on: whether it is dumpable. Two with a
-# property of each thread: where its messages and cache files go.
-PROCESS_DATA = ('file_reader_process.c.o', 'base_log.c.o', 'base_disk_cache.c.o')
+# One that counts what a property of the process depends on: whether it is dumpable. Three with a
+# property of each thread: where its messages, cache files and assets are.
+PROCESS_DATA = ('file_reader_process.c.o', 'base_log.c.o', 'base_disk_cache.c.o',
+                'scene_bundled_assets.c.o')
 C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
 CODE = (*C, *GLSL, '.py', '.sh', '.build')

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "src/base/disk_cache.h"
 #include "src/lib/lib.h"
+#include "src/scene/bundled_assets.h"
 #include "src/version.h"
 
 static const char forked[] =
@@ -72,14 +73,17 @@ bool lib_enter(struct lib_call *call, firn *device, bool waits)
     *call = (struct lib_call){ .device = device };
     call->sink = log_set_sink(&device->sink.base);
     call->cache = disk_cache_set_folder(device->cache);
+    call->assets = asset_set_folder(device->assets);
     return true;
 }
 
 firn_status lib_leave(struct lib_call *call, enum status status)
 {
     log_set_sink(call->sink);
-    if (call->device)
+    if (call->device) {
         disk_cache_set_folder(call->cache);
+        asset_set_folder(call->assets);
+    }
     return (firn_status)status;
 }
 
@@ -139,18 +143,18 @@ enum status lib_write(void *to, const void *from, size_t size, const char *what)
 
 /* ---- opening ---- */
 
-static bool copy(char **to, const char *from)
+/* Copies the first of an option, an environment variable and a default that is given. Returns false
+ * when out of memory. */
+static bool copy(char **to, const char *option, const char *variable, const char *initial)
 {
+    const char *value = variable ? secure_getenv(variable) : NULL;
+    const char *from = option ? option : value && value[0] ? value : initial;
     *to = from ? strdup(from) : NULL;
     return *to || !from;
 }
 
 static enum status init(firn *device, const struct firn_options *options)
 {
-    const char *variable = secure_getenv("FIRN_READER");
-    const char *reader = options->reader           ? options->reader
-                         : variable && variable[0] ? variable
-                                                   : FIRN_READER_PROGRAM;
     const uint32_t known = FIRN_NO_CACHE | FIRN_VALIDATE | FIRN_WITHOUT_DEVICE;
     if (options->flags & ~known || (options->cache && options->cache[0] != '/')) {
         if (options->flags & ~known)
@@ -162,10 +166,12 @@ static enum status init(firn *device, const struct firn_options *options)
     device->log = options->log;
     device->log_user = options->log_user;
     device->has_gpu = !(options->flags & FIRN_WITHOUT_DEVICE);
-    return copy(&device->name, options->device) && copy(&device->reader, reader) &&
-                   copy(&device->cache, options->cache)
-               ? STATUS_OK
-               : log_out_of_memory(NULL);
+    const bool is_copied =
+        copy(&device->name, options->device, NULL, NULL) &&
+        copy(&device->reader, options->reader, "FIRN_READER", FIRN_READER_PROGRAM) &&
+        copy(&device->cache, options->cache, NULL, NULL) &&
+        copy(&device->assets, options->assets, "FIRN_ASSETS", FIRN_ASSET_FOLDER);
+    return is_copied ? STATUS_OK : log_out_of_memory(NULL);
 }
 
 static enum status open_gpu(firn *device, uint32_t flags)
@@ -246,6 +252,7 @@ void lib_release_device(firn *device)
     free(device->name);
     free(device->reader);
     free(device->cache);
+    free(device->assets);
     free(device);
 }
 

@@ -121,6 +121,8 @@ struct firn_options {
     const char *reader;
     const char *cache; /* cache folder, absolute; NULL: $XDG_CACHE_HOME/firn or ~/.cache/firn */
     uint32_t flags;    /* FIRN_NO_CACHE, FIRN_VALIDATE, FIRN_WITHOUT_DEVICE */
+    /* folder of the bundled scenes and environments; NULL: $FIRN_ASSETS, else the installed one */
+    const char *assets;
 };
 
 /* Opens a device. `options` may be NULL. Returns FIRN_NO_DEVICE if there is none, FIRN_USAGE for

@@ -2,6 +2,7 @@
 #include <string.h>
 #include "src/base/disk_cache.h"
 #include "src/lib/lib.h"
+#include "src/scene/bundled_assets.h"
 
 static struct lib_job *job_of(firn_renderer *r, uint64_t number)
 {
@@ -32,6 +33,7 @@ static void *work(void *user)
     firn_renderer *r = user;
     firn *device = r->scene->device;
     disk_cache_set_folder(device->cache);
+    asset_set_folder(device->assets);
     pthread_mutex_lock(&r->lock);
     while (!r->ends) {
         if (r->drawn == r->submitted) {

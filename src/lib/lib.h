@@ -30,7 +30,7 @@ struct firn {
     bool has_gpu;
     firn_log_fn *log;
     void *log_user;
-    char *name, *reader, *cache;
+    char *name, *reader, *cache, *assets;
     struct lib_sink sink;
     char message[LIB_MESSAGE_SIZE];
     pthread_mutex_t log_lock; /* held while `log` runs */
@@ -106,7 +106,7 @@ struct firn_renderer {
 struct lib_call {
     firn *device; /* NULL for a call without handle */
     struct log_sink *sink;
-    const char *cache;
+    const char *cache, *assets;
     struct lib_sink own; /* sink of a call without handle */
 };
 
