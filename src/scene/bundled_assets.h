@@ -28,7 +28,7 @@ struct asset {
     const char *help;
 };
 
-/* Sets a folder in which the calling thread looks first, and returns the earlier one; NULL for none.
+/* Sets a folder in which the calling thread looks first, and returns the earlier one or NULL.
  * The text must outlive its use. */
 const char *asset_set_folder(const char *folder);
 

@@ -1,5 +1,6 @@
 /* test_library.c: the C interface: images equal those of firn render, and errors leave the caller's
  * process and data as they are. */
+#include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,6 +31,7 @@ static void count_message(void *user, int level, const char *text)
 {
     (void)user;
     assert_true(level <= FIRN_LOG_NOTE && !strchr(text, '\n'));
+    assert_null(strstr(text, "VUID")); /* of the validation layer */
     message_count++;
 }
 
@@ -50,7 +52,11 @@ static void check(firn_status status, firn_status expected, const char *words, c
 
 static int open_all(void **state)
 {
-    const struct firn_options options = { .size = sizeof(options), .log = count_message };
+    const struct firn_options options = {
+        .size = sizeof(options),
+        .log = count_message,
+        .flags = FIRN_VALIDATE,
+    };
     (void)state;
     if (!mkdtemp(folder) || firn_open(&options, &device) != FIRN_OK) {
         print_error("%s\n", firn_error(NULL));
@@ -443,6 +449,48 @@ static void a_cancelled_view_leaves_the_buffers(void **state)
     firn_scene_close(scene);
 }
 
+/* Draws with a device of its own. */
+static void *draw_alone(void *user)
+{
+    const struct firn_options options = { .size = sizeof(options) };
+    const struct firn_buffer buffer = buffer_of("beauty", user, FIRN_FLOAT32);
+    const struct firn_renderer_options image = { sizeof(image), WIDTH, HEIGHT, 0, beauty, 1 };
+    firn *own = NULL;
+    firn_scene *scene = NULL;
+    firn_renderer *renderer = NULL;
+    const bool is_drawn = firn_open(&options, &own) == FIRN_OK &&
+                          firn_scene_load(own, "teapot", glass, &scene) == FIRN_OK &&
+                          firn_renderer_create(scene, &image, &renderer) == FIRN_OK &&
+                          firn_render(renderer, NULL, &buffer, 1, NULL, NULL) == FIRN_OK &&
+                          firn_scene_set(scene, "a.b", "1") == FIRN_USAGE &&
+                          strstr(firn_error(own), "a.b");
+    firn_close(own);
+    firn_scene_close(scene);
+    firn_renderer_close(renderer);
+    return is_drawn ? user : NULL;
+}
+
+static void devices_draw_at_the_same_time(void **state)
+{
+    static float images[3][PIXELS * 4];
+    pthread_t threads[2];
+    (void)state;
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, draw_alone, images[i]), 0);
+    firn_scene *scene = load("teapot", glass);
+    firn_renderer *renderer = create(scene, beauty, 1);
+    const struct firn_buffer buffer = buffer_of("beauty", images[2], FIRN_FLOAT32);
+    OK(firn_render(renderer, NULL, &buffer, 1, NULL, NULL));
+    for (int i = 0; i < 2; i++) {
+        void *result;
+        assert_int_equal(pthread_join(threads[i], &result), 0);
+        assert_non_null(result);
+        assert_memory_equal(images[i], images[2], sizeof(images[2]));
+    }
+    firn_renderer_close(renderer);
+    firn_scene_close(scene);
+}
+
 /* ---- errors ---- */
 
 static void wrong_arguments_are_refused(void **state)
@@ -620,6 +668,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(objects_have_names_bounds_and_materials),
         cmocka_unit_test(views_in_flight_come_in_order),
         cmocka_unit_test(a_cancelled_view_leaves_the_buffers),
+        cmocka_unit_test(devices_draw_at_the_same_time),
         cmocka_unit_test(wrong_arguments_are_refused),
         cmocka_unit_test(a_damaged_file_harms_nobody),
         cmocka_unit_test(a_child_gets_errors),
