@@ -264,9 +264,11 @@ FIRN_API firn_status firn_material_init(struct firn_material *material, const ch
 FIRN_API firn_status firn_scene_material(firn_scene *scene, uint32_t index,
                                          struct firn_material *material);
 
-/* Replaces the material of object `index` from the next render on, without reading files again
- * unless the object becomes opaque or refractive. The name is ignored. Options `material` for the
- * object have no effect afterwards. */
+/* Replaces the material of refractive object `index` from the next render on; its textures and name
+ * are kept. Options `material` for the object have no effect afterwards. The first change of an
+ * object loads the scene again; later ones do not, if only index, dispersion, roughness, attenuation,
+ * emission or metallic change. Materials of built-in scenes and of opaque objects cannot be
+ * replaced: FIRN_USAGE. */
 FIRN_API firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
                                              const struct firn_material *material);
 

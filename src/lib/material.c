@@ -29,8 +29,8 @@ enum status lib_material_read(struct material *to, const struct firn_material *f
     made.scattering_optical_depth = m.scattering;
     made.emission = (vec3s){ { m.emission[0], m.emission[1], m.emission[2] } };
     made.priority = m.priority;
-    made.flags &= ~(uint32_t)(MATERIAL_IS_UNLIT | MATERIAL_IS_TWO_SIDED | MATERIAL_IS_BLENDED |
-                              MATERIAL_HAS_PRIORITY | MATERIAL_FROM_SETTINGS);
+    made.flags &= ~(uint32_t)(MATERIAL_IS_PARTIAL | MATERIAL_IS_UNLIT | MATERIAL_IS_TWO_SIDED |
+                              MATERIAL_IS_BLENDED | MATERIAL_HAS_PRIORITY | MATERIAL_FROM_SETTINGS);
     made.flags |= MATERIAL_HAS_IOR | (m.flags & FIRN_MATERIAL_UNLIT ? MATERIAL_IS_UNLIT : 0u) |
                   (m.flags & FIRN_MATERIAL_TWO_SIDED ? MATERIAL_IS_TWO_SIDED : 0u) |
                   (m.flags & FIRN_MATERIAL_BLENDED ? MATERIAL_IS_BLENDED : 0u) |

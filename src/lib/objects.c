@@ -2,6 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/lib/lib.h"
 #include "src/scene/material_presets.h"
 #include "src/scene/world_position.h"
@@ -183,14 +184,20 @@ static enum status check_change(const firn_scene *scene, uint32_t index,
     return STATUS_OK;
 }
 
+/* Returns the earlier change of an object's material, or NULL. */
+static struct lib_material_change *find_change(const firn_scene *scene, uint32_t index)
+{
+    for (uint32_t i = 0; i < scene->change_count; i++) {
+        if (scene->changes[i].object == index)
+            return &scene->changes[i];
+    }
+    return NULL;
+}
+
 static enum status put_change(firn_scene *scene, uint32_t index,
                               const struct firn_material *material)
 {
-    struct lib_material_change *change = NULL;
-    for (uint32_t i = 0; i < scene->change_count; i++) {
-        if (scene->changes[i].object == index)
-            change = &scene->changes[i];
-    }
+    struct lib_material_change *change = find_change(scene, index);
     if (!change) {
         struct lib_material_change *grown =
             realloc(scene->changes, (scene->change_count + (size_t)1) * sizeof(*grown));
@@ -207,18 +214,62 @@ static enum status put_change(firn_scene *scene, uint32_t index,
     return status;
 }
 
+static bool is_equal(float a, float b)
+{
+    return !(a < b || a > b);
+}
+
+/* Returns true if materials differ only in numbers on which neither meshes nor the BVH depend. */
+static bool differ_in_numbers(const struct material *a, const struct material *b)
+{
+    return a->flags == b->flags && a->priority == b->priority &&
+           is_equal(a->transmission, b->transmission) && is_equal(a->alpha, b->alpha) &&
+           (a->thickness > 0.0f) == (b->thickness > 0.0f) &&
+           is_equal(a->scattering_optical_depth, b->scattering_optical_depth) &&
+           glms_vec3_eqv(a->base_color, b->base_color);
+}
+
+/* Changes the material that an earlier change has given to an object alone. Sets *is_done to false
+ * if the scene must be loaded again instead. */
+static enum status change_in_place(firn_scene *scene, uint32_t index,
+                                   const struct firn_material *material, bool *is_done)
+{
+    struct model *model = &scene->session.scene.model;
+    struct material *own = &model->materials[model->objects[index].material];
+    struct material made = *own;
+    *is_done = false;
+    if (!find_change(scene, index))
+        return STATUS_OK;
+    enum status status = lib_material_read(&made, material);
+    if (status != STATUS_OK || !differ_in_numbers(own, &made))
+        return status;
+    *is_done = true;
+    memcpy(made.name, own->name, sizeof(made.name));
+    lib_scene_close_sessions(scene);
+    *own = made;
+    if (index == 0)
+        model->ior = made.ior;
+    if (scene->session.scene.model_ior > 0.0f)
+        scene->session.scene.model_ior = model->ior;
+    scene->needs_settings = true;
+    return setup_update_materials(&scene->session.scene, &scene->image.scene);
+}
+
 firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
                                     const struct firn_material *material)
 {
     struct lib_call call;
     if (!lib_enter(&call, scene ? scene->device : NULL, true))
         return scene ? FIRN_FAILED : FIRN_USAGE;
+    bool is_done = false;
     enum status status = lib_scene_update(scene);
     if (status == STATUS_OK)
         status = check_change(scene, index, material);
     if (status == STATUS_OK)
-        status = put_change(scene, index, material);
+        status = change_in_place(scene, index, material, &is_done);
     if (status == STATUS_OK)
+        status = put_change(scene, index, material);
+    if ((status == STATUS_OK) != is_done) /* is needed, or has failed midway */
         lib_scene_reload(scene);
     return lib_leave(&call, status);
 }

@@ -554,6 +554,25 @@ enum status scene_build_bvh(const struct scene *scene, bool is_cached)
     return scene->bvh->nodes.all ? STATUS_OK : bvh_init(scene->bvh, &params);
 }
 
+static void free_tables(struct scene_tables *tables)
+{
+    free(tables->materials);
+    free(tables->vertex_extras);
+    free(tables->punctual_lights);
+    free(tables->brdf);
+    *tables = (struct scene_tables){ 0 };
+}
+
+enum status scene_update_materials(struct scene *scene, const struct scene_params *params)
+{
+    const struct scattering_media filled = scene->inclusions.media;
+    free_tables(&scene->tables);
+    const enum status status = scene->has_pool ? STATUS_OK : add_surfaces(scene, params);
+    scattering_media_finish(&scene->inclusions.media); /* found again, but not filled */
+    scene->inclusions.media = filled;
+    return status;
+}
+
 void scene_finish(struct scene *scene)
 {
     if (scene->bvh)
@@ -566,11 +585,8 @@ void scene_finish(struct scene *scene)
     melted_finish(&scene->melted);
     environment_finish(&scene->background.environment);
     environment_finish(&scene->background.cube);
-    free(scene->tables.materials);
-    free(scene->tables.vertex_extras);
+    free_tables(&scene->tables);
     free(scene->previous_positions);
-    free(scene->tables.punctual_lights);
-    free(scene->tables.brdf);
     free(scene->background.prefiltered);
     bump_maps_finish(&scene->bump);
     scattering_media_finish(&scene->inclusions.media);

@@ -450,6 +450,13 @@ const char *setup_fill_scene(struct scene *scene, const struct setup_scene *opti
     return scene_fill(scene, &params);
 }
 
+enum status setup_update_materials(struct scene *scene, const struct setup_scene *options)
+{
+    struct bump_maps_params maps;
+    const struct scene_params params = setup_scene_params(options, &maps);
+    return scene_update_materials(scene, &params);
+}
+
 enum status setup_log_fill_failure(const char *lacking)
 {
     log_error("%s: out of memory", lacking);

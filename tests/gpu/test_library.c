@@ -372,6 +372,18 @@ static void objects_have_names_bounds_and_materials(void **state)
     assert_true(difference_of(before, after) > 1e-4);
     OK(firn_scene_material(scene, 0, &material));
     CHECK_NEAR(material.ior, 1.9, 1e-6);
+    /* a second change of the material keeps the scene; the image is that of a new scene */
+    material.ior = 1.6f;
+    material.roughness = 0.2f;
+    OK(firn_scene_set_material(scene, 0, &material));
+    OK(firn_render(renderer, NULL, &to_before, 1, NULL, NULL));
+    firn_scene *other = make_scene();
+    OK(firn_scene_set_material(other, 0, &material));
+    firn_renderer *other_renderer = create(other, beauty, 1);
+    OK(firn_render(other_renderer, NULL, &to_after, 1, NULL, NULL));
+    assert_memory_equal(before, after, sizeof(before));
+    firn_renderer_close(other_renderer);
+    firn_scene_close(other);
     material.ior = 5;
     FAILS(firn_scene_set_material(scene, 0, &material), FIRN_USAGE, "ior 1 to 4");
     firn_renderer_close(renderer);
