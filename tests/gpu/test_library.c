@@ -2,6 +2,7 @@
  * process and data as they are. */
 #include <pthread.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -540,8 +541,21 @@ static void wrong_arguments_are_refused(void **state)
     firn_scene_close(scene);
 }
 
+/* Returns its argument if the process stays dumpable until the argument is true. */
+static void *watch_process(void *user)
+{
+    const atomic_bool *ends = user;
+    bool stays = true;
+    while (!atomic_load(ends))
+        stays = stays && prctl(PR_GET_DUMPABLE) == 1;
+    return stays ? user : NULL;
+}
+
 static void a_damaged_file_harms_nobody(void **state)
 {
+    static atomic_bool ends;
+    pthread_t watcher;
+    void *stays;
     firn_scene *scene = NULL;
     char path[100];
     (void)state;
@@ -550,8 +564,11 @@ static void a_damaged_file_harms_nobody(void **state)
     assert_non_null(file);
     fputs("glTF\2\0\0\0 this is no model", file);
     assert_int_equal(fclose(file), 0);
+    assert_int_equal(pthread_create(&watcher, NULL, watch_process, &ends), 0);
     FAILS(firn_scene_load(device, path, NULL, &scene), FIRN_DATA, "damaged.glb");
-    assert_int_equal(prctl(PR_GET_DUMPABLE), 1);
+    atomic_store(&ends, true);
+    assert_int_equal(pthread_join(watcher, &stays), 0);
+    assert_non_null(stays);
     assert_null(scene);
 }
 
