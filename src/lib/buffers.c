@@ -39,7 +39,7 @@ static int find_drawn(const firn_renderer *r, const char *name)
     for (uint32_t i = 0; name && lib_layer(i); i++) {
         const bool is_drawn = i == 0   ? r->has_beauty
                               : i == 1 ? r->has_display
-                                       : r->layers & 1u << (i - 2);
+                                       : (r->layers & layer_image_bit(lib_layer(i))) != 0;
         if (is_drawn && !strcmp(lib_layer(i)->name, name))
             return (int)i;
     }

@@ -266,9 +266,9 @@ FIRN_API firn_status firn_scene_material(firn_scene *scene, uint32_t index,
 
 /* Replaces the material of refractive object `index` from the next render on; its textures and name
  * are kept. Options `material` for the object have no effect afterwards. The first change of an
- * object loads the scene again; later ones do not, if only index, dispersion, roughness, attenuation,
- * emission or metallic change. Materials of built-in scenes and of opaque objects cannot be
- * replaced: FIRN_USAGE. */
+ * object loads the scene again; later ones do not, if only index, dispersion, roughness,
+ * attenuation, emission or metallic change. Materials of built-in scenes and of opaque objects
+ * cannot be replaced: FIRN_USAGE. */
 FIRN_API firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
                                              const struct firn_material *material);
 
@@ -402,7 +402,7 @@ struct firn_renderer_options {
     /* per pixel, instead of the scene's option `samples`; 0: by that option or the quality level */
     uint32_t samples;
     const char *const *layers; /* names of the layers that buffers may receive */
-    size_t layer_count;
+    size_t layer_count;        /* at least 1 */
 };
 
 /* Creates a renderer: compiles the frame and uploads the scene. All views of it share this work.

@@ -4,6 +4,7 @@
 #include "src/base/suggest.h"
 #include "src/lib/lib.h"
 #include "src/render/frame/output_layers.h"
+#include "src/setup/aov_to_png.h"
 
 /* ---- creation ---- */
 
@@ -23,9 +24,11 @@ static enum status find_layer(const char *name, uint32_t *index)
 
 static enum status add_layers(firn_renderer *r, const struct firn_renderer_options *options)
 {
-    enum status status = STATUS_OK;
-    if (options->layer_count)
-        status = lib_require(options->layers, "options.layers");
+    enum status status = lib_require(options->layers, "options.layers");
+    if (status == STATUS_OK && !options->layer_count) {
+        log_error("options.layer_count: expected at least one layer, such as beauty");
+        status = STATUS_USAGE;
+    }
     for (size_t i = 0; i < options->layer_count && status == STATUS_OK; i++) {
         uint32_t index;
         status = find_layer(options->layers[i], &index);
@@ -34,7 +37,7 @@ static enum status add_layers(firn_renderer *r, const struct firn_renderer_optio
         r->has_beauty = r->has_beauty || index == 0;
         r->has_display = r->has_display || index == 1;
         if (index > 1)
-            r->layers |= 1u << (index - 2);
+            r->layers |= layer_image_bit(lib_layer(index));
     }
     return status;
 }

@@ -204,8 +204,9 @@ MUST_USE enum status scene_generate_cracks(struct scene *scene, const struct sce
  * files. Not thread-safe. Logs errors and returns STATUS_DATA or STATUS_TRY_AGAIN. */
 MUST_USE enum status scene_build_bvh(const struct scene *scene, bool is_cached);
 
-/* Rebuilds the GPU tables of materials after changes of their numbers. Priorities, flags, scattering, and whether a material is transmissive or thin must be unchanged.
- * Logs errors and returns STATUS_TRY_AGAIN; the scene may then only be finished. */
+/* Rebuilds the GPU tables of materials after changes of their numbers. Priorities, flags,
+ * scattering, and whether a material is transmissive or thin must be unchanged. Logs errors and
+ * returns STATUS_TRY_AGAIN; the scene may then only be finished. */
 MUST_USE enum status scene_update_materials(struct scene *scene, const struct scene_params *params);
 
 void scene_finish(struct scene *scene);

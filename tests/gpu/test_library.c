@@ -686,6 +686,33 @@ static void memory_of_scenes_is_freed(void **state)
     CHECK_NEAR(resident_kib(), before, 4096.0);
 }
 
+static void the_last_of_many_frames_equals_the_first(void **state)
+{
+    enum {
+        SIDE = 8,
+        FRAMES = 20000,
+    };
+
+    static float first[SIDE * SIDE * 4], last[SIDE * SIDE * 4];
+    const struct firn_renderer_options options = { sizeof(options), SIDE, SIDE, 1, beauty, 1 };
+    struct firn_buffer buffer = buffer_of("beauty", first, FIRN_FLOAT32);
+    firn_renderer *renderer = NULL;
+    long before = 0;
+    (void)state;
+    firn_scene *scene = make_scene();
+    OK(firn_renderer_create(scene, &options, &renderer));
+    for (uint32_t i = 0; i < FRAMES; i++) {
+        OK(firn_render(renderer, NULL, &buffer, 1, NULL, NULL));
+        buffer.data = last;
+        if (i == FRAMES / 2)
+            before = resident_kib();
+    }
+    assert_memory_equal(first, last, sizeof(first));
+    CHECK_NEAR(resident_kib(), before, 1024.0);
+    firn_renderer_close(renderer);
+    firn_scene_close(scene);
+}
+
 /* Arguments: the program firn; "memory" for the long test. */
 int main(int argc, char **argv)
 {
@@ -704,7 +731,10 @@ int main(int argc, char **argv)
         cmocka_unit_test(nothing_is_written_to_stderr),
         cmocka_unit_test(lists_are_complete),
     };
-    const struct CMUnitTest memory[] = { cmocka_unit_test(memory_of_scenes_is_freed) };
+    const struct CMUnitTest memory[] = {
+        cmocka_unit_test(memory_of_scenes_is_freed),
+        cmocka_unit_test(the_last_of_many_frames_equals_the_first),
+    };
     program = argc > 1 ? argv[1] : "firn";
     return argc > 2 ? cmocka_run_group_tests(memory, open_all, close_all)
                     : cmocka_run_group_tests(tests, open_all, close_all);
