@@ -108,7 +108,7 @@ static struct pinhole pinhole_of_matrix(const struct firn_camera *from)
         .cx = from->cx + corner,
         .cy = from->cy + corner,
     };
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++) {
         p.axes[0][i] = m[4 * i];
         p.axes[1][i] = sign * m[4 * i + 1];
         p.axes[2][i] = sign * m[4 * i + 2];
@@ -183,7 +183,7 @@ static void write_pinhole(struct firn_camera *to, const struct pinhole *p, doubl
     to->cx = p->cx - corner;
     to->cy = p->cy - corner;
     to->fov_deg = 360.0 / 3.14159265358979323846 * atan(height / 2.0 / p->fy);
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++) {
         to->world_from_camera[4 * i] = p->axes[0][i];
         to->world_from_camera[4 * i + 1] = sign * p->axes[1][i];
         to->world_from_camera[4 * i + 2] = sign * p->axes[2][i];

@@ -60,7 +60,7 @@ static void wait_until_idle(firn *device)
     pthread_mutex_unlock(&device->lock);
 }
 
-bool lib_enter(struct lib_call *call, firn *device, bool waits)
+bool lib_begin(struct lib_call *call, firn *device, bool waits)
 {
     if (!device || !lib_is_own(device)) {
         char *message = device ? device->message : thread_message;
@@ -93,14 +93,6 @@ const char *firn_error(const firn *device)
 }
 
 /* ---- structs of callers ---- */
-
-enum status lib_require(const void *argument, const char *name)
-{
-    if (argument)
-        return STATUS_OK;
-    log_error("%s: expected a pointer, got NULL", name);
-    return STATUS_USAGE;
-}
 
 enum status lib_read(void *to, size_t size, const void *from, const char *what)
 {

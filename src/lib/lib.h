@@ -112,7 +112,13 @@ struct lib_call {
 
 /* Begins a call: directs messages to the device, and waits for views in flight unless `waits` is
  * false. If `device` is NULL or belongs to another process, sets an error and returns false. */
-bool lib_enter(struct lib_call *call, firn *device, bool waits);
+bool lib_begin(struct lib_call *call, firn *device, bool waits);
+
+/* Does the same. Inline, because static analysers must see that a handle is not NULL afterwards. */
+static inline bool lib_enter(struct lib_call *call, firn *device, bool waits)
+{
+    return lib_begin(call, device, waits) && device;
+}
 
 /* Begins a call without handle. */
 void lib_enter_alone(struct lib_call *call);
@@ -141,7 +147,13 @@ MUST_USE enum status lib_write(void *to, const void *from, size_t size, const ch
 const char *lib_keep_text(firn_scene *scene, const char *text);
 
 /* Logs that an argument is NULL if it is. Returns STATUS_USAGE then. */
-MUST_USE enum status lib_require(const void *argument, const char *name);
+MUST_USE static inline enum status lib_require(const void *argument, const char *name)
+{
+    if (argument)
+        return STATUS_OK;
+    log_error("%s: expected a pointer, got NULL", name);
+    return STATUS_USAGE;
+}
 
 /* ---- scenes ---- */
 
