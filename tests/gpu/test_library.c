@@ -133,7 +133,7 @@ static void check_plane(const struct image *image, const char *name, const float
         float value = values[i * step];
         if (is_half)
             value = half_to_float(half_from_float(value));
-        if (memcmp(&plane[i], &value, sizeof(float)) != 0) {
+        if (!(plane[i] <= value && plane[i] >= value)) {
             print_error("%s: pixel %zu is %g and %g\n", name, i, (double)plane[i], (double)value);
             fail();
         }
@@ -188,12 +188,12 @@ static void display_equals_the_png_file(void **state)
     firn_scene *scene = load("teapot", options);
     firn_renderer *renderer = create(scene, layers, 1);
     struct firn_buffer buffer = buffer_of("display", rgba[PIXELS - WIDTH], FIRN_UINT8);
-    buffer.row_stride = -4 * WIDTH; /* bottom row first */
+    buffer.row_stride = -(ptrdiff_t)(WIDTH * sizeof(rgba[0])); /* bottom row first */
     OK(firn_render(renderer, NULL, &buffer, 1, NULL, NULL));
     const float *green = image_find(&image, "G");
     for (size_t i = 0; i < PIXELS; i++) {
         const size_t row = HEIGHT - 1 - i / WIDTH;
-        const float encoded = rgba[row * WIDTH + i % WIDTH][1] / 255.0f;
+        const float encoded = (float)rgba[row * WIDTH + i % WIDTH][1] / 255.0f;
         const float linear =
             encoded <= 0.04045f ? encoded / 12.92f : powf((encoded + 0.055f) / 1.055f, 2.4f);
         CHECK_NEAR(green[i], linear, 1e-5);
@@ -326,8 +326,9 @@ static void a_position_is_where_its_camera_projects_it(void **state)
         for (int k = 0; k < 3; k++)
             p[k] = d[0] * m[k] + d[1] * m[4 + k] + d[2] * m[8 + k];
         if (z[i] < 1e9f) { /* else there is nothing */
-            CHECK_NEAR(camera.fx * p[0] / p[2] + camera.cx, i % WIDTH, 1e-3);
-            CHECK_NEAR(camera.fy * p[1] / p[2] + camera.cy, i / WIDTH, 1e-3);
+            CHECK_NEAR(camera.fx * p[0] / p[2] + camera.cx, (double)(i % WIDTH), 1e-3);
+            const size_t row = i / WIDTH;
+            CHECK_NEAR(camera.fy * p[1] / p[2] + camera.cy, (double)row, 1e-3);
             CHECK_NEAR((double)z[i] / p[2], 1, 1e-5);
         }
     }
