@@ -6,7 +6,8 @@ docs/how-to/use-the-render-graph.md
 and graph/README.md outside the tree with the commands of the page; they must print the output
 given there. The programs of examples/ must render their images. The libraries must export exactly
 the functions of the headers, and have the SONAME of the version. The program must find its assets
-also if it is installed to a folder other than its prefix.
+also if it is installed to a folder other than its prefix. examples/views.c, as C and as C++, must
+draw the same images with the installed libfirn.
 """
 import os
 import pathlib
@@ -210,7 +211,7 @@ def check_examples(root, prefix, environment):
     check_mistake(folder, environment)
 
 
-def check_assets(meson, build):
+def check_assets(root, meson, build):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([meson, 'install', '--no-rebuild', '-C', build, '--destdir', folder],
                               capture_output=True, text=True)
@@ -220,10 +221,37 @@ def check_assets(meson, build):
         environment = {name: value for name, value in os.environ.items() if name != 'FIRN_ASSETS'}
         for scene in ('drink', 'amber', 'hollow'):
             output([program, 'graph', scene, '--env', 'studio'], env=environment)
+        check_library(root, pathlib.Path(folder))
+
+
+def check_library(root, folder):
+    """Builds the example of libfirn outside the tree, as C and C++, and runs it."""
+    reader, = folder.rglob('libexec/firn-reader')
+    library = next(folder.rglob('libfirn.so.0'))
+    header, = folder.rglob('include/firn.h')
+    assets = next(folder.rglob('share/firn'))
+    environment = {**os.environ, 'PKG_CONFIG_PATH': str(library.parent / 'pkgconfig'),
+                   'PKG_CONFIG_SYSROOT_DIR': str(folder), 'LD_LIBRARY_PATH': str(library.parent),
+                   'FIRN_READER': str(reader), 'FIRN_ASSETS': str(assets)}
+    functions = re.findall(r'^FIRN_API [\w *]*?(\w+)\(', header.read_text(encoding='utf-8'), re.M)
+    expect('functions of libfirn', sorted(functions), symbols(library, '-D', '--defined-only'))
+    expect('name of libfirn', ['libfirn.so.0'], dynamic(library, 'SONAME'))
+    source = (pathlib.Path(root) / 'examples/views.c').read_text(encoding='utf-8')
+    images = []
+    for name, compiler in (('views.c', f'{os.environ.get("CC", "cc")} -std=c17'),
+                           ('views.cpp', f'{os.environ.get("CXX", "c++")} -std=c++17')):
+        command = f'{compiler} {WARNINGS} -o views {name} $(pkg-config --cflags --libs firn) -lm'
+        (folder / name).write_text(source, encoding='utf-8')
+        subprocess.run(['sh', '-e', '-c', command], cwd=folder, env=environment, check=True)
+        printed = output([folder / 'views'], cwd=folder, env=environment)
+        if not re.fullmatch(r'(view\d.ppm: 4\.\d\d\d m\n){4}', printed):
+            sys.exit(f'{name} prints {printed}')
+        images.append([(folder / f'view{i}.ppm').read_bytes() for i in range(4)])
+    expect('images of views.cpp', images[0], images[1])
 
 
 def main(root, meson, build):
-    check_assets(meson, build)
+    check_assets(root, meson, build)
     pages = [(pathlib.Path(root) / page).read_text(encoding='utf-8')
              for page in ('docs/how-to/use-the-render-graph.md', 'graph/README.md')]
     with tempfile.TemporaryDirectory() as folder:

@@ -1,6 +1,5 @@
 /* cmd_render.c: command firn render: renders an image or a sequence to EXR and PNG files. */
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,15 +17,10 @@
 #include "src/base/tile.h"
 #include "src/file/atomic_file.h"
 #include "src/file/image_receive.h"
-#include "src/lab/reference/reference.h"
-#include "src/lab/reference/reference_aov_table.h"
-#include "src/render/lavapipe_tuning.h"
-#include "src/render/make_frame_request.h"
-#include "src/render/renderer.h"
+#include "src/lib/image_session.h"
 #include "src/scene/world_position.h"
 #include "src/setup/aov_to_png.h"
 #include "src/setup/image_output.h"
-#include "src/setup/previous_pose.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 
 struct job {
@@ -34,14 +28,10 @@ struct job {
     struct sequence sequence;
     struct report report;
     struct signals stop;
-    struct scene scene;
-    bool is_opened;       /* open_renderer() has logged its warnings */
-    bool is_filled;       /* textures and meshes are filled */
-    const char *missing;  /* result of setup_fill_scene() */
-    struct camera camera; /* camera at time 0 */
+    struct session_scene scene;
     struct gpu gpu;
-    struct renderer *renderer;      /* NULL if `reference` is used */
-    struct reference *reference;    /* NULL until a frame needs it */
+    struct image_session session;
+    bool has_outputs;               /* choose_outputs() was called */
     bool makes_png;                 /* make_png() is needed */
     uint32_t tile_done, tile_count; /* tiles of the current frame */
     uint64_t pixels_beyond;         /* total of all frames: reference.h */
@@ -101,10 +91,10 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
     *frame = (struct frame){
         .output = {
             .image = &job->o.image,
-            .scene = &job->scene,
+            .scene = &job->scene.scene,
             .is_frame = job->o.render.frames != NULL,
             .shot = {
-                .camera = job->camera,
+                .camera = job->session.camera,
                 .time = (float)sequence_time(&job->o.image.scene.settings, number),
                 .tile = job->o.image.tile ? job->o.image.tile - 1 : 0,
             },
@@ -194,7 +184,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
         struct render_result tile = { 0 };
         tile_shot.tile = i;
         job->tile_done = i;
-        status = renderer_render(job->renderer, &tile_shot, &tile, show_progress, job);
+        status = renderer_render(job->session.renderer, &tile_shot, &tile, show_progress, job);
         if (status == STATUS_OK && i == 0 && !assemble_image(job, &tile, image))
             status = log_out_of_memory(NULL);
         if (status == STATUS_OK)
@@ -223,7 +213,7 @@ static enum status trace_image(struct job *job, struct frame *frame)
     struct sample_sums_file file = {
         .path = path,
         .output = output,
-        .device = reference_device(job->reference),
+        .device = image_session_device(&job->session),
         .stop = &job->stop,
     };
     struct reference_session session = {
@@ -233,8 +223,8 @@ static enum status trace_image(struct job *job, struct frame *frame)
     };
     if (image && !path)
         return log_out_of_memory(NULL);
-    enum status status = reference_continue(job->reference, &output->shot, &frame->result, &session,
-                                            show_progress, job);
+    enum status status = reference_continue(job->session.reference, &output->shot, &frame->result,
+                                            &session, show_progress, job);
     free(path);
     output->samples = session.outcome.samples;
     output->noise = session.outcome.noise;
@@ -257,12 +247,11 @@ static void warn_of_remaining(const struct job *job)
 static enum status draw_image(struct job *job, struct frame *frame)
 {
     const struct renderer_shot *shot = &frame->output.shot;
-    struct render_result *result = &frame->result;
-    if (job->reference)
+    if (job->session.reference)
         return trace_image(job, frame);
     if (job->o.image.columns && !job->o.image.tile)
-        return draw_tiles(job, shot, result);
-    return renderer_render(job->renderer, shot, result, show_progress, job);
+        return draw_tiles(job, shot, &frame->result);
+    return image_session_draw(&job->session, shot, &frame->result, show_progress, job);
 }
 
 /* Converts the float image to PNG pixels, for --show, 16 bits, alpha or dithering. */
@@ -287,42 +276,6 @@ static enum status draw(struct job *job, struct frame *frame)
     return status;
 }
 
-static void *fill_scene(void *user)
-{
-    struct job *job = user;
-    job->missing = setup_fill_scene(&job->scene, &job->o.image.scene);
-    return NULL;
-}
-
-static enum status open_reference(struct job *job, const struct renderer_params *params)
-{
-    const struct reference_request request = {
-        .scene = params->scene,
-        .settings = params->settings,
-        .width = params->width,
-        .height = params->height,
-        .samples = params->samples,
-        .noise = job->o.render.noise,
-        .seconds = job->o.render.seconds,
-        .filter = params->filter,
-        .layers = params->layers,
-        .linear = params->linear,
-        .display = params->display,
-        .resolved = params->resolved,
-    };
-    char names[REFERENCE_NAMES_SIZE];
-    if (!job->is_filled)
-        fill_scene(job);
-    job->is_filled = true;
-    if (job->missing)
-        return setup_log_fill_failure(job->missing);
-    enum status status = reference_create(&job->reference, &request);
-    if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
-        reference_unsupported(params->settings, names, sizeof(names)))
-        log_warning("--refraction reference: draws the scene without %s", names);
-    return status;
-}
-
 /* Returns true if few pixels are drawn. llvmpipe then saves time by optimising shaders less. */
 static bool is_small(const struct job *job)
 {
@@ -331,57 +284,38 @@ static bool is_small(const struct job *job)
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
-/* Opens the device while another thread fills the scene. If both fail, logs and returns only the
- * device's failure. */
-static enum status open_device(struct job *job)
-{
-    pthread_t thread;
-    if (job->gpu.device)
-        return STATUS_OK;
-    if (is_small(job))
-        lavapipe_tuning_prefer_start();
-    const bool is_beside = !job->is_filled && pthread_create(&thread, NULL, fill_scene, job) == 0;
-    const enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
-    if (is_beside)
-        pthread_join(thread, NULL);
-    else if (status == STATUS_OK && !job->is_filled)
-        fill_scene(job);
-    job->is_filled = true;
-    if (status == STATUS_OK)
-        setup_check_rays(&job->o.image.scene.settings, &job->gpu);
-    return status == STATUS_OK && job->missing ? setup_log_fill_failure(job->missing) : status;
-}
-
-/* Creates the renderer or the reference for the first frame that has to be drawn. */
-static enum status open_renderer(struct job *job)
+/* Chooses what the output files need of an image. */
+static void choose_outputs(struct job *job)
 {
     const struct setup_image *p = &job->o.image;
     const struct setup_outputs *outputs = &job->o.run.outputs;
-    struct renderer_params params = setup_renderer_params(p, &job->gpu, &job->scene);
-    params.samples = p->samples;
-    renderer_set_camera(&params, &job->camera);
+    struct image_session *session = &job->session;
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
-            params.linear = true;
+            session->linear = true;
         else if (p->show || p->png_bits == 16 || p->scene.no_background ||
                  layer_image_is_dithered(&p->scene.settings))
             job->makes_png = true;
         else
-            params.display = true;
+            session->display = true;
     }
-    if (params.linear)
-        params.layers = p->layers;
-    else if (p->layers && !job->is_opened)
+    if (session->linear)
+        session->layers = p->layers;
+    else if (p->layers)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
-    params.layers |= layer_image_bit(p->show);
-    params.linear = params.linear || p->is_adaptive;
-    params.resolved = job->makes_png && !p->show;
-    if (p->refraction == &cpu_reference_settings)
-        return open_reference(job, &params);
-    enum status status = open_device(job);
-    if (status == STATUS_OK)
-        status = renderer_create(&job->renderer, &params);
-    return status;
+    session->layers |= layer_image_bit(p->show);
+    session->linear = session->linear || p->is_adaptive;
+    session->resolved = job->makes_png && !p->show;
+    session->prefers_start = is_small(job);
+}
+
+/* Creates the renderer or the path tracer for a frame that has to be drawn. */
+static enum status open_renderer(struct job *job)
+{
+    if (!job->has_outputs)
+        choose_outputs(job);
+    job->has_outputs = true;
+    return image_session_open(&job->session, &job->session.camera);
 }
 
 static void print_written(const struct job *job, const struct frame *frame, const char *path)
@@ -405,8 +339,7 @@ static enum status write_output(struct job *job, const struct frame *frame, cons
     const bool is_direct = file_io_is_direct(path);
     void *data = NULL;
     size_t size = 0;
-    const char *device =
-        job->reference ? reference_device(job->reference) : job->gpu.properties.deviceName;
+    const char *device = image_session_device(&job->session);
     enum status status = output_encode(&frame->output, path, &frame->result, device, &data, &size);
     if (status == STATUS_OK) {
         if (!is_direct)
@@ -440,29 +373,6 @@ static void record_result(struct job *job, uint32_t index, struct render_report_
     signals_release(&job->stop);
 }
 
-/* Poses an animated model for a frame. If the pose changes, destroys the renderer. */
-static enum status pose(struct job *job, struct frame *frame)
-{
-    struct renderer_shot *shot = &frame->output.shot;
-    struct previous_pose previous;
-    bool is_changed = false;
-    if (!job->scene.is_animated)
-        return STATUS_OK;
-    if (job->scene.time < shot->time || job->scene.time > shot->time) {
-        renderer_destroy(job->renderer);
-        reference_destroy(job->reference);
-        job->renderer = NULL;
-        job->reference = NULL;
-    }
-    enum status status =
-        previous_pose_find(&previous, &shot->earlier, &job->scene, &job->o.image, shot->time);
-    if (status == STATUS_OK)
-        status = setup_pose_scene(&job->scene, &job->o.image.scene, shot->time, &is_changed);
-    previous_pose_move_to(&previous, &job->scene);
-    job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
-    return status == STATUS_OK ? setup_camera(&shot->camera, &job->scene, &job->o.image) : status;
-}
-
 static enum status run_frame(struct job *job, uint32_t index)
 {
     const double begin = clock_seconds();
@@ -473,10 +383,9 @@ static enum status run_frame(struct job *job, uint32_t index)
         render_report_hash(frame.output.settings, outcome.hash);
     if (status == STATUS_OK && !frame_is_current(&frame, job->o.run.outputs.count)) {
         outcome.state = RENDER_REPORT_DRAWN;
-        status = pose(job, &frame);
-        if (status == STATUS_OK && !job->renderer && !job->reference)
+        status = image_session_pose(&job->session, &frame.output.shot, true);
+        if (status == STATUS_OK)
             status = open_renderer(job);
-        job->is_opened = true;
         if (status == STATUS_OK)
             status = draw(job, &frame);
     }
@@ -534,8 +443,8 @@ static void write_last_report(void *user, int code)
 /* Returns the camera and the exposure in the report's form. */
 static struct render_report_view report_view(const struct job *job)
 {
-    const struct camera *camera = &job->camera;
-    const struct model *model = &job->scene.model;
+    const struct camera *camera = &job->session.camera;
+    const struct model *model = &job->scene.scene.model;
     struct render_report_view view = {
         .fov_deg = camera->height > 0.0f ? 0.0 : (double)camera->fov_deg,
         .exposure = settings_get(&job->o.image.scene.settings, settings_find("tonemap.exposure")),
@@ -581,13 +490,9 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.render.json)
         status = file_io_check(job->o.render.json);
     if (status == STATUS_OK)
-        status = setup_begin_scene(&job->scene, &job->o.image.scene);
+        status = setup_begin_scene(&job->scene.scene, &job->o.image.scene);
     if (status == STATUS_OK)
-        status = setup_camera(&job->camera, &job->scene, &job->o.image);
-    if (status == STATUS_OK)
-        status = setup_choose_exposure(&job->o.image, &job->scene, &job->camera);
-    if (status == STATUS_OK)
-        setup_choose_refraction(&job->o.image, &job->scene, &job->camera);
+        status = image_session_choose(&job->session);
     if (status == STATUS_OK)
         status = output_check_tiles(&job->o.image, &job->o.run.outputs);
     if (status == STATUS_OK)
@@ -605,16 +510,24 @@ enum status app_render(const struct app_options *options)
     if (!job)
         return log_out_of_memory(NULL);
     job->o = *options;
+    job->session = (struct image_session){
+        .image = &job->o.image,
+        .scene = &job->scene,
+        .gpu = &job->gpu,
+        .gpu_params = &job->o.run.gpu,
+        .quiet = job->o.run.quiet,
+        .noise = job->o.render.noise,
+        .seconds = job->o.render.seconds,
+    };
     if (job->o.render.json)
         job->stop = (struct signals){ .last = write_last_report, .user = job };
     enum status status = signals_begin(&job->stop);
     if (status == STATUS_OK)
         status = run(job);
     signals_end(&job->stop);
-    renderer_destroy(job->renderer);
-    reference_destroy(job->reference);
+    image_session_close(&job->session);
     gpu_destroy(&job->gpu);
-    scene_finish(&job->scene);
+    scene_finish(&job->scene.scene);
     render_report_finish(&job->report);
     sequence_finish(&job->sequence);
     free(job);

@@ -14,6 +14,15 @@ enum {
     PATH_SIZE = FOLDER_SIZE + 152,
 };
 
+static _Thread_local const char *thread_folder;
+
+const char *disk_cache_set_folder(const char *folder)
+{
+    const char *earlier = thread_folder;
+    thread_folder = folder;
+    return earlier;
+}
+
 /* Returns the 64-bit FNV-1a hash of `data`, which detects damaged cache files. */
 static uint64_t hash(const unsigned char *data, size_t size)
 {
@@ -33,13 +42,16 @@ bool disk_cache_is_intact(const void *data, size_t size)
     return stored == hash(data, size);
 }
 
-/* Writes the cache folder's path. Returns false if neither XDG_CACHE_HOME nor HOME is absolute. */
+/* Writes the cache folder's path. Returns false if the thread has set none and neither
+ * XDG_CACHE_HOME nor HOME is absolute. */
 static bool find_folder(char folder[static FOLDER_SIZE])
 {
     const char *cache = getenv("XDG_CACHE_HOME");
     const char *home = getenv("HOME");
     int length = -1;
-    if (cache && cache[0] == '/')
+    if (thread_folder)
+        length = snprintf(folder, FOLDER_SIZE, "%s", thread_folder);
+    else if (cache && cache[0] == '/')
         length = snprintf(folder, FOLDER_SIZE, "%s/firn", cache);
     else if (home && home[0] == '/')
         length = snprintf(folder, FOLDER_SIZE, "%s/.cache/firn", home);

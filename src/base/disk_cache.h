@@ -14,6 +14,10 @@ enum {
     DISK_CACHE_HASH_SIZE = sizeof(uint64_t),
 };
 
+/* Sets the folder for the calling thread, an absolute path that must outlive its use, and returns
+ * the earlier one. NULL stands for the default folder. */
+const char *disk_cache_set_folder(const char *folder);
+
 struct disk_cache_file {
     const char *name; /* without folder; at most 100 characters */
     size_t size_max;  /* maximum bytes including the hash */

@@ -1,7 +1,21 @@
-/* log.c: error, warning and note messages on stderr. */
+/* log.c: error, warning and note messages on stderr or to a thread's sink. */
 #include "src/base/log.h"
 #include <stdarg.h>
 #include <stdio.h>
+
+static _Thread_local struct log_sink *thread_sink;
+
+struct log_sink *log_set_sink(struct log_sink *sink)
+{
+    struct log_sink *earlier = thread_sink;
+    thread_sink = sink;
+    return earlier;
+}
+
+struct log_sink *log_get_sink(void)
+{
+    return thread_sink;
+}
 
 /* If the character at `text` is unsafe to print, returns its length in bytes, otherwise 0. Unsafe
  * characters can control a terminal or disguise text. They are UTF-8 control characters (C0, C1,
@@ -35,19 +49,23 @@ void log_sanitize(char *text)
     *end = '\0';
 }
 
-static void write_line(const char *prefix, const char *format, va_list *arguments)
+static void write_line(enum log_level level, const char *format, va_list *arguments)
 {
+    static const char *const prefixes[] = { "", "warning: ", "note: " };
     char line[2048];
     vsnprintf(line, sizeof(line), format, *arguments);
     log_sanitize(line);
-    fprintf(stderr, "firn: %s%s\n", prefix, line);
+    if (thread_sink)
+        thread_sink->write(thread_sink, level, line);
+    else
+        fprintf(stderr, "firn: %s%s\n", prefixes[level], line);
 }
 
 void log_error(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    write_line("", format, &arguments);
+    write_line(LOG_ERROR, format, &arguments);
     va_end(arguments);
 }
 
@@ -55,7 +73,7 @@ void log_warning(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    write_line("warning: ", format, &arguments);
+    write_line(LOG_WARNING, format, &arguments);
     va_end(arguments);
 }
 
@@ -63,6 +81,6 @@ void log_note(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    write_line("note: ", format, &arguments);
+    write_line(LOG_NOTE, format, &arguments);
     va_end(arguments);
 }

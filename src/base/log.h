@@ -1,11 +1,31 @@
 /*
- * log.h: logs messages for the user on stderr, one line each. Any thread may log. Each line is
- * written with one call, because lines of several threads must not mix.
+ * log.h: logs messages for the user on stderr, or to the calling thread's sink, one line each. Any
+ * thread may log. Each line is written with one call, because lines of several threads must not
+ * mix.
  */
 #ifndef FIRN_BASE_LOG_H
 #define FIRN_BASE_LOG_H
 
 #include "src/base/status.h"
+
+enum log_level {
+    LOG_ERROR,
+    LOG_WARNING,
+    LOG_NOTE,
+};
+
+/* Receiver of messages instead of stderr. */
+struct log_sink {
+    /* receives a sanitised message without newline; may be called by several threads at once */
+    void (*write)(struct log_sink *sink, enum log_level level, const char *text);
+};
+
+/* Sets the sink of the calling thread and returns the earlier one; NULL stands for stderr. A thread
+ * that works for another one must set that thread's sink. */
+struct log_sink *log_set_sink(struct log_sink *sink);
+
+/* Returns the sink of the calling thread, or NULL. */
+struct log_sink *log_get_sink(void);
 
 /* Replaces control characters, including bidirectional ones, by '?' in place. Use it for texts from
  * files and for file names. */

@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <unistd.h>
+#include "src/base/log.h"
 
 enum {
     THREADS_MAX = 256
@@ -14,6 +15,7 @@ struct range {
     atomic_bool is_stopped;
     void (*fn)(void *user, uint32_t i);
     void *user;
+    struct log_sink *sink; /* of the calling thread */
 };
 
 uint32_t parallel_core_count(void)
@@ -35,7 +37,9 @@ static bool process_next(struct range *range)
 
 static void *run(void *user)
 {
-    while (process_next(user)) {
+    struct range *range = user;
+    log_set_sink(range->sink);
+    while (process_next(range)) {
     }
     return NULL;
 }
@@ -43,7 +47,7 @@ static void *run(void *user)
 bool parallel_for(uint32_t count, uint32_t thread_count, void (*fn)(void *user, uint32_t i),
                   void *user, parallel_progress_fn *progress, void *progress_user)
 {
-    struct range range = { .count = count, .fn = fn, .user = user };
+    struct range range = { .count = count, .fn = fn, .user = user, .sink = log_get_sink() };
     pthread_t threads[THREADS_MAX];
     uint32_t started = 0;
     const uint32_t thread_max = thread_count < count ? thread_count : count;

@@ -190,7 +190,8 @@ enum status reader_start(struct reader **started, const struct reader_params *pa
     reader->params = complete(*params);
     reader->path = path;
     reader->deadline = clock_seconds() + reader->params.idle_seconds;
-    count_readers(1);
+    if (!params->stays_dumpable)
+        count_readers(1);
     const int failed = start(reader, kind);
     if (!failed) {
         *started = reader;
@@ -198,7 +199,8 @@ enum status reader_start(struct reader **started, const struct reader_params *pa
     }
     log_error("%s: cannot start the reader process %s: %s", path, params->program,
               strerror(failed));
-    count_readers(-1);
+    if (!params->stays_dumpable)
+        count_readers(-1);
     close_end(&reader->data);
     close_end(&reader->messages);
     free(reader);
@@ -307,7 +309,8 @@ static void finish(struct reader *reader, enum pipe_fault fault)
         found = waitpid(reader->process, &reader->exit_status, 0);
     } while (found < 0 && errno == EINTR);
     reader->has_ended = found == reader->process;
-    count_readers(-1);
+    if (!reader->params.stays_dumpable)
+        count_readers(-1);
 }
 
 /* Logs the child's stderr as this process's messages, up to the first error. `no_warnings` leaves

@@ -7,9 +7,9 @@
  * that has limits on memory, CPU time and open files; and that may only read the file, or its
  * folder, and compute (sandbox.h). The data it sends is validated again (reader_pipe.h). The child
  * is spawned rather than forked: this is safe in a multithreaded program, and no memory is shared.
- * While a reader exists, the parent is not dumpable, so the child cannot open the parent's memory
- * either. Smaller limits of the program itself (RLIMIT_AS, RLIMIT_CPU, RLIMIT_NOFILE, as set by
- * batch systems) also apply to the child.
+ * While a reader exists, the parent is not dumpable unless it asks to stay as it is, so the child
+ * cannot open the parent's memory either. Smaller limits of the program itself (RLIMIT_AS,
+ * RLIMIT_CPU, RLIMIT_NOFILE, as set by batch systems) also apply to the child.
  *
  * Thread-safety: any thread; one reader is used by one thread at a time. Errors: one line is
  * logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the file; STATUS_TRY_AGAIN if
@@ -60,6 +60,7 @@ struct reader_params {
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
     bool no_warnings;    /* do not repeat the child's warnings */
+    bool stays_dumpable; /* leave the parent dumpable, because it is not firn's own process */
     const char *details; /* argument of the task, or NULL */
 };
 

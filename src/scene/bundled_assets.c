@@ -106,6 +106,15 @@ const struct asset *asset_find(const char *name, enum asset_kind kind)
     return NULL;
 }
 
+static _Thread_local const char *thread_folder;
+
+const char *asset_set_folder(const char *folder)
+{
+    const char *earlier = thread_folder;
+    thread_folder = folder;
+    return earlier;
+}
+
 /* Writes the folder of the running program with a trailing slash, or "" if it is unknown. */
 static void find_program_folder(char *folder, size_t size)
 {
@@ -138,9 +147,10 @@ static const char *const folders[] = { "../share/firn", "assets" };
 static char *find_path(const struct asset *asset, const char *program, bool *lacks_memory)
 {
     const char *from_variable = getenv("FIRN_ASSETS");
-    char *path = from_variable && from_variable[0]
-                     ? join_if_exists(from_variable, "", asset->file, lacks_memory)
-                     : NULL;
+    char *path =
+        thread_folder ? join_if_exists(thread_folder, "", asset->file, lacks_memory) : NULL;
+    if (!path && from_variable && from_variable[0])
+        path = join_if_exists(from_variable, "", asset->file, lacks_memory);
     for (size_t i = 0; program[0] && !path && i < sizeof(folders) / sizeof(folders[0]); i++)
         path = join_if_exists(program, folders[i], asset->file, lacks_memory);
     return path;

@@ -28,6 +28,10 @@ struct asset {
     const char *help;
 };
 
+/* Sets a folder in which the calling thread looks first, and returns the earlier one or NULL.
+ * The text must outlive its use. */
+const char *asset_set_folder(const char *folder);
+
 extern const struct asset assets[]; /* terminated by a zero entry */
 
 /* Returns true if the asset's file exists. Returns false if not, or when out of memory. */

@@ -18,7 +18,20 @@ bool camera_is_equal(const struct camera *a, const struct camera *b)
 {
     return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
            glms_vec3_eqv(a->up, b->up) && a->fov_deg == b->fov_deg && a->height == b->height &&
-           a->depth == b->depth;
+           a->depth == b->depth && a->pixel_aspect == b->pixel_aspect &&
+           glms_vec2_eqv(a->off_center, b->off_center);
+}
+
+float camera_aspect(const struct camera *camera, uint32_t width, uint32_t height)
+{
+    const float aspect = (float)width / (float)height;
+    return camera->pixel_aspect > 0 ? aspect * camera->pixel_aspect : aspect;
+}
+
+vec2s camera_pixel_shift(const struct camera *camera, uint32_t width, uint32_t height)
+{
+    return (
+        vec2s){ { -camera->off_center.x * (float)width, -camera->off_center.y * (float)height } };
 }
 
 struct camera_basis camera_basis(const struct camera *camera)
@@ -86,12 +99,16 @@ static mat4s orthographic_projection(const struct camera *camera, float aspect, 
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter)
 {
+    jitter = glms_vec2_add(jitter, camera_pixel_shift(camera, width, height));
     const vec2s jitter_clip = { { 2 * jitter.x / (float)width, 2 * jitter.y / (float)height } };
     if (camera->height > 0)
-        return orthographic_projection(camera, (float)width / (float)height, near, jitter_clip);
+        return orthographic_projection(camera, camera_aspect(camera, width, height), near,
+                                       jitter_clip);
     struct camera_basis basis = camera_basis(camera);
     float scale_y = 1 / tanf(glm_rad(camera->fov_deg) / 2);
     float scale_x = scale_y * (float)height / (float)width;
+    if (camera->pixel_aspect > 0)
+        scale_x /= camera->pixel_aspect;
     vec3s right = glms_vec3_scale(basis.right, scale_x);
     vec3s down = glms_vec3_scale(basis.up, -scale_y);
     /* Adding a multiple of the w row shifts the image after the perspective division. */

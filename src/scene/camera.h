@@ -19,6 +19,11 @@ struct camera {
     float fov_deg; /* vertical field of view, degrees, in (0, 180) */
     float height;  /* height of an orthographic view, metres; 0 for perspective */
     float depth;   /* orthographic depth range from the eye, metres */
+    /* width / height of a pixel on a plane that faces the camera; 0 for square pixels */
+    float pixel_aspect;
+    /* offset of the principal point from the image's centre, right and down, as fractions of the
+     * image's width and height */
+    vec2s off_center;
 };
 
 /* Orthonormal axes of a view. */
@@ -36,6 +41,13 @@ struct camera_basis camera_basis(const struct camera *camera);
  * metres. `jitter` shifts the sample positions in pixels: x to the right, y down. */
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
+
+/* Returns the aspect ratio (width / height) of a view's image plane. */
+float camera_aspect(const struct camera *camera, uint32_t width, uint32_t height);
+
+/* Returns the offset of sample positions, in pixels right and down, that is equivalent to the
+ * offset of the principal point. */
+vec2s camera_pixel_shift(const struct camera *camera, uint32_t width, uint32_t height);
 
 /* Returns half the height of an orthographic view, or of a perspective view at distance 1. */
 float camera_half_height(const struct camera *camera);

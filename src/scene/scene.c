@@ -146,10 +146,24 @@ static enum status locate(const char *name, enum asset_kind kind, char **path)
     return status == STATUS_OK && !*path ? log_out_of_memory(name) : status;
 }
 
+/* Reads the model file, or makes the model from the data that replaces it. */
+static enum status read_model(struct model *model, const struct scene_params *params,
+                              const struct model_pose *pose)
+{
+    const enum model_role role = params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS;
+    char *path;
+    if (params->source && params->source->make_model)
+        return params->source->make_model(params->source->user, model, role);
+    enum status status = locate(params->name, ASSET_SCENE, &path);
+    if (status == STATUS_OK)
+        status = sandboxed_load_model(model, path, role, pose, params->decode);
+    free(path);
+    return status;
+}
+
 static enum status load_file(struct scene *scene, const struct scene_params *params)
 {
     struct model *model = &scene->model;
-    char *path;
     struct model_pose pose = params->pose;
     char *names =
         material_override_names(params->material_overrides, params->material_override_count);
@@ -157,23 +171,20 @@ static enum status load_file(struct scene *scene, const struct scene_params *par
         return log_out_of_memory(params->name);
     pose.objects = names;
     pose.origin = params->previous_pose ? params->previous_pose->file_origin : NULL;
-    enum status status = locate(params->name, ASSET_SCENE, &path);
-    if (status == STATUS_OK)
-        status = sandboxed_load_model(model, path,
-                                      params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS,
-                                      &pose, params->decode);
+    enum status status = read_model(model, params, &pose);
     memcpy(scene->file_origin, model->origin, sizeof(scene->file_origin));
     if (status == STATUS_OK)
         status = material_override_apply(model, params->material_overrides,
                                          params->material_override_count);
     if (status == STATUS_OK && params->model_transform)
-        status = model_transform_apply(model, params->model_transform, path);
+        status = model_transform_apply(model, params->model_transform, params->name);
     if (status == STATUS_OK)
         status =
             object_transform_apply(model, params->object_transforms, params->object_transform_count,
                                    params->name, !params->previous_pose);
+    if (status == STATUS_OK && params->source && params->source->change_materials)
+        status = params->source->change_materials(params->source->user, model);
     free(names);
-    free(path);
     return status;
 }
 
@@ -249,6 +260,20 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
     return status;
 }
 
+/* Reads the environment file, or makes the environment from the data that replaces it. */
+static enum status read_environment(struct environment *environment,
+                                    const struct scene_params *params)
+{
+    char *path;
+    if (params->source && params->source->make_environment)
+        return params->source->make_environment(params->source->user, environment);
+    enum status status = locate(params->environment, ASSET_ENVIRONMENT, &path);
+    if (status == STATUS_OK)
+        status = sandboxed_load_environment(environment, path, params->decode);
+    free(path);
+    return status;
+}
+
 static enum status load_background(struct scene *scene, const struct scene_params *params)
 {
     scene->background.is_hidden = params->is_hidden;
@@ -264,11 +289,7 @@ static enum status load_background(struct scene *scene, const struct scene_param
         return STATUS_OK;
     }
     struct environment environment;
-    char *path;
-    enum status status = locate(params->environment, ASSET_ENVIRONMENT, &path);
-    if (status == STATUS_OK)
-        status = sandboxed_load_environment(&environment, path, params->decode);
-    free(path);
+    const enum status status = read_environment(&environment, params);
     if (status != STATUS_OK)
         return status;
     if (params->environment_exposure < 0.0f || params->environment_exposure > 0.0f)
@@ -533,6 +554,25 @@ enum status scene_build_bvh(const struct scene *scene, bool is_cached)
     return scene->bvh->nodes.all ? STATUS_OK : bvh_init(scene->bvh, &params);
 }
 
+static void free_tables(struct scene_tables *tables)
+{
+    free(tables->materials);
+    free(tables->vertex_extras);
+    free(tables->punctual_lights);
+    free(tables->brdf);
+    *tables = (struct scene_tables){ 0 };
+}
+
+enum status scene_update_materials(struct scene *scene, const struct scene_params *params)
+{
+    const struct scattering_media filled = scene->inclusions.media;
+    free_tables(&scene->tables);
+    const enum status status = scene->has_pool ? STATUS_OK : add_surfaces(scene, params);
+    scattering_media_finish(&scene->inclusions.media); /* found again, but not filled */
+    scene->inclusions.media = filled;
+    return status;
+}
+
 void scene_finish(struct scene *scene)
 {
     if (scene->bvh)
@@ -545,11 +585,8 @@ void scene_finish(struct scene *scene)
     melted_finish(&scene->melted);
     environment_finish(&scene->background.environment);
     environment_finish(&scene->background.cube);
-    free(scene->tables.materials);
-    free(scene->tables.vertex_extras);
+    free_tables(&scene->tables);
     free(scene->previous_positions);
-    free(scene->tables.punctual_lights);
-    free(scene->tables.brdf);
     free(scene->background.prefiltered);
     bump_maps_finish(&scene->bump);
     scattering_media_finish(&scene->inclusions.media);

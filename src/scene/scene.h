@@ -107,6 +107,17 @@ enum {
     SCENE_CRACK_TRIANGLES = 65536, /* maximum triangle count of a crack's model file */
 };
 
+/* Data that replaces files; callbacks may be NULL. Each logs its errors. */
+struct scene_source {
+    /* makes the model instead of reading the file scene_params.name */
+    enum status (*make_model)(void *user, struct model *model, enum model_role default_role);
+    /* changes the loaded model's materials */
+    enum status (*change_materials)(void *user, struct model *model);
+    /* makes the environment instead of reading the file scene_params.environment */
+    enum status (*make_environment)(void *user, struct environment *environment);
+    void *user;
+};
+
 struct scene_params {
     const char *name;           /* name of a built-in scene or asset, or path of a model file */
     const char *surroundings;   /* model file of surroundings, or NULL for the scene's default */
@@ -140,6 +151,7 @@ struct scene_params {
     struct scene_cracks cracks;
     struct scene_image_files image_files;
     const struct reader_params *decode; /* sandboxed file reader; NULL to read in this process */
+    const struct scene_source *source;  /* data instead of files; NULL for none */
     struct generate_pool pool;          /* pool of the scene `pool` */
     /* true to set only the sizes of bump maps and air textures; scene_fill() makes their texels */
     bool defers_texels;
@@ -191,6 +203,11 @@ MUST_USE enum status scene_generate_cracks(struct scene *scene, const struct sce
 /* Builds the BVH of a loaded scene, unless it exists. If `is_cached`, caches large static BVHs in
  * files. Not thread-safe. Logs errors and returns STATUS_DATA or STATUS_TRY_AGAIN. */
 MUST_USE enum status scene_build_bvh(const struct scene *scene, bool is_cached);
+
+/* Rebuilds the GPU tables of materials after changes of their numbers. Priorities, flags,
+ * scattering, and whether a material is transmissive or thin must be unchanged. Logs errors and
+ * returns STATUS_TRY_AGAIN; the scene may then only be finished. */
+MUST_USE enum status scene_update_materials(struct scene *scene, const struct scene_params *params);
 
 void scene_finish(struct scene *scene);
 

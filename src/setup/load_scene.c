@@ -437,6 +437,7 @@ struct scene_params setup_scene_params(const struct setup_scene *options,
         .cracks = { sheets->count, sheets->seed, sheets->size, options->cracks },
         .image_files = { options->bump, options->bump_mask, options->air },
         .decode = &options->reader,
+        .source = options->source,
         .pool = { pool->size, pool->depth, pool->ice },
         .defers_texels = true,
     };
@@ -447,6 +448,13 @@ const char *setup_fill_scene(struct scene *scene, const struct setup_scene *opti
     struct bump_maps_params maps;
     const struct scene_params params = setup_scene_params(options, &maps);
     return scene_fill(scene, &params);
+}
+
+enum status setup_update_materials(struct scene *scene, const struct setup_scene *options)
+{
+    struct bump_maps_params maps;
+    const struct scene_params params = setup_scene_params(options, &maps);
+    return scene_update_materials(scene, &params);
 }
 
 enum status setup_log_fill_failure(const char *lacking)

@@ -72,6 +72,7 @@ struct setup_scene {
     struct stage_params stage;      /* chosen by setup_choose_stage() */
     bool is_stage_bare;             /* only one clear object stands on the stage */
     struct reader_params reader;
+    const struct scene_source *source; /* data instead of files; NULL for none */
     struct settings settings;
     struct settings user_settings; /* without those that the scene sets */
     struct setup_exposure exposure;
@@ -182,6 +183,9 @@ MUST_USE enum status setup_begin_scene(struct scene *scene, struct setup_scene *
 MUST_USE const char *setup_fill_scene(struct scene *scene, const struct setup_scene *options);
 /* Logs that memory ran out for `lacking`, named by setup_fill_scene(). Returns STATUS_TRY_AGAIN. */
 enum status setup_log_fill_failure(const char *lacking);
+
+/* Rebuilds what depends on changed materials of a scene: see scene_update_materials(). */
+MUST_USE enum status setup_update_materials(struct scene *scene, const struct setup_scene *options);
 
 /* Poses an animated model at `time`, in seconds, by reloading and filling the scene. If the scene
  * is not animated or already has this pose, does nothing. On failure, the scene is unchanged. No

@@ -6,10 +6,12 @@
 #include "src/app/app.h"
 #include "src/app/options/command_options.h"
 #include "src/app/options/image_options.h"
+#include "src/app/options/node_material_option.h"
 #include "src/app/options/object_transform_option.h"
 #include "src/app/options/option_help.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/output_path_conflicts.h"
+#include "src/app/options/set_option.h"
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
 #include "src/base/suggest.h"
@@ -597,4 +599,75 @@ enum status app_set_option(struct setup_image *image, const char *name, const ch
     }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
     return option_set(option, &image->scene, assignment);
+}
+
+/* ---- options of the library ---- */
+
+void option_init_render(struct setup_image *image)
+{
+    struct app_options o;
+    init_defaults(&o, APP_RENDER);
+    *image = o.image;
+}
+
+/* Options that a renderer of the library sets, or that describe files. */
+static bool is_of_files(const struct option *option)
+{
+    static const char *const names[] = { "size", "aov",         "show",     "tiles",
+                                         "tile", "interleaved", "png-bits", NULL };
+    return option_find_word(names, sizeof(names) / sizeof(names[0]) - 1, option->name) >= 0;
+}
+
+enum status option_set_render(struct setup_image *image, const char *name, const char *value)
+{
+    const struct option *option = find_long(name, strlen(name), APP_RENDER);
+    char assignment[256];
+    if (!option && strchr(name, '.')) {
+        if (snprintf(assignment, sizeof(assignment), "%s=%s", name, value) <
+            (int)sizeof(assignment))
+            return option_set(option, &image->scene, assignment);
+        log_error("%.64s: the value is too long", name);
+        return STATUS_USAGE;
+    }
+    if (!option)
+        return refuse_option(name, APP_RENDER);
+    if (option->offset >= sizeof(*image) || is_of_files(option)) {
+        log_error("--%s: not an option of a scene; it is for files that firn render writes",
+                  option->name);
+        return STATUS_USAGE;
+    }
+    if (!option->value && *value) {
+        log_error("--%s: expected no value, got '%s'", option->name, value);
+        return STATUS_USAGE;
+    }
+    return option->set(option, (char *)image + option->offset, option->value ? value : NULL);
+}
+
+enum status option_set_node_material(struct setup_scene *scene, const char *value)
+{
+    return option_node_material(find_long("material", 8, APP_RENDER), scene, value);
+}
+
+bool option_is_of_scene(const char *name)
+{
+    const struct option *option = find_long(name, strlen(name), APP_RENDER);
+    _Static_assert(offsetof(struct app_options, image.scene) == 0, "the scene comes first");
+    return option && option->offset < sizeof(struct setup_scene);
+}
+
+enum status option_complete_render(struct setup_image *image)
+{
+    struct app_options o;
+    init_defaults(&o, APP_RENDER);
+    o.image = *image;
+    enum status status = check_layers(&o.image);
+    option_default_quality(&o, APP_RENDER);
+    if (status == STATUS_OK)
+        status = option_check_reference(&o);
+    if (status == STATUS_OK)
+        status = check_exposure(&o.image.scene.exposure);
+    if (status == STATUS_OK)
+        status = setup_apply_preset(&o.image.scene);
+    *image = o.image;
+    return status;
 }

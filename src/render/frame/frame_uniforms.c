@@ -43,13 +43,16 @@ struct surroundings_push frame_view_push(const struct frame_view *view)
     const bool is_orthographic = camera->height > 0.0f;
     float up = is_orthographic ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
+    if (camera->pixel_aspect > 0.0f)
+        right *= camera->pixel_aspect;
     /* At distance 1, a pixel is 2 * right / width metres wide and 2 * up / height metres high. */
-    const vec2s at = view->jitter;
+    const vec2s at =
+        glms_vec2_add(view->jitter, camera_pixel_shift(camera, view->width, view->height));
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
     return (struct surroundings_push){
         .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
-                                                  scene_near_plane(view->scene), at),
+                                                  scene_near_plane(view->scene), view->jitter),
         .eye = is_orthographic ? glms_vec3_add(camera->eye, shift) : camera->eye,
         .environment_lod =
             is_orthographic ? 0.0f : environment_lod(view->scene, 2.0f * up / height),
@@ -139,6 +142,12 @@ static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t
     *extent = (uint32_t)(high - low) + 1;
 }
 
+static void shift_pixels(int32_t ends[2], float pixels)
+{
+    ends[0] -= (int32_t)ceilf(pixels);
+    ends[1] -= (int32_t)floorf(pixels);
+}
+
 /* Computes a sphere's unclipped pixel bounds; returns false if the camera is too near. */
 static bool sphere_extent(const struct frame_view *view, vec3s center, float radius, int32_t x[2],
                           int32_t y[2])
@@ -148,16 +157,22 @@ static bool sphere_extent(const struct frame_view *view, vec3s center, float rad
     const float up = tanf(radians(view->camera.fov_deg) / 2.0f);
     const float ahead = glms_vec3_dot(to, basis.forward);
     const float width = (float)view->width, height = (float)view->height;
+    const float pixel_aspect = view->camera.pixel_aspect > 0.0f ? view->camera.pixel_aspect : 1.0f;
+    const vec2s shift = camera_pixel_shift(&view->camera, view->width, view->height);
     if (view->camera.height > 0.0f) {
         const float scale = height / view->camera.height;
-        span_orthographic(glms_vec3_dot(to, basis.right), radius, width / 2.0f, scale, x);
+        span_orthographic(glms_vec3_dot(to, basis.right), radius, width / 2.0f,
+                          scale / pixel_aspect, x);
         span_orthographic(-glms_vec3_dot(to, basis.up), radius, height / 2.0f, scale, y);
     } else if (ahead > 1.01f * radius) {
-        span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
+        span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f,
+             up * width / height * pixel_aspect, x);
         span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
     } else {
         return false;
     }
+    shift_pixels(x, shift.x);
+    shift_pixels(y, shift.y);
     return true;
 }
 

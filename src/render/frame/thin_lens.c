@@ -29,7 +29,7 @@ struct frame_lens frame_lens_of(const struct frame_view *view)
     const struct lens_params *params = settings_of(view->settings, &lens_settings);
     const struct camera_basis basis = camera_basis(&view->camera);
     const vec3s to_object = glms_vec3_sub(box_center(view->scene->box), view->camera.eye);
-    const float right = half_up(view) * (float)view->width / (float)view->height;
+    const float right = half_up(view) * camera_aspect(&view->camera, view->width, view->height);
     const float ahead = glms_vec3_dot(to_object, basis.forward);
     struct frame_lens lens = { .focus = params->focus > 0.0f ? params->focus : ahead };
     if (!(lens.focus > 0.0f))
@@ -49,7 +49,8 @@ void frame_lens_apply(struct frame_view *view)
     const float pixels = 0.5f * (float)view->height / half_up(view) / lens.focus;
     if (!(glms_vec3_norm2(lens.aside) > 0.0f))
         return;
-    view->jitter.x -= glms_vec3_dot(lens.aside, basis.right) * pixels;
+    const float pixel_aspect = view->camera.pixel_aspect > 0.0f ? view->camera.pixel_aspect : 1.0f;
+    view->jitter.x -= glms_vec3_dot(lens.aside, basis.right) * pixels / pixel_aspect;
     view->jitter.y += glms_vec3_dot(lens.aside, basis.up) * pixels;
     view->camera.eye = glms_vec3_add(view->camera.eye, lens.aside);
     view->camera.target = glms_vec3_add(view->camera.target, lens.aside);

@@ -152,7 +152,8 @@ static bool is_camera(const struct camera *camera)
     return is_bounded(camera->eye, max) && is_bounded(camera->up, max) &&
            is_bounded(camera->target, 8.0F * max) &&
            glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
-           camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
+           camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0 &&
+           camera->pixel_aspect == 0 && camera->off_center.x == 0 && camera->off_center.y == 0;
 }
 
 static enum pipe_fault check_camera(const struct model *model, const void *items, uint32_t i)
@@ -265,7 +266,7 @@ enum {
 };
 
 _Static_assert(offsetof(struct texture_layers, texels) == 0, "an array begins with its pointer");
-_Static_assert(sizeof(struct model) == 1352, "every pointer needs a row in `arrays`");
+_Static_assert(sizeof(struct model) == 1360, "every pointer needs a row in `arrays`");
 
 static void *items_of(const struct array *array, const struct model *model)
 {

@@ -9,10 +9,11 @@
 #include "src/tech/techniques.h"
 
 enum {
-    CAMERA_COUNT = sizeof(struct camera) / sizeof(float), /* numbers that describe a camera */
+    CAMERA_COUNT = 12, /* numbers that describe a camera with square pixels, centred */
 };
 
-_Static_assert(CAMERA_COUNT == 12, "sessions have the members of a camera in order");
+_Static_assert(offsetof(struct camera, pixel_aspect) == CAMERA_COUNT * sizeof(float),
+               "sessions have the first members of a camera in order");
 
 /* Numeric entries: name, count and largest magnitude of the numbers, and a description for error
  * messages. */

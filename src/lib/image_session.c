@@ -1,0 +1,201 @@
+/* image_session.c: camera, exposure, pose and renderer of the images of a scene. */
+#include "src/lib/image_session.h"
+#include <pthread.h>
+#include "src/base/log.h"
+#include "src/lab/reference/reference_aov_table.h"
+#include "src/render/lavapipe_tuning.h"
+#include "src/render/make_frame_request.h"
+#include "src/setup/previous_pose.h"
+#include "src/tech/refract/cpu_reference_settings.h"
+
+struct filling {
+    struct image_session *session;
+    struct log_sink *sink; /* of the thread that waits */
+    const char *missing;   /* result of setup_fill_scene() */
+};
+
+enum status image_session_choose(struct image_session *s)
+{
+    enum status status = setup_camera(&s->camera, &s->scene->scene, s->image);
+    if (status == STATUS_OK && !s->skips_exposure)
+        status = setup_choose_exposure(s->image, &s->scene->scene, &s->camera);
+    if (status == STATUS_OK)
+        setup_choose_refraction(s->image, &s->scene->scene, &s->camera);
+    return status;
+}
+
+enum status image_session_pose(struct image_session *s, struct renderer_shot *shot,
+                               bool sets_camera)
+{
+    struct scene *scene = &s->scene->scene;
+    struct previous_pose previous;
+    bool is_changed = false;
+    if (!scene->is_animated)
+        return STATUS_OK;
+    if (scene->time < shot->time || scene->time > shot->time) {
+        image_session_close(s);
+        s->scene->pose++;
+    }
+    enum status status = previous_pose_find(&previous, &shot->earlier, scene, s->image, shot->time);
+    if (status == STATUS_OK)
+        status = setup_pose_scene(scene, &s->image->scene, shot->time, &is_changed);
+    previous_pose_move_to(&previous, scene);
+    s->scene->is_filled = s->scene->is_filled || (status == STATUS_OK && is_changed);
+    if (status == STATUS_OK && sets_camera)
+        status = setup_camera(&shot->camera, scene, s->image);
+    return status;
+}
+
+static void *fill(void *user)
+{
+    struct filling *filling = user;
+    struct session_scene *scene = filling->session->scene;
+    log_set_sink(filling->sink);
+    filling->missing = setup_fill_scene(&scene->scene, &filling->session->image->scene);
+    return NULL;
+}
+
+/* Fills the scene unless it is filled. */
+static enum status fill_scene(struct image_session *s)
+{
+    struct filling filling = { s, log_get_sink(), NULL };
+    if (!s->scene->is_filled)
+        fill(&filling);
+    s->scene->is_filled = true;
+    return filling.missing ? setup_log_fill_failure(filling.missing) : STATUS_OK;
+}
+
+/* Opens the device while another thread fills the scene. If both fail, logs and returns only the
+ * device's failure. */
+static enum status open_device(struct image_session *s)
+{
+    struct filling filling = { s, log_get_sink(), NULL };
+    pthread_t thread;
+    if (s->gpu->device)
+        return fill_scene(s);
+    if (s->prefers_start)
+        lavapipe_tuning_prefer_start();
+    const bool is_beside =
+        !s->scene->is_filled && pthread_create(&thread, NULL, fill, &filling) == 0;
+    const enum status status = gpu_create(s->gpu, s->gpu_params);
+    if (is_beside)
+        pthread_join(thread, NULL);
+    else if (status == STATUS_OK && !s->scene->is_filled)
+        fill(&filling);
+    s->scene->is_filled = true;
+    return status == STATUS_OK && filling.missing ? setup_log_fill_failure(filling.missing)
+                                                  : status;
+}
+
+static enum status open_reference(struct image_session *s, const struct renderer_params *params)
+{
+    const struct reference_request request = {
+        .scene = params->scene,
+        .settings = params->settings,
+        .width = params->width,
+        .height = params->height,
+        .samples = params->samples,
+        .noise = s->noise,
+        .seconds = s->seconds,
+        .filter = params->filter,
+        .layers = params->layers,
+        .linear = params->linear,
+        .display = params->display,
+        .resolved = params->resolved,
+    };
+    char names[REFERENCE_NAMES_SIZE];
+    enum status status = fill_scene(s);
+    if (status == STATUS_OK)
+        status = reference_create(&s->reference, &request);
+    if (status == STATUS_OK && !s->quiet && !s->has_warned &&
+        reference_unsupported(params->settings, names, sizeof(names)))
+        log_warning("--refraction reference: draws the scene without %s", names);
+    return status;
+}
+
+static enum status create(struct image_session *s, const struct renderer_params *params)
+{
+    enum status status = STATUS_OK;
+    s->pose = s->scene->pose;
+    if (params->refraction == &cpu_reference_settings)
+        return open_reference(s, params);
+    const bool was_open = s->gpu->device;
+    status = open_device(s);
+    if (status == STATUS_OK && !(was_open && s->has_warned))
+        setup_check_rays(params->settings, s->gpu);
+    return status == STATUS_OK ? renderer_create(&s->renderer, params) : status;
+}
+
+static struct renderer_params params_for(struct image_session *s, const struct camera *camera)
+{
+    struct renderer_params params = setup_renderer_params(s->image, s->gpu, &s->scene->scene);
+    params.samples = s->image->samples;
+    params.layers = s->layers;
+    params.linear = s->linear;
+    params.display = s->display;
+    params.resolved = s->resolved;
+    renderer_set_camera(&params, camera);
+    return params;
+}
+
+void image_session_change(struct image_session *s)
+{
+    s->is_outdated = true;
+}
+
+/* Returns true if the renderer or the path tracer can draw with the params. */
+static bool fits(const struct image_session *s, const struct renderer_params *params)
+{
+    if (s->pose != s->scene->pose || s->is_outdated)
+        return false;
+    return s->reference || (s->renderer && s->is_orthographic == params->is_orthographic &&
+                            s->is_wide == renderer_draws_beyond_image(params));
+}
+
+/* Changes the renderer if there is one for the present pose. Otherwise closes the session. */
+static enum status change(struct image_session *s, const struct renderer_params *params)
+{
+    const bool is_reference = params->refraction == &cpu_reference_settings;
+    enum status status = STATUS_TRY_AGAIN;
+    if (s->renderer && s->pose == s->scene->pose && !is_reference)
+        status = renderer_change(s->renderer, params);
+    if (status != STATUS_OK)
+        image_session_close(s);
+    return status == STATUS_TRY_AGAIN ? STATUS_OK : status;
+}
+
+enum status image_session_open(struct image_session *s, const struct camera *camera)
+{
+    const struct renderer_params params = params_for(s, camera);
+    if (fits(s, &params))
+        return STATUS_OK;
+    enum status status = change(s, &params);
+    if (status == STATUS_OK && !s->renderer)
+        status = create(s, &params);
+    s->is_outdated = status != STATUS_OK;
+    s->is_wide = s->renderer && renderer_draws_beyond_image(&params);
+    s->is_orthographic = params.is_orthographic;
+    s->has_warned = true;
+    return status;
+}
+
+enum status image_session_draw(struct image_session *s, const struct renderer_shot *shot,
+                               struct render_result *result, renderer_progress_fn *progress,
+                               void *user)
+{
+    return s->reference ? reference_render(s->reference, shot, result, progress, user)
+                        : renderer_render(s->renderer, shot, result, progress, user);
+}
+
+const char *image_session_device(const struct image_session *s)
+{
+    return s->reference ? reference_device(s->reference) : s->gpu->properties.deviceName;
+}
+
+void image_session_close(struct image_session *s)
+{
+    renderer_destroy(s->renderer);
+    reference_destroy(s->reference);
+    s->renderer = NULL;
+    s->reference = NULL;
+}

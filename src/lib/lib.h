@@ -1,0 +1,222 @@
+/* lib.h: handles of the library, and what its calls have in common: messages, checks of the calling
+ * process, structs of callers. */
+#ifndef FIRN_LIB_LIB_H
+#define FIRN_LIB_LIB_H
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <sys/types.h>
+#include "src/base/log.h"
+#include "src/lib/firn.h"
+#include "src/lib/image_session.h"
+
+enum {
+    LIB_MESSAGE_SIZE = 2048,
+    LIB_IN_FLIGHT = 2, /* views of a renderer */
+};
+
+/* Sink of a device's messages. */
+struct lib_sink {
+    struct log_sink base;
+    struct firn *device;
+    char *error; /* receives errors, LIB_MESSAGE_SIZE bytes */
+};
+
+struct firn {
+    pid_t owner; /* process that opened it */
+    uint32_t refs;
+    struct gpu gpu;
+    struct gpu_params gpu_params;
+    bool has_gpu;
+    firn_log_fn *log;
+    void *log_user;
+    char *name, *reader, *cache, *assets;
+    struct lib_sink sink;
+    char message[LIB_MESSAGE_SIZE];
+    pthread_mutex_t log_lock; /* held while `log` runs */
+    pthread_mutex_t lock;     /* of `pending` */
+    pthread_cond_t idle;      /* `pending` has become 0 */
+    uint32_t pending;         /* views in flight */
+};
+
+/* A copied string of a caller; each is kept once. */
+struct lib_text {
+    struct lib_text *next;
+    char text[];
+};
+
+struct lib_arrays;
+
+/* Change of an object's material. */
+struct lib_material_change {
+    uint32_t object;
+    struct firn_material material;
+};
+
+struct firn_scene {
+    firn *device;
+    uint32_t refs;
+    struct lib_text *texts;
+    struct setup_image given; /* options as given */
+    struct setup_image image; /* options of the loaded scene */
+    struct session_scene session;
+    bool is_loaded;
+    bool needs_load;           /* `given` or arrays have changed: load the scene again */
+    bool needs_settings;       /* settings of `given` have changed */
+    uint32_t version;          /* number of changes of `image` */
+    bool is_arrays;            /* made by firn_scene_create() */
+    struct lib_arrays *arrays; /* of scenes from arrays, and environments; or NULL */
+    struct scene_source source;
+    struct lib_material_change *changes;
+    uint32_t change_count;
+    struct firn_renderer *renderers; /* linked by `next` */
+};
+
+/* A submitted view. */
+struct lib_job {
+    uint64_t ticket;
+    struct firn_camera camera;
+    struct render_result result;
+    enum status status;
+    char error[LIB_MESSAGE_SIZE];
+};
+
+struct firn_renderer {
+    firn_scene *scene;
+    struct firn_renderer *next;
+    uint32_t width, height, samples;
+    bool has_beauty, has_display;
+    uint32_t layers;          /* bits of the other layers */
+    struct setup_image image; /* options of the scene with the choices for this renderer */
+    struct image_session session;
+    uint32_t version; /* firn_scene.version of `image`; 0 before the first */
+    atomic_bool is_cancelled;
+    /* views in flight, guarded by `lock` */
+    pthread_mutex_t lock;
+    pthread_cond_t changed;
+    pthread_t worker;
+    bool has_worker, ends;
+    struct lib_job jobs[LIB_IN_FLIGHT];
+    uint64_t submitted, drawn, fetched; /* numbers of views */
+};
+
+/* ---- calls ---- */
+
+/* State of the calling thread that a call restores. */
+struct lib_call {
+    firn *device; /* NULL for a call without handle */
+    struct log_sink *sink;
+    const char *cache, *assets;
+    struct lib_sink own; /* sink of a call without handle */
+};
+
+/* Begins a call: directs messages to the device, and waits for views in flight unless `waits` is
+ * false. If `device` is NULL or belongs to another process, sets an error and returns false. */
+bool lib_begin(struct lib_call *call, firn *device, bool waits);
+
+/* Does the same. Inline, because static analysers must see that a handle is not NULL afterwards. */
+static inline bool lib_enter(struct lib_call *call, firn *device, bool waits)
+{
+    return lib_begin(call, device, waits) && device;
+}
+
+/* Begins a call without handle. */
+void lib_enter_alone(struct lib_call *call);
+
+/* Ends a call and returns its result. */
+firn_status lib_leave(struct lib_call *call, enum status status);
+
+/* Returns true if the calling process opened the device. */
+bool lib_is_own(const firn *device);
+
+/* Drops a reference to a device, and frees it with the last one. */
+void lib_release_device(firn *device);
+
+/* ---- structs and strings of callers ---- */
+
+/* Copies a struct of a caller, whose first member is its size, to `to`, whose size is `size`.
+ * Members that the caller's version lacks are zero. If the struct is NULL, smaller than its size
+ * member or has unknown members that are not 0, logs an error that begins with `what` and returns
+ * STATUS_USAGE. */
+MUST_USE enum status lib_read(void *to, size_t size, const void *from, const char *what);
+
+/* Copies `size` bytes to a struct of a caller, as far as its size reaches, but not its size. */
+MUST_USE enum status lib_write(void *to, const void *from, size_t size, const char *what);
+
+/* Returns a copy of a string that lives as long as the scene, or NULL when out of memory. */
+const char *lib_keep_text(firn_scene *scene, const char *text);
+
+/* Logs that an argument is NULL if it is. Returns STATUS_USAGE then. */
+MUST_USE static inline enum status lib_require(const void *argument, const char *name)
+{
+    if (argument)
+        return STATUS_OK;
+    log_error("%s: expected a pointer, got NULL", name);
+    return STATUS_USAGE;
+}
+
+/* ---- scenes ---- */
+
+/* Loads the scene again, or applies its settings, if they have changed. */
+MUST_USE enum status lib_scene_update(firn_scene *scene);
+
+/* Sets the options of images of a loaded scene. `samples` replaces theirs unless it is 0. */
+MUST_USE enum status lib_scene_image(firn_scene *scene, uint32_t samples,
+                                     struct setup_image *image);
+
+/* Closes the sessions of all renderers of a scene. */
+void lib_scene_close_sessions(firn_scene *scene);
+
+/* Marks a scene as changed: it is loaded again before the next use. */
+void lib_scene_reload(firn_scene *scene);
+
+void lib_release_scene(firn_scene *scene);
+
+/* ---- materials ---- */
+
+/* Sets the members of a material that the interface knows; keeps its textures. If values are out of
+ * range, logs an error and returns STATUS_USAGE. */
+MUST_USE enum status lib_material_read(struct material *to, const struct firn_material *from);
+void lib_material_write(struct firn_material *to, const struct material *from);
+
+/* ---- cameras ---- */
+
+/* Reads and checks a camera; NULL for the scene's. */
+MUST_USE enum status lib_camera_read(struct firn_camera *to, const struct firn_camera *from);
+
+/* Converts a checked camera of explicit kind. */
+MUST_USE enum status lib_camera_of(struct camera *camera, const struct firn_camera *from,
+                                   const firn_renderer *renderer);
+
+/* Describes a camera as the kind to->kind. `from` is of an explicit kind with a matrix, or it is
+ * `camera` that is described. */
+void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
+                         const struct camera *camera, const firn_renderer *renderer);
+
+/* ---- rendering ---- */
+
+/* Draws a view. Sets renderer->is_cancelled to false at the end. */
+MUST_USE enum status lib_draw(firn_renderer *renderer, const struct firn_camera *camera,
+                              struct render_result *result, firn_progress_fn *progress, void *user);
+
+/* Chooses the shot of a view, after updating scene and renderer. */
+MUST_USE enum status lib_renderer_aim(firn_renderer *renderer, const struct firn_camera *camera,
+                                      struct renderer_shot *shot);
+
+/* Checks and writes buffers. */
+MUST_USE enum status lib_buffers_check(const firn_renderer *renderer,
+                                       const struct firn_buffer *buffers, size_t count);
+MUST_USE enum status lib_buffers_write(const firn_renderer *renderer,
+                                       const struct firn_buffer *buffers, size_t count,
+                                       struct render_result *result);
+
+/* Returns layer `index` of the interface, or NULL. Index 1 is `display`. */
+const struct frame_layer *lib_layer(uint32_t index);
+
+/* Ends the worker thread of a renderer, if any. */
+void lib_worker_end(firn_renderer *renderer);
+
+/* Cancelled view: a status that only the library returns. */
+#define LIB_CANCELLED ((enum status)FIRN_CANCELLED)
+
+#endif
