@@ -46,8 +46,7 @@ static int find_drawn(const firn_renderer *r, const char *name)
     return -1;
 }
 
-/* Buffers are an array of structs whose size is that of the first. */
-static const struct firn_buffer *buffer_at(const struct firn_buffer *buffers, size_t index)
+const struct firn_buffer *lib_buffer_at(const struct firn_buffer *buffers, size_t index)
 {
     return (const struct firn_buffer *)((const char *)buffers + index * buffers->size);
 }
@@ -91,7 +90,7 @@ enum status lib_buffers_check(const firn_renderer *renderer, const struct firn_b
     enum status status = count ? lib_require(buffers, "buffers") : STATUS_OK;
     for (size_t i = 0; i < count && status == STATUS_OK; i++) {
         struct target target;
-        status = read_target(&target, renderer, buffer_at(buffers, i));
+        status = read_target(&target, renderer, lib_buffer_at(buffers, i));
     }
     return status;
 }
@@ -178,7 +177,7 @@ enum status lib_buffers_write(const firn_renderer *r, const struct firn_buffer *
 {
     struct target target;
     for (size_t i = 0; i < count; i++) {
-        enum status status = read_target(&target, r, buffer_at(buffers, i));
+        enum status status = read_target(&target, r, lib_buffer_at(buffers, i));
         if (status == STATUS_OK && target.is_display)
             status = make_display(r, result, target.type != FIRN_UINT8);
         if (status != STATUS_OK)

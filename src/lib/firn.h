@@ -388,6 +388,7 @@ struct firn_layer {
     const char *help;  /* one line, with unit and value of "nothing" */
     uint32_t channels; /* 1 to 4 */
     uint32_t averages; /* 1: mean of the samples; 0: of the pixel's first sample */
+    uint32_t type;     /* firn_type that fits its values: UINT8 of display, UINT32 of numbers */
 };
 
 /* Describes layer `index` of all, from 0: "beauty" (R, G, B, A), "display" (the tone-mapped sRGB
@@ -464,6 +465,18 @@ FIRN_API int firn_is_ready(firn_renderer *renderer);
 /* Cancels the view that is being drawn and all submitted views, after their present sample. Any
  * thread may call it while the renderer is open. */
 FIRN_API void firn_cancel(firn_renderer *renderer);
+
+/* ---- files ---- */
+
+/*
+ * Writes arrays as an EXR file, which appears under its name when it is complete. Each buffer gives
+ * its layer's name, data of FIRN_FLOAT32 or FIRN_UINT32, the number of channels, and strides. Names
+ * of firn_layer_get() become the channels that `firn render` writes; others become NAME, or NAME.R,
+ * NAME.G ... Needs no device; the message of a failure is that of firn_error(NULL). Returns
+ * FIRN_USAGE, FIRN_CANT_CREATE, FIRN_WRITE or FIRN_TRY_AGAIN.
+ */
+FIRN_API firn_status firn_write_exr(const char *path, uint32_t width, uint32_t height,
+                                    const struct firn_buffer *buffers, size_t count);
 
 /* ---- comparison ---- */
 

@@ -203,6 +203,9 @@ MUST_USE enum status lib_draw(firn_renderer *renderer, const struct firn_camera 
 MUST_USE enum status lib_renderer_aim(firn_renderer *renderer, const struct firn_camera *camera,
                                       struct renderer_shot *shot);
 
+/* Returns an element of an array of buffers, whose size is that of the first. */
+const struct firn_buffer *lib_buffer_at(const struct firn_buffer *buffers, size_t index);
+
 /* Checks and writes buffers. */
 MUST_USE enum status lib_buffers_check(const firn_renderer *renderer,
                                        const struct firn_buffer *buffers, size_t count);

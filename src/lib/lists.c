@@ -70,6 +70,9 @@ firn_status firn_layer_get(uint32_t index, struct firn_layer *layer)
         found.help = index ? row->help : "linear radiance, and alpha; the image without layers";
         found.channels = channel_count(row);
         found.averages = index == 0 || row->mean;
+        found.type = index == 1                         ? FIRN_UINT8
+                     : !strncmp(row->name, "object", 6) ? FIRN_UINT32
+                                                        : FIRN_FLOAT32;
     }
     return write_entry(&call, layer, row ? &found : NULL, sizeof(found), index);
 }

@@ -1,0 +1,377 @@
+"""
+dataset.py: data sets of transparent objects: seeded views and variations, and writers.
+
+    with firn.dataset.Writer('out', formats=('exr', 'coco'), seed=7) as writer:
+        for index in writer.missing(range(20)):
+            rng = writer.rng(index)
+            firn.dataset.vary(scene, rng, ior=(1.3, 1.7), attenuation=(0, 2))
+            camera = firn.dataset.random_camera(rng, scene, size=(640, 480))
+            writer.write(index, renderer.render(camera), scene)
+
+An image depends on the seed and its index alone, so that a set can be resumed, and shared among
+processes: each one takes `firn.dataset.share(range(20), number, count)`.
+"""
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+import pathlib
+import zipfile
+from collections.abc import Iterable
+
+import numpy as np
+
+from .camera import Camera
+from .device import settings
+from .errors import UsageError
+from .frame import Frame, png_bytes, write_exr, write_file
+
+NOTHING = 0  # object number of the background
+
+
+# ---- variation ----
+
+def share(indices: Iterable, number: int | None = None, count: int | None = None) -> list:
+    """
+    The indices that one of `count` processes draws: every count-th, from `number` (0 for the
+    first). Without numbers, those of a Slurm array job are used, if this is one.
+    """
+    if number is None:
+        number = int(os.environ.get('SLURM_ARRAY_TASK_ID', 0))
+        number -= int(os.environ.get('SLURM_ARRAY_TASK_MIN', 0))
+        count = int(os.environ.get('SLURM_ARRAY_TASK_COUNT', 1))
+    if not count or not 0 <= number < count:
+        raise UsageError(f'share: expected 0 <= number < count, got {number} of {count}')
+    return list(indices)[number::count]
+
+
+def _bounds(scene, refractive_only=True):
+    objects = [one for one in scene.objects.all() if one.refracts or not refractive_only]
+    if not objects:
+        raise UsageError('the scene has no refractive object; name a centre and a radius')
+    low = np.min([one.box[0] for one in objects], axis=0)
+    high = np.max([one.box[1] for one in objects], axis=0)
+    return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
+
+
+def random_camera(rng, scene, size, *, fov=(20, 40), elevation=(5, 60), distance=(1.1, 1.8),
+                  shift=0.1) -> Camera:
+    """
+    A camera that looks at the refractive objects from a random direction. `elevation` in degrees
+    above the horizon; `distance` in multiples of that at which their bounding sphere fills the
+    image; `shift` moves the target by up to this fraction of the sphere's radius.
+    """
+    centre, radius = _bounds(scene)
+    angle = rng.uniform(*fov)
+    aspect = min(1.0, size[0] / size[1])
+    half = np.arctan(np.tan(np.radians(angle) / 2) * aspect)
+    away = radius / np.sin(half) * rng.uniform(*distance)
+    # uniform on the sphere between both elevations
+    height = rng.uniform(*np.sin(np.radians(elevation)))
+    turn = rng.uniform(0, 2 * np.pi)
+    flat = np.sqrt(1 - height * height)
+    direction = np.array([flat * np.sin(turn), height, flat * np.cos(turn)])
+    target = centre + rng.uniform(-1, 1, 3) * radius * shift
+    return Camera.look_at(target + away * direction, target, angle, size)
+
+
+VARIATIONS = {  # of materials
+    'ior': 'refractive index of all refractive objects',
+    'dispersion': 'dispersion, 20 / Abbe number',
+    'roughness': 'roughness, 0 to 1',
+    'scattering': 'optical depth of scattering across the object',
+    'attenuation': 'optical depth of a random colour across 1 cm',
+}
+OPTIONS = ('env_rotate', 'env_exposure')  # of the panorama: degrees, stops
+
+
+def vary(scene, rng, **ranges) -> dict:
+    """
+    Gives each refractive object of the scene random material values, and the scene random settings,
+    uniform between (low, high). Names are those of VARIATIONS and OPTIONS, and of settings with
+    '_' for '.'. Returns what was chosen, for the data set's metadata.
+    """
+    chosen = {}
+    material_ranges = {name: ranges.pop(name) for name in list(ranges) if name in VARIATIONS}
+    for one in (each for each in scene.objects.all() if each.refracts):
+        fields = {name: float(rng.uniform(*limits)) for name, limits in material_ranges.items()}
+        if 'attenuation' in fields:
+            color = np.exp(-fields.pop('attenuation') * rng.uniform(0, 1, 3))
+            fields.update(attenuation_color=color.tolist(), attenuation_distance=0.01)
+        if fields:
+            one.material.set(**fields)
+            chosen[one.name or str(one.id)] = fields
+    known = {setting['name'].replace('.', '_'): setting for setting in settings()}
+    known.update({name: {'name': name.replace('_', '-'), 'type': 'float'} for name in OPTIONS})
+    for name, limits in ranges.items():
+        if name not in known:
+            raise UsageError(f'vary: no value or setting {name!r}; see firn.dataset.VARIATIONS and '
+                             'firn.settings()')
+        is_whole = known[name]['type'] == 'count'
+        value = int(rng.integers(*limits, endpoint=True)) if is_whole else rng.uniform(*limits)
+        chosen[known[name]['name']] = value
+        scene.set(known[name]['name'], value)
+    return chosen
+
+
+# ---- masks ----
+
+def visible_masks(frame: Frame) -> dict:
+    """Masks (h, w) of bool by object number, from the layer `object`: what is seen first."""
+    layer = frame['object']
+    return {int(number): layer == number for number in np.unique(layer) if number != NOTHING}
+
+
+def amodal_masks(frame: Frame) -> dict:
+    """
+    Masks of bool by object number with the parts that other objects hide: from the layers
+    `objects.0` to `objects.7`, the ordered surfaces along the straight ray.
+    """
+    layers = [frame[name] for name in frame if name.startswith('objects.')]
+    if not layers:
+        raise UsageError('amodal masks need the layers objects.0, objects.1, ... in the renderer')
+    numbers = np.unique(np.stack(layers))
+    return {int(number): np.any([layer == number for layer in layers], axis=0)
+            for number in numbers if number != NOTHING}
+
+
+def rle(mask) -> dict:
+    """A mask (h, w) in COCO's compressed run-length encoding: {'size': [h, w], 'counts': text}."""
+    mask = np.asarray(mask, dtype=bool)
+    flat = np.concatenate([[False], mask.ravel(order='F'), [False]])
+    edges = np.flatnonzero(flat[1:] != flat[:-1])
+    runs = np.diff(np.concatenate([[0], edges, [mask.size]]))
+    if mask.size and mask.ravel(order='F')[-1]:
+        runs = runs[:-1]  # there is no empty run at the end
+    text = []
+    for i, run in enumerate(runs):
+        value = int(run) - (int(runs[i - 2]) if i > 2 else 0)
+        more = True
+        while more:  # 5 bits in each character, the lowest first
+            bits = value & 31
+            value >>= 5
+            more = value != (-1 if bits & 16 else 0)
+            text.append(chr(bits + (32 if more else 0) + 48))
+    return {'size': list(mask.shape), 'counts': ''.join(text)}
+
+
+def box_of(mask) -> list:
+    """COCO's box [x, y, width, height] of a mask, in pixels; zeros if it is empty."""
+    rows, columns = np.flatnonzero(np.any(mask, axis=1)), np.flatnonzero(np.any(mask, axis=0))
+    if not len(rows):
+        return [0, 0, 0, 0]
+    return [int(columns[0]), int(rows[0]), int(columns[-1] - columns[0] + 1),
+            int(rows[-1] - rows[0] + 1)]
+
+
+# ---- writers ----
+
+def _dump(path, value) -> None:
+    write_file(path, (json.dumps(value, indent=1) + '\n').encode())
+
+
+def _folder(path) -> pathlib.Path:
+    path.mkdir(parents=True, exist_ok=True)
+    return path
+
+
+def _write_exr(folder, index, frame, _entry):
+    path = _folder(folder / 'exr') / f'{index:06}.exr'
+    write_exr(path, frame._layers)
+    return [path]
+
+
+def _write_npz(folder, index, frame, _entry):
+    path = _folder(folder / 'npz') / f'{index:06}.npz'
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, 'w', zipfile.ZIP_DEFLATED) as archive:
+        for name, array in frame._layers.items():
+            text = io.BytesIO()
+            np.lib.format.write_array(text, array)
+            # ZipInfo has a fixed date, numpy.savez() the present one: equal images give equal bytes
+            archive.writestr(zipfile.ZipInfo(f'{name}.npy'), text.getvalue(),
+                             zipfile.ZIP_DEFLATED)
+    write_file(path, data.getvalue())
+    return [path]
+
+
+def _write_png(folder, index, frame, _entry):
+    path = _folder(folder / 'rgb') / f'{index:06}.png'
+    write_file(path, png_bytes(frame.srgb()))
+    return [path]
+
+
+def _objects(frame):
+    """Number, visible mask, amodal mask and visible fraction of each object of an image."""
+    visible = visible_masks(frame)
+    has_hidden = any(name.startswith('objects.') for name in frame)
+    amodal = amodal_masks(frame) if has_hidden else visible
+    for number in sorted(amodal):
+        mask = visible.get(number, np.zeros_like(amodal[number]))
+        yield number, mask, amodal[number], mask.sum() / max(amodal[number].sum(), 1)
+
+
+def _annotate_coco(folder, index, frame, entry):
+    entry['annotations'] = [
+        {'object': number, 'bbox': box_of(mask), 'area': int(mask.sum()), 'iscrowd': 0,
+         'segmentation': rle(mask), 'amodal_bbox': box_of(whole), 'amodal_segmentation': rle(whole),
+         'visible_fraction': float(fraction)}
+        for number, mask, whole, fraction in _objects(frame)]
+    return _write_png(folder, index, frame, entry)
+
+
+def _finish_coco(folder, entries, names):
+    images, annotations = [], []
+    for entry in entries:
+        width, height = entry['size']
+        images.append({'id': entry['index'], 'file_name': f'rgb/{entry["index"]:06}.png',
+                       'width': width, 'height': height})
+        for one in entry['annotations']:
+            annotations.append({'id': len(annotations) + 1, 'image_id': entry['index'],
+                                'category_id': one['object'],
+                                **{k: v for k, v in one.items() if k != 'object'}})
+    seen = sorted({one['category_id'] for one in annotations})
+    categories = [{'id': number, 'name': names.get(number) or f'object {number}'}
+                  for number in seen]
+    _dump(folder / 'coco.json', {'info': {'description': 'rendered by firn'}, 'images': images,
+                                 'annotations': annotations, 'categories': categories})
+
+
+def _write_bop(folder, index, frame, entry):
+    scene = folder / 'bop' / '000001'
+    depth = np.nan_to_num(frame['Z'], posinf=0.0) * 10000  # units of .1 mm
+    if depth.max() > 65535:
+        raise UsageError('BOP: depths above 6.5 m do not fit into 16 bits')
+    files = {_folder(scene / 'rgb') / f'{index:06}.png': frame.srgb(),
+             _folder(scene / 'depth') / f'{index:06}.png': np.round(depth).astype(np.uint16)}
+    entry['bop'] = []
+    for place, (number, mask, whole, fraction) in enumerate(_objects(frame)):
+        name = f'{index:06}_{place:06}.png'
+        files[_folder(scene / 'mask') / name] = np.uint8(255) * whole
+        files[_folder(scene / 'mask_visib') / name] = np.uint8(255) * mask
+        entry['bop'].append({
+            'obj_id': number, 'bbox_obj': box_of(whole), 'bbox_visib': box_of(mask),
+            'px_count_all': int(whole.sum()), 'px_count_visib': int(mask.sum()),
+            'px_count_valid': int((mask & (depth > 0)).sum()), 'visib_fract': float(fraction)})
+    for path, pixels in files.items():
+        write_file(path, png_bytes(pixels))
+    return list(files)
+
+
+def _finish_bop(folder, entries, _names):
+    """Lengths in millimetres. Objects are in the space of the scene: their pose is the camera's."""
+    cameras, poses, infos = {}, {}, {}
+    for entry in entries:
+        key, camera = str(entry['index']), entry['camera']
+        rotation = list(np.ravel(camera['R']))
+        position = [1000 * x for x in camera['t']]
+        cameras[key] = {'cam_K': list(np.ravel(camera['K'])), 'depth_scale': 0.1,
+                        'cam_R_w2c': rotation, 'cam_t_w2c': position}
+        poses[key] = [{'cam_R_m2c': rotation, 'cam_t_m2c': position, 'obj_id': one['obj_id']}
+                      for one in entry['bop']]
+        infos[key] = [{k: v for k, v in one.items() if k != 'obj_id'} for one in entry['bop']]
+    scene = folder / 'bop' / '000001'
+    for name, value in (('camera', cameras), ('gt', poses), ('gt_info', infos)):
+        _dump(scene / f'scene_{name}.json', value)
+
+
+def _finish_colmap(folder, entries, _names):
+    cameras, images = [], []
+    for number, entry in enumerate(entries, 1):
+        camera = Camera(*(entry['camera'][name] for name in ('K', 'R', 't', 'size')))
+        (fx, _, cx), (_, fy, cy), _ = camera.K
+        width, height = camera.size
+        cameras.append(f'{number} PINHOLE {width} {height} {fx!r} {fy!r} {cx + .5!r} {cy + .5!r}')
+        pose = ' '.join(repr(float(x)) for x in (*camera.quaternion, *camera.t))
+        images.append(f'{number} {pose} {number} {entry["index"]:06}.png\n')
+    path = _folder(folder / 'colmap')
+    write_file(path / 'cameras.txt', ('\n'.join(cameras) + '\n').encode())
+    write_file(path / 'images.txt', ('\n'.join(images) + '\n').encode())
+    write_file(path / 'points3D.txt', b'')
+
+
+# by format: what writes an image, and what finishes the set
+_FORMATS = {
+    'exr': (_write_exr, None),
+    'npz': (_write_npz, None),
+    'png': (_write_png, None),
+    'coco': (_annotate_coco, _finish_coco),
+    'bop': (_write_bop, _finish_bop),
+    'colmap': (_write_png, _finish_colmap),
+}
+
+
+class Writer:
+    """
+    Writes a data set into a folder. `formats` are of:
+
+    exr     exr/000000.exr with all layers
+    npz     npz/000000.npz with all layers
+    png     rgb/000000.png
+    coco    coco.json with visible and amodal masks, and rgb/; needs the layer `object`
+    bop     bop/000001/, lengths in millimetres; needs `object` and `Z`
+    colmap  colmap/*.txt with the cameras, and rgb/
+
+    meta/000000.json keeps the camera, the variation and SHA-256 hashes of the files of each image,
+    and is written last: an image with it is complete. dataset.json lists the set. Hidden parts of
+    objects are known with the layers `objects.0` to `objects.7`.
+    """
+    def __init__(self, folder, formats=('exr',), seed: int = 0):
+        unknown = [name for name in formats if name not in _FORMATS]
+        if unknown:
+            raise UsageError(f'no format {unknown[0]!r}; there are {", ".join(_FORMATS)}')
+        self.folder = pathlib.Path(folder)
+        self.formats, self.seed = tuple(formats), int(seed)
+        self._names = {}
+        _folder(self.folder / 'meta')
+
+    def rng(self, index: int) -> np.random.Generator:
+        """The random numbers of an image: a function of the seed and the index."""
+        return np.random.default_rng([self.seed, index])
+
+    def _meta(self, index: int) -> pathlib.Path:
+        return self.folder / 'meta' / f'{index:06}.json'
+
+    def missing(self, indices: Iterable) -> list:
+        """The indices without a complete image of this seed and these formats."""
+        def is_there(index):
+            try:
+                entry = json.loads(self._meta(index).read_text())
+            except (OSError, ValueError):
+                return False
+            return entry['seed'] == self.seed and entry['formats'] == list(self.formats)
+        return [index for index in indices if not is_there(index)]
+
+    def write(self, index: int, frame: Frame, scene=None, variation: dict | None = None) -> None:
+        """Writes an image in all formats. `scene` gives the names of its objects."""
+        if scene is not None:
+            self._names.update({one.id: one.name for one in scene.objects.all()})
+        entry = {'index': index, 'seed': self.seed, 'formats': list(self.formats),
+                 'size': list(frame.size), 'camera': json.loads(frame.camera.to_json()),
+                 'variation': variation or {}, 'names': self._names}
+        files = dict.fromkeys(path for name in self.formats
+                              for path in _FORMATS[name][0](self.folder, index, frame, entry))
+        entry['sha256'] = {str(path.relative_to(self.folder)):
+                           hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+        _dump(self._meta(index), entry)
+
+    def close(self) -> None:
+        """Writes dataset.json and the files of formats that list all images."""
+        entries = [json.loads(path.read_text())
+                   for path in sorted((self.folder / 'meta').glob('*.json'))]
+        names = {int(number): name for entry in entries for number, name in entry['names'].items()}
+        for finish in dict.fromkeys(_FORMATS[name][1] for name in self.formats):
+            if finish:
+                finish(self.folder, entries, names)
+        _dump(self.folder / 'dataset.json', {
+            'seed': self.seed, 'formats': list(self.formats), 'objects': names,
+            'images': [{'index': entry['index'], 'sha256': entry['sha256']} for entry in entries]})
+
+    def __enter__(self) -> Writer:
+        return self
+
+    def __exit__(self, kind, *_) -> None:
+        if kind is None:  # an interrupted set is finished by the next run
+            self.close()
