@@ -5,6 +5,7 @@
 #include "src/base/log.h"
 #include "src/base/standard_streams.h"
 #include "src/base/suggest.h"
+#include "src/gpu/gpu_fallback.h"
 #include "src/scene/import/sandboxed_load.h"
 #include "src/version.h"
 
@@ -26,6 +27,8 @@ static const struct {
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
     { "merge", APP_MERGE, app_merge, "join the tiles of an image" },
     { "info", APP_INFO, app_info, "print the contents of a scene or model file; needs no device" },
+    { "selftest", APP_SELFTEST, app_selftest,
+      "test this machine: list devices, draw five images and compare them" },
     { "list", APP_LIST, app_list,
       "print the scenes, refraction models, materials, layers, settings, devices and sandbox" },
 };
@@ -86,7 +89,7 @@ static enum status run(int argc, char **argv)
     bool done;
     if (argc < 2) {
         log_error("no command: expected render, view, profile, graph, diff, ladder, sheet, farm, "
-                  "merge, info or list (see --help)");
+                  "merge, info, selftest or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))
@@ -111,5 +114,6 @@ int main(int argc, char **argv)
     if (reader_is_child(argc, argv))
         return sandboxed_load_main(argc, argv);
     standard_streams_begin();
+    gpu_fallback_prepare();
     return (int)standard_streams_end(run(argc, argv));
 }
