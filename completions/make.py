@@ -56,6 +56,8 @@ class Facts:
         """Returns the words that complete an argument of a command; None if only files do."""
         if command.name == 'list':
             return list(CATEGORIES)
+        if command.name == 'selftest':
+            return []
         kinds = ['slurm', 'parallel', 'status'] if command.name == 'farm' else []
         return None if command.name in ('diff', 'merge') else kinds + list(self.lists['scenes'])
 
@@ -121,7 +123,7 @@ complete -o filenames -F _firn firn
                 continue
             keys = f'--{option.name}' + (f' | -{option.letter}' if option.letter else '')
             cases += f'        {keys}) words="{bash_words(facts, option)}" ;;\n'
-        files = '' if command.name == 'list' else ' $(compgen -f -- "$cur")'
+        files = '' if command.name in ('list', 'selftest') else ' $(compgen -f -- "$cur")'
         cases += f'        *) words="{rest}{files}" ;;\n        esac\n        ;;\n'
     valued = ' '.join(value for value in facts.settings() if not value.endswith('='))
     return (text.replace('@COMMANDS@', ' '.join(COMMANDS)).replace('@CASES@', cases)
@@ -176,8 +178,10 @@ def zsh(facts):
         elif positionals:
             both = '*:scene:{compadd -- ' + ' '.join(positionals) + '; _files}'
             text += f' \\\n                {quoted(both)}\n'
-        else:
+        elif positionals is None:
             text += " \\\n                '*:image:_files'\n"
+        else:
+            text += '\n'
         text += '            ;;\n'
     return text + '''        help) _describe command commands ;;
         esac
@@ -206,8 +210,8 @@ def fish(facts):
                 text += f' -a {quoted(" ".join(values))}'
             text += f' -d {quoted(option.help)}\n'
         positionals = facts.positionals(command)
-        if positionals:
-            text += here + (' -f' if command.name == 'list' else '')
+        if positionals is not None:
+            text += here + (' -f' if command.name in ('list', 'selftest') else '')
             text += f' -a {quoted(" ".join(positionals))}\n'
     return text
 

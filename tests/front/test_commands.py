@@ -15,7 +15,7 @@ from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
-            'merge', 'info', 'list', 'help')
+            'merge', 'info', 'selftest', 'list', 'help')
 
 
 class CommandLine(Case):

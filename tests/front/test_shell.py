@@ -14,7 +14,7 @@ import settings  # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv.pop(2)).resolve()
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
-            'merge', 'info', 'list')
+            'merge', 'info', 'selftest', 'list')
 HARNESS = '''
 source "$1"
 shift

@@ -44,6 +44,8 @@ static const char *const examples[] = {
                    "  firn merge tile.*.exr -o still.exr\n"),
     [APP_INFO] = ("  firn info drink\n"
                   "  firn info statue.glb --json\n"),
+    [APP_SELFTEST] = ("  firn selftest\n"
+                      "  firn selftest --device 1\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"
                   "  firn list settings --json\n"
@@ -63,6 +65,8 @@ static const char *const usages[] = {
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
     [APP_MERGE] = "firn merge [options] TILE...: join the tiles of an image",
     [APP_INFO] = "firn info [options] SCENE: print the contents of a scene or model file",
+    [APP_SELFTEST] =
+        "firn selftest [options]: test this machine: list devices, draw and compare five images",
     [APP_LIST] = ("firn list [options] "
                   "[scenes|environments|refractions|materials|layers|qualities|settings|"
                   "devices|sandbox]: print available names, settings and devices"),

@@ -33,7 +33,7 @@ enum {
 #define IMAGES  (FRAMES | APP_LADDER | APP_SHEET)
 #define READERS (IMAGES | APP_DIFF | APP_MERGE | APP_INFO)
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
-#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_SHEET)
+#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_SHEET | APP_SELFTEST)
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot be in parentheses */
 /* Initialisers of an option's `offset` and `set`. Compilation fails if `field` is not a `type`. */
@@ -378,6 +378,10 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (IMAGES | APP_INFO) & ~(unsigned)APP_FARM;
+    if (command == APP_SELFTEST) {
+        log_error("unexpected argument '%s' (see --help)", word);
+        return STATUS_USAGE;
+    }
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
                                                           : 1;
