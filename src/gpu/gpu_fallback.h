@@ -5,7 +5,8 @@
 #include <stdbool.h>
 
 /* Reserves space for VK_ADD_DRIVER_FILES in the environment, with an empty value, if a bundled
- * driver is installed and the variable has no value. Call it before other threads run: only its value changes afterwards. */
+ * driver is installed and the variable has no value. Call it before other threads run: only its
+ * value changes afterwards. */
 void gpu_fallback_prepare(void);
 
 /* Returns true if there is a bundled driver that is not in use. */

@@ -7,7 +7,6 @@
 #include "src/base/suggest.h"
 #include "src/gpu/gpu_fallback.h"
 #include "src/scene/import/sandboxed_load.h"
-#include "src/version.h"
 
 static const struct {
     const char *name;
@@ -50,7 +49,9 @@ static void print_help(FILE *out)
         fprintf(out, "  %-8s %s\n", commands[i].name, commands[i].help);
     fprintf(out, "  %-8s %s\n\n", "help",
             "this text, or the options of a command: firn help render");
-    fprintf(out, "Options:\n  -h, --help     this text\n      --version  the version\n");
+    fprintf(out,
+            "Options:\n  -h, --help     this text\n      --version  the version; with --verbose "
+            "also how it was built\n");
 }
 
 static size_t find_command(const char *name)
@@ -94,10 +95,8 @@ static enum status run(int argc, char **argv)
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))
         return help(argc > 2 ? argv[2] : NULL);
-    if (!strcmp(argv[1], "--version")) {
-        printf("firn %s\n", FIRN_VERSION);
-        return STATUS_OK;
-    }
+    if (!strcmp(argv[1], "--version"))
+        return app_version(argc > 2 ? argv[2] : NULL);
     size_t i = find_command(argv[1]);
     if (i == COMMAND_COUNT)
         return unknown(argv[1]);

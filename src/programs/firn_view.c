@@ -14,8 +14,8 @@ int main(int argc, char **argv)
     standard_streams_begin();
     gpu_fallback_prepare();
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
-    if (status == STATUS_OK && !done && !options.window.session)
-        status = setup_require_scene(&options.image.scene);
+    if (!options.image.scene.name && !options.window.session)
+        options.image.scene.name = "ice-cube";
     if (status == STATUS_OK && !done)
         status = viewer_run(&(struct viewer_params){ .image = &options.image,
                                                      .window = &options.window,

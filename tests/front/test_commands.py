@@ -27,7 +27,13 @@ class CommandLine(Case):
             self.assertRegex(text.decode(), rf'(?m)^\s+(firn )?{command}\b')
 
     def test_version_is_one_line(self):
-        self.assertRegex(self.succeed('--version').stdout.decode(), r'\Afirn \d+\.\d+\.\d+\n\Z')
+        version = self.succeed('--version').stdout
+        self.assertRegex(version.decode(), r'\Afirn \d+\.\d+\.\d+\n\Z')
+        text = self.succeed('--version', '--verbose').stdout
+        self.assertTrue(text.startswith(version))
+        for word in (b'compiler', b'libpng', b'assets', Case.program.encode()):
+            self.assertIn(word, text)
+        self.refuse(USAGE, '--version', '--verbse', names=['--verbse'])
 
     def test_no_command_and_no_scene(self):
         self.refuse(USAGE)
