@@ -50,6 +50,8 @@ static enum status set_options(struct app_options *image, size_t i, char scene[s
         status = app_set_option(&image->image, "size", "160x120");
     if (status == STATUS_OK)
         status = app_set_option(&image->image, "env_cube.size", "512");
+    if (status == STATUS_OK) /* drivers filter anisotropically in different ways */
+        status = app_set_option(&image->image, "texture.anisotropy", "1");
     for (size_t c = 0; c < CHANGE_COUNT && images[i].changes[c][0] && status == STATUS_OK; c++)
         status = app_set_option(&image->image, images[i].changes[c][0], images[i].changes[c][1]);
     return status;
