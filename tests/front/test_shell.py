@@ -85,6 +85,7 @@ class Completions(Case):
         self.assertEqual(self.offered('render', '-m', 'wa'), ['water'])
         self.assertIn('ice-cube', self.offered('graph', 'i'))
         self.assertEqual(self.offered('list', 'ref'), ['refractions'])
+        self.assertEqual(self.offered('render', '--aov', 'N,alb'), ['N,albedo'])
         self.assertEqual(self.offered('render', '--set', 'cracks.cou'), ['cracks.count='])
         self.assertEqual(self.offered('render', '--set', 'refract.lookup', '=', 'd'),
                          ['distance'])
@@ -92,20 +93,29 @@ class Completions(Case):
                          {'paper', 'exact', 'crossfade', 'auto'})
 
     def test_files(self):
-        (self.folder / 'statue.glb').touch()
-        self.assertIn('statue.glb', self.offered('render', 'st'))
-        self.assertEqual(self.offered('render', '--env', 'st'), ['studio', 'stage', 'statue.glb'])
+        """Only those of the kinds that an option or a command reads."""
+        for name in ('statue.glb', 'statue.hdr', 'statue.txt'):
+            (self.folder / name).touch()
+        (self.folder / 'steps').mkdir()
+        self.assertEqual(self.offered('render', 'sta'), ['statue.glb'])
+        self.assertEqual(self.offered('diff', 'st'), ['steps', 'statue.hdr'])
+        self.assertEqual(self.offered('render', '--env', 'st'),
+                         ['studio', 'stage', 'steps', 'statue.hdr'])
+        self.assertEqual(self.offered('selftest', 'st'), [])
         self.assertEqual(self.offered('render', '--refraction', 'st'), [])
 
     def test_other_shells(self):
+        (self.folder / 'statue.hdr').touch()
         subprocess.run(['zsh', '-n', FOLDER / 'completions/_firn'], check=True)
         fish = FOLDER / 'completions/firn.fish'
         done = subprocess.run(['fish', '-c', f'source "{fish}"; complete -C "firn render --refr"; '
-                               'complete -C "firn la"; complete -C "firn render -m wa"'],
-                              capture_output=True, text=True, check=True,
+                               'complete -C "firn la"; complete -C "firn render -m wa"; '
+                               'complete -C "firn render --aov N,alb"; '
+                               'complete -C "firn diff sta"'],
+                              capture_output=True, text=True, check=True, cwd=self.folder,
                               env={'HOME': str(self.folder), 'PATH': '/usr/bin:/bin'})
         names = [line.split('\t')[0] for line in done.stdout.splitlines()]
-        self.assertEqual(names, ['--refraction', 'ladder', 'water'])
+        self.assertEqual(names, ['--refraction', 'ladder', 'water', 'N,albedo', 'statue.hdr'])
 
 
 if __name__ == '__main__':
