@@ -95,6 +95,8 @@ def install(build, bundle, stage):
     for name in SHARE:
         if (program.parents[1] / 'share' / name).exists():
             shutil.copytree(program.parents[1] / 'share' / name, bundle / 'share' / name)
+    for wheel in pathlib.Path(build).glob('firn-*.whl'):
+        shutil.copy(wheel, bundle)
     docs = bundle / 'share/doc/firn'
     docs.mkdir(parents=True, exist_ok=True)
     for page in PAGES:
