@@ -26,8 +26,9 @@ printf '%s\\n' "${COMPREPLY[@]}"
 
 
 class Pages(Case):
-    def read(self, name):
-        done = subprocess.run(['man', '-l', '--warnings=w', FOLDER / 'man' / f'{name}.1'],
+    def read(self, name, section=1):
+        page = FOLDER / 'man' / f'{name}.{section}'
+        done = subprocess.run(['man', '-l', '--warnings=w', page],
                               capture_output=True, text=True, check=True,
                               env={'PATH': '/usr/bin:/bin', 'MANWIDTH': '300', 'LC_ALL': 'C.UTF-8'})
         self.assertEqual(done.stderr, '')
@@ -42,7 +43,7 @@ class Pages(Case):
             self.assertRegex(page, rf'(?m)^ +firn-{command} - \w')
 
     def test_every_setting(self):
-        page = self.read('firn-settings')
+        page = self.read('firn-settings', 5)
         for line in self.succeed('list', 'settings').stdout.decode().splitlines()[1:]:
             name, what = line.split(None, 1)
             self.assertIn(name, page)
@@ -60,8 +61,14 @@ class Pages(Case):
 
     def test_no_day(self):
         """The same source gives the same page."""
-        for path in (FOLDER / 'man').glob('*.1'):
-            self.assertIn(' "1" ""\n', path.read_text())
+        for path in (FOLDER / 'man').glob('*.[157]'):
+            self.assertIn(f' "{path.suffix[1]}" ""\n', path.read_text())
+
+    def test_lists(self):
+        for kind in ('layers', 'materials'):
+            page = self.read(f'firn-{kind}', 7)
+            for line in self.succeed('list', kind).stdout.decode().splitlines()[1:]:
+                self.assertIn(line.split()[0], page)
 
 
 class Completions(Case):
