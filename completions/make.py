@@ -88,8 +88,7 @@ def bash_words(facts, option):
     return ' '.join([*values, *([bash_files(FILES[option.name])] if option.name in FILES else [])])
 
 
-def bash(facts):
-    text = '''# firn: made by completions/make.py
+BASH = '''# firn: made by completions/make.py
 # _firn_files KIND...: prints folders and files of these kinds that begin with the current word
 _firn_files()
 {
@@ -135,6 +134,9 @@ _firn()
 }
 complete -o filenames -F _firn firn
 '''
+
+
+def bash(facts):
     cases = ''
     for command in facts.commands:
         options = ' '.join(f'--{option.name}' for option in command.options())
@@ -151,7 +153,7 @@ complete -o filenames -F _firn firn
         files = '' if kinds is None else bash_files(kinds)
         cases += f'        *) words="{rest} {files}" ;;\n        esac\n        ;;\n'
     valued = ' '.join(value for value in facts.settings() if not value.endswith('='))
-    return (text.replace('@COMMANDS@', ' '.join(COMMANDS)).replace('@CASES@', cases)
+    return (BASH.replace('@COMMANDS@', ' '.join(COMMANDS)).replace('@CASES@', cases)
             .replace('@SETTINGS@', valued))
 
 
