@@ -5,9 +5,9 @@
  *
  * Draco, stb, libwebp and libavif are large and not instrumented; some broken files make them
  * crash, or work for hours. That is why a child reads: there, and nowhere else, it is allowed. So
- * their functions are wrapped (the linker's --wrap), and say in shared memory that one of them runs. A crash at any
- * other time is a fault, and so is an end without a status of the reader, meshes that the parent
- * does not accept and anything that the sanitizers find in the parent.
+ * their functions are wrapped (the linker's --wrap), and say in shared memory that one of them
+ * runs. A crash at any other time is a fault, and so is an end without a status of the reader,
+ * meshes that the parent does not accept and anything that the sanitizers find in the parent.
  *
  * The child is forked, which is a hundred times as fast as a new program. It returns its counters
  * of coverage, of which libFuzzer sees only the parent's.
