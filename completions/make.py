@@ -29,6 +29,7 @@ FILES = {'output': ('exr', 'png'), 'screenshot': ('exr', 'png'), 'env': ('exr', 
          'surroundings': MODELS, 'cracks': MODELS, 'bump': IMAGES, 'bump-mask': IMAGES,
          'air': IMAGES, 'mask': ('exr', 'png'), 'truth': IMAGES, 'baseline': ('json',),
          'json': ('json',), 'trace': ('json',), 'csv': ('csv',), 'session': ('firn',),
+         'ocio': ('ocio',),
          'preset': ('txt', 'exr', 'png'), 'watch': ()}
 # Kinds of the files that commands take as arguments; other commands take models.
 ARGUMENTS = {'diff': IMAGES, 'merge': ('exr',), 'list': None, 'selftest': None}

@@ -18,6 +18,7 @@
 #include "src/base/tile.h"
 #include "src/file/atomic_file.h"
 #include "src/file/image_receive.h"
+#include "src/file/ocio_view.h"
 #include "src/lab/reference/reference.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/render/lavapipe_tuning.h"
@@ -42,6 +43,7 @@ struct job {
     struct gpu gpu;
     struct renderer *renderer;      /* NULL if `reference` is used */
     struct reference *reference;    /* NULL until a frame needs it */
+    struct ocio_view view;          /* of --ocio */
     bool makes_png;                 /* make_png() is needed */
     uint32_t tile_done, tile_count; /* tiles of the current frame */
     uint64_t pixels_beyond;         /* total of all frames: reference.h */
@@ -266,12 +268,13 @@ static enum status draw_image(struct job *job, struct frame *frame)
 }
 
 /* Converts the float image to PNG pixels, for --show, 16 bits, alpha or dithering. */
-static bool make_png(const struct setup_image *p, struct render_result *result)
+static bool make_png(const struct job *job, struct render_result *result)
 {
+    const struct setup_image *p = &job->o.image;
     const bool is_16 = p->png_bits == 16;
     return layer_image_show(p->show ? &result->image : render_result_display(result), p->show,
-                            &p->scene.settings, is_16 ? NULL : &result->rgba,
-                            is_16 ? &result->rgba_16 : NULL);
+                            &p->scene.settings, p->ocio ? &job->view : NULL,
+                            is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL);
 }
 
 static enum status draw(struct job *job, struct frame *frame)
@@ -282,7 +285,7 @@ static enum status draw(struct job *job, struct frame *frame)
     progress_clear(&job->progress);
     job->pixels_beyond += frame->outcome.pixels_beyond;
     job->remaining = fmax(job->remaining, frame->outcome.remaining);
-    if (status == STATUS_OK && job->makes_png && !make_png(&job->o.image, result))
+    if (status == STATUS_OK && job->makes_png && !make_png(job, result))
         status = STATUS_TRY_AGAIN;
     return status;
 }
@@ -352,6 +355,21 @@ static enum status open_device(struct job *job)
     return status == STATUS_OK && job->missing ? setup_log_fill_failure(job->missing) : status;
 }
 
+/* Loads the view of --ocio, if any. */
+static enum status load_view(struct job *job)
+{
+    const struct setup_image *p = &job->o.image;
+    const char *comma = p->ocio ? strrchr(p->ocio, ',') : NULL;
+    if (!comma)
+        return STATUS_OK;
+    char *config = strndup(p->ocio, (size_t)(comma - p->ocio));
+    if (!config)
+        return log_out_of_memory(p->ocio);
+    const enum status status = ocio_view_load(&job->view, config, comma + 1, &p->scene.reader);
+    free(config);
+    return status;
+}
+
 /* Creates the renderer or the reference for the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
@@ -363,7 +381,7 @@ static enum status open_renderer(struct job *job)
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
             params.linear = true;
-        else if (p->show || p->png_bits == 16 || p->scene.no_background ||
+        else if (p->show || p->ocio || p->png_bits == 16 || p->scene.no_background ||
                  layer_image_is_dithered(&p->scene.settings))
             job->makes_png = true;
         else
@@ -581,6 +599,8 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.render.json)
         status = file_io_check(job->o.render.json);
     if (status == STATUS_OK)
+        status = load_view(job);
+    if (status == STATUS_OK)
         status = setup_begin_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK)
         status = setup_camera(&job->camera, &job->scene, &job->o.image);
@@ -614,6 +634,7 @@ enum status app_render(const struct app_options *options)
     renderer_destroy(job->renderer);
     reference_destroy(job->reference);
     gpu_destroy(&job->gpu);
+    ocio_view_finish(&job->view);
     scene_finish(&job->scene);
     render_report_finish(&job->report);
     sequence_finish(&job->sequence);
