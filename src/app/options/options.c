@@ -110,7 +110,7 @@ static const struct option options[] = {
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, IMAGE(option_show),
       "layer that PNG files show instead of the image; see firn list layers" },
     { "Output", "ocio", 0, "CONFIG,VIEW", APP_RENDER | APP_FARM, IMAGE(option_ocio),
-      "OpenColorIO config, and view or DISPLAY/VIEW, of PNG files, instead of --tone-curve" },
+      "OpenColorIO config and [DISPLAY/]VIEW of PNG files, instead of --tone-curve" },
     { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, IMAGE(option_png_bits),
       "bits per channel of PNG files (default: 8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(window.frame_count),
