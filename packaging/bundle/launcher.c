@@ -41,7 +41,7 @@ static bool contains(const char *path, const char *text)
     bool found = false;
     if (file < 0)
         return false;
-    if (fstat(file, &info) == 0 && info.st_size > CLASS_64 * 4) {
+    if (fstat(file, &info) == 0 && info.st_size > 16) {
         const size_t size = (size_t)info.st_size;
         char *data = mmap(NULL, size, PROT_READ, MAP_PRIVATE, file, 0);
         if (data != MAP_FAILED) {

@@ -12,6 +12,6 @@ bool program_path(char path[static PROGRAM_PATH_SIZE], const char *relative)
         return true;
     if (!slash || (size_t)(slash + 1 - path) + strlen(relative) >= PROGRAM_PATH_SIZE)
         return false;
-    strcpy(slash + 1, relative);
+    memcpy(slash + 1, relative, strlen(relative) + 1);
     return true;
 }

@@ -115,7 +115,7 @@ void ocio_view_finish(struct ocio_view *view)
 void ocio_view_apply(const struct ocio_view *view, const float linear[static 3],
                      float shown[static 3])
 {
-    static const size_t strides[3] = { 3, 3 * SIDE, 3 * SIDE * SIDE };
+    static const size_t strides[3] = { 3, (size_t)3 * SIDE, (size_t)3 * SIDE * SIDE };
     size_t at = 0;
     float weights[3];
     for (size_t c = 0; c < 3; c++) {
