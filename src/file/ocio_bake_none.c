@@ -7,6 +7,7 @@ bool ocio_bake_is_built(void)
     return false;
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): the other implementation writes to them */
 bool ocio_bake(const char *config, const char *view, float *colors, size_t count, char *fault,
                size_t fault_size)
 {
