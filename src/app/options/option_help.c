@@ -45,7 +45,7 @@ static const char *const examples[] = {
     [APP_INFO] = ("  firn info drink\n"
                   "  firn info statue.glb --json\n"),
     [APP_SELFTEST] = ("  firn selftest\n"
-                      "  firn selftest --device 1\n"),
+                      "  firn selftest --device 0\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"
                   "  firn list settings --json\n"
