@@ -391,6 +391,8 @@ static enum status open_renderer(struct job *job)
         params.layers = p->layers;
     else if (p->layers && !job->is_opened)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
+    if (p->ocio && !job->makes_png && !job->is_opened)
+        log_warning("--ocio: EXR files are linear; add a .png file with --output");
     params.layers |= layer_image_bit(p->show);
     params.linear = params.linear || p->is_adaptive;
     params.resolved = job->makes_png && !p->show;

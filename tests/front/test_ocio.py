@@ -63,6 +63,10 @@ class Ocio(Case):
                           for x, value in zip(linear, values))
                 self.assertLess(far, 2 / 255)
 
+    def test_linear_files_have_no_view(self):
+        done = self.succeed(*DRAW, '--ocio', 'a.ocio,plain', '-o', 'a.exr')
+        self.assertIn(b'warning: --ocio', done.stderr)
+
     def test_wrong_words(self):
         for value in ('a.ocio', ',plain', 'a.ocio,'):
             self.refuse(USAGE, *DRAW, '--ocio', value, '-o', 'b.png', names=['--ocio'])
