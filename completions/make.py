@@ -11,7 +11,8 @@ sys.path.append(str(pathlib.Path(__file__).parents[1] / 'man'))
 from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 
 # Options whose values are one name (NAMED) or comma-separated names (LISTED) from a category of
-# `firn list`, or fixed words (WORDS). Options in FILES accept file names, too.
+# `firn list`, or fixed words (WORDS). Options in FILES accept files of these kinds, too; without a
+# kind, all files.
 NAMED = {'refraction': 'refractions', 'split': 'refractions', 'material': 'materials',
          'show': 'layers', 'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'refractions', 'aov': 'layers'}
@@ -22,8 +23,16 @@ WORDS = {'clock': ('auto', 'timestamps', 'submits'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),
          'samples': ('auto',),
          'ground': ('auto', 'none', 'shadow', 'studio', 'slate', 'wood'), 'up': ('y', 'z')}
-FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'mask', 'truth',
-         'screenshot', 'watch', 'preset'}
+MODELS = ('gltf', 'glb', 'obj', 'ply', 'stl')
+IMAGES = ('exr', 'hdr', 'png')
+FILES = {'output': ('exr', 'png'), 'screenshot': ('exr', 'png'), 'env': ('exr', 'hdr'),
+         'surroundings': MODELS, 'cracks': MODELS, 'bump': IMAGES, 'bump-mask': IMAGES,
+         'air': IMAGES, 'mask': ('exr', 'png'), 'truth': IMAGES, 'baseline': ('json',),
+         'json': ('json',), 'trace': ('json',), 'csv': ('csv',), 'session': ('firn',),
+         'ocio': ('ocio',),
+         'preset': ('txt', 'exr', 'png'), 'watch': ()}
+# Kinds of the files that commands take as arguments; other commands take models.
+ARGUMENTS = {'diff': IMAGES, 'merge': ('exr',), 'list': None, 'selftest': None}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')
 
 
@@ -45,7 +54,8 @@ class Facts:
         if option.name in NAMED:
             return list(self.lists[NAMED[option.name]])
         if option.name in LISTED:
-            return list(self.lists[LISTED[option.name]])
+            every = ['all'] if option.name == 'aov' else []
+            return list(self.lists[LISTED[option.name]]) + every
         if option.name == 'set':
             return list(self.settings())
         if option.name == 'tone-curve':
@@ -56,26 +66,43 @@ class Facts:
         """Returns the words that complete an argument of a command; None if only files do."""
         if command.name == 'list':
             return list(CATEGORIES)
+        if command.name == 'selftest':
+            return []
         kinds = ['slurm', 'parallel', 'status'] if command.name == 'farm' else []
         return None if command.name in ('diff', 'merge') else kinds + list(self.lists['scenes'])
 
 
+def files_of(command):
+    """Returns the kinds of files that a command takes as arguments; None if it takes no files."""
+    return ARGUMENTS.get(command.name, MODELS)
+
+
+def bash_files(kinds):
+    return f'$(_firn_files {" ".join(kinds)})'
+
+
 def bash_words(facts, option):
-    """Returns the words that complete an option's value, as shell code; "-" means files."""
+    """Returns the words that complete an option's value, as shell code."""
     values = facts.values(option)
     if option.name == 'set':
         values = sorted({value.split('=')[0] + '=' for value in values})
-    if option.name not in FILES:
-        return ' '.join(values)
-    return ' '.join([*values, '$(compgen -f -- "$cur")']) if values else '-'
+    return ' '.join([*values, *([bash_files(FILES[option.name])] if option.name in FILES else [])])
 
 
-def bash(facts):
-    text = '''# firn: made by completions/make.py
+BASH = '''# firn: made by completions/make.py
+# _firn_files KIND...: prints folders and files of these kinds that begin with the current word
+_firn_files()
+{
+    local kind
+    compgen -d -- "$cur"
+    for kind; do
+        compgen -f -X "!*.$kind" -- "$cur"
+    done
+}
 _firn()
 {
     local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local words= options=
+    local words= options= before=
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
         COMPREPLY=($(compgen -W "@COMMANDS@ help --help --version" -- "$cur"))
@@ -100,16 +127,17 @@ _firn()
     esac
     if [[ $cur == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$cur"))
-    elif [[ $words == - ]]; then
-        COMPREPLY=($(compgen -f -- "$cur"))
     elif [[ $words ]]; then
-        COMPREPLY=($(compgen -W "$words" -- "$cur"))
+        COMPREPLY=($(compgen -P "$before" -W "$words" -- "${cur#"$before"}"))
         [[ ${COMPREPLY[*]} == *= ]] && compopt -o nospace 2>/dev/null
     fi
     return 0
 }
 complete -o filenames -F _firn firn
 '''
+
+
+def bash(facts):
     cases = ''
     for command in facts.commands:
         options = ' '.join(f'--{option.name}' for option in command.options())
@@ -120,11 +148,13 @@ complete -o filenames -F _firn firn
             if not option.value or option.is_optional:
                 continue
             keys = f'--{option.name}' + (f' | -{option.letter}' if option.letter else '')
-            cases += f'        {keys}) words="{bash_words(facts, option)}" ;;\n'
-        files = '' if command.name == 'list' else ' $(compgen -f -- "$cur")'
-        cases += f'        *) words="{rest}{files}" ;;\n        esac\n        ;;\n'
+            before = ' before=${cur%"${cur##*,}"}' if option.name in LISTED else ''
+            cases += f'        {keys}) words="{bash_words(facts, option)}"{before} ;;\n'
+        kinds = files_of(command)
+        files = '' if kinds is None else bash_files(kinds)
+        cases += f'        *) words="{rest} {files}" ;;\n        esac\n        ;;\n'
     valued = ' '.join(value for value in facts.settings() if not value.endswith('='))
-    return (text.replace('@COMMANDS@', ' '.join(COMMANDS)).replace('@CASES@', cases)
+    return (BASH.replace('@COMMANDS@', ' '.join(COMMANDS)).replace('@CASES@', cases)
             .replace('@SETTINGS@', valued))
 
 
@@ -133,6 +163,9 @@ def quoted(text):
 
 
 def zsh(facts):
+    def files(kinds):
+        return f'_files -g "*.({"|".join(kinds)})(-.)"' if kinds else '_files'
+
     def described(text):
         return re.sub(r'([\\\[\]:])', r'\\\1', text)
 
@@ -154,12 +187,12 @@ def zsh(facts):
             values = facts.values(option)
             action = ''
             if option.value:
-                offered = f'({" ".join(values)})' if values else '_files' if (
+                offered = f'({" ".join(values)})' if values else files(FILES[option.name]) if (
                     option.name in FILES) else ' '
                 if option.name in LISTED:
                     offered = f'_sequence compadd - {" ".join(values)}'
                 if values and option.name in FILES:
-                    offered = '{compadd -- ' + ' '.join(values) + '; _files}'
+                    offered = '{compadd -- ' + ' '.join(values) + f'; {files(FILES[option.name])}}}'
                 name = option.value.split('|')[0].replace(':', '')
                 action = f':{"" if not option.is_optional else ":"}{name}:{offered}'
             mark = '=' if option.value and not option.is_optional else (
@@ -174,10 +207,13 @@ def zsh(facts):
         if command.name == 'list':
             text += f" \\\n                {quoted('1:what:' + offered)}\n"
         elif positionals:
-            both = '*:scene:{compadd -- ' + ' '.join(positionals) + '; _files}'
+            both = '*:scene:{compadd -- ' + ' '.join(positionals) + f'; {files(MODELS)}}}'
             text += f' \\\n                {quoted(both)}\n'
+        elif positionals is None:
+            image = '*:image:' + files(files_of(command))
+            text += f' \\\n                {quoted(image)}\n'
         else:
-            text += " \\\n                '*:image:_files'\n"
+            text += '\n'
         text += '            ;;\n'
     return text + '''        help) _describe command commands ;;
         esac
@@ -189,7 +225,23 @@ _firn "$@"
 
 
 def fish(facts):
-    text = '# firn: made by completions/make.py\n'
+    def files(kinds):
+        return f'(__firn_files {" ".join(kinds)})'
+
+    text = '''# firn: made by completions/make.py
+function __firn_files -d 'Prints folders and files of these kinds that begin with the current word'
+    set -l typed (commandline -ct)
+    set -l word (string replace -r '^~(?=/)' -- $HOME $typed)
+    set -l all $word*/
+    for kind in $argv
+        set -a all $word*.$kind
+    end
+    if string match -q '~/*' -- $typed
+        set all (string replace -- $HOME '~' $all)
+    end
+    string join -- \\n $all
+end
+'''
     for command in facts.commands:
         text += (f'complete -c firn -f -n __fish_use_subcommand -a {command.name} '
                  f'-d {quoted(command.summary)}\n')
@@ -200,15 +252,19 @@ def fish(facts):
             text += here + f' -l {option.name}'
             text += f' -s {option.letter}' if option.letter else ''
             values = facts.values(option)
+            if option.name in LISTED:
+                values = [f'(__fish_append , {" ".join(values)})']
+            if option.name in FILES and FILES[option.name]:
+                values = [*values, files(FILES[option.name])]
             if option.value and not option.is_optional:
-                text += ' -r' if option.name in FILES else ' -x'
+                text += ' -r' if option.name == 'watch' else ' -kx'
             if values:
                 text += f' -a {quoted(" ".join(values))}'
             text += f' -d {quoted(option.help)}\n'
         positionals = facts.positionals(command)
-        if positionals:
-            text += here + (' -f' if command.name == 'list' else '')
-            text += f' -a {quoted(" ".join(positionals))}\n'
+        kinds = files_of(command)
+        offered = [*(positionals or []), *([files(kinds)] if kinds else [])]
+        text += here + f' -kf -a {quoted(" ".join(offered))}\n'
     return text
 
 

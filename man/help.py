@@ -3,7 +3,7 @@ import re
 import subprocess
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
-            'merge', 'info', 'list')
+            'merge', 'info', 'selftest', 'list')
 LISTS = ('scenes', 'environments', 'refractions', 'materials', 'layers', 'qualities', 'settings')
 
 

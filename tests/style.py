@@ -86,6 +86,7 @@ MAY_INCLUDE = {
                   'src/settings/', 'src/file/', 'src/gpu/', 'src/base/', 'src/version.h',
                   'shaders/', 'graph/'),
     'src/programs/': ('src/app/', 'src/view/viewer.h', 'src/scene/import/sandboxed_load.h',
+                      'src/gpu/gpu_fallback.h',
                       'src/base/', 'src/version.h'),
     'tests/': ('tests/', 'src/', 'graph/', 'shaders/'),
 }

@@ -123,6 +123,7 @@ enum app_command {
     APP_FARM = 256,
     APP_MERGE = 512,
     APP_INFO = 1024,
+    APP_SELFTEST = 2048,
 };
 
 /* Parses the arguments after the command. If an argument is invalid, logs an error in one line and
@@ -150,6 +151,9 @@ enum status app_ladder(const struct app_options *options);
 enum status app_sheet(const struct app_options *options);
 enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);
+enum status app_selftest(const struct app_options *options);
+/* Prints the version; if `option` is "--verbose", also the build. `option` may be NULL. */
+enum status app_version(const char *option);
 
 /* Sets an image option ("size") or a setting ("cracks.count") by its name. `value` is in
  * command-line syntax. If the name or value is invalid, logs an error and returns STATUS_USAGE. */

@@ -7,16 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <unistd.h>
 #include "src/app/app.h"
 #include "src/app/farm_script.h"
 #include "src/app/farm_status.h"
 #include "src/app/sequence_frame_list.h"
 #include "src/base/log.h"
+#include "src/base/program.h"
 
 enum {
     NAME_SIZE = 64,
-    PATH_SIZE = 4096,
     FARM_TASKS = 100 /* default of --tasks */
 };
 
@@ -55,15 +54,12 @@ static void name_job(char name[static NAME_SIZE], const char *path)
         name[length] = '\0';
 }
 
-/* Returns `called` (argv[0]) if the shell found the program in PATH, else the absolute path. */
-static const char *find_program(char path[static PATH_SIZE], const char *called)
+/* Returns `called` (argv[0]) if it is absolute or the shell found the program in PATH, else the
+ * absolute path. */
+static const char *find_program(char path[static PROGRAM_PATH_SIZE], const char *called)
 {
-    const ssize_t length =
-        strchr(called, '/') ? readlink("/proc/self/exe", path, PATH_SIZE - 1) : -1;
-    if (length <= 0)
-        return called;
-    path[length] = '\0';
-    return path;
+    const bool is_relative = called[0] != '/' && strchr(called, '/');
+    return is_relative && program_path(path, NULL) ? path : called;
 }
 
 static enum status run_script(char *text)
@@ -98,7 +94,7 @@ static enum status run_script(char *text)
 static enum status make_script(const struct app_options *o, const struct sequence *sequence,
                                farm_script_fn *print)
 {
-    char name[NAME_SIZE], path[PATH_SIZE];
+    char name[NAME_SIZE], path[PROGRAM_PATH_SIZE];
     const uint32_t count = sequence->range.count;
     const uint32_t max_tasks = o->farm.task_count ? o->farm.task_count : FARM_TASKS;
     const struct farm_script script = {

@@ -17,6 +17,7 @@
 #include "src/base/tile.h"
 #include "src/file/atomic_file.h"
 #include "src/file/image_receive.h"
+#include "src/file/ocio_view.h"
 #include "src/lib/image_session.h"
 #include "src/scene/world_position.h"
 #include "src/setup/aov_to_png.h"
@@ -31,6 +32,7 @@ struct job {
     struct session_scene scene;
     struct gpu gpu;
     struct image_session session;
+    struct ocio_view view;          /* of --ocio */
     bool has_outputs;               /* choose_outputs() was called */
     bool makes_png;                 /* make_png() is needed */
     uint32_t tile_done, tile_count; /* tiles of the current frame */
@@ -191,7 +193,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
             copy_tile(job, i, &tile, image);
         render_result_finish(&tile);
     }
-    return status;
+    return status == STATUS_OK ? renderer_finish_display(job->session.renderer, image) : status;
 }
 
 /* Returns the EXR file that the frame's sample sums belong to, or NULL if no sums are stored. */
@@ -255,12 +257,13 @@ static enum status draw_image(struct job *job, struct frame *frame)
 }
 
 /* Converts the float image to PNG pixels, for --show, 16 bits, alpha or dithering. */
-static bool make_png(const struct setup_image *p, struct render_result *result)
+static bool make_png(const struct job *job, struct render_result *result)
 {
+    const struct setup_image *p = &job->o.image;
     const bool is_16 = p->png_bits == 16;
     return layer_image_show(p->show ? &result->image : render_result_display(result), p->show,
-                            &p->scene.settings, is_16 ? NULL : &result->rgba,
-                            is_16 ? &result->rgba_16 : NULL);
+                            &p->scene.settings, p->ocio ? &job->view : NULL,
+                            is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL);
 }
 
 static enum status draw(struct job *job, struct frame *frame)
@@ -271,7 +274,7 @@ static enum status draw(struct job *job, struct frame *frame)
     progress_clear(&job->progress);
     job->pixels_beyond += frame->outcome.pixels_beyond;
     job->remaining = fmax(job->remaining, frame->outcome.remaining);
-    if (status == STATUS_OK && job->makes_png && !make_png(&job->o.image, result))
+    if (status == STATUS_OK && job->makes_png && !make_png(job, result))
         status = STATUS_TRY_AGAIN;
     return status;
 }
@@ -284,6 +287,21 @@ static bool is_small(const struct job *job)
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
+/* Loads the view of --ocio, if any. */
+static enum status load_view(struct job *job)
+{
+    const struct setup_image *p = &job->o.image;
+    const char *comma = p->ocio ? strrchr(p->ocio, ',') : NULL;
+    if (!comma)
+        return STATUS_OK;
+    char *config = strndup(p->ocio, (size_t)(comma - p->ocio));
+    if (!config)
+        return log_out_of_memory(p->ocio);
+    const enum status status = ocio_view_load(&job->view, config, comma + 1, &p->scene.reader);
+    free(config);
+    return status;
+}
+
 /* Chooses what the output files need of an image. */
 static void choose_outputs(struct job *job)
 {
@@ -293,7 +311,7 @@ static void choose_outputs(struct job *job)
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
             session->linear = true;
-        else if (p->show || p->png_bits == 16 || p->scene.no_background ||
+        else if (p->show || p->ocio || p->png_bits == 16 || p->scene.no_background ||
                  layer_image_is_dithered(&p->scene.settings))
             job->makes_png = true;
         else
@@ -303,6 +321,8 @@ static void choose_outputs(struct job *job)
         session->layers = p->layers;
     else if (p->layers)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
+    if (p->ocio && !job->makes_png)
+        log_warning("--ocio: EXR files are linear; add a .png file with --output");
     session->layers |= layer_image_bit(p->show);
     session->linear = session->linear || p->is_adaptive;
     session->resolved = job->makes_png && !p->show;
@@ -399,26 +419,21 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/* Renders all frames. If a file cannot be created, continues with the next frame. Stops at other
- * failures, such as a full disk, because they would recur. If files could be created for some
- * frames only, returns STATUS_FAILED. */
+/* Renders all frames. Stops at the first failure, such as a full disk or a folder that is gone,
+ * because it would recur. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
-    enum status first = STATUS_OK, status = STATUS_OK;
+    enum status status = STATUS_OK;
     progress_begin(&job->progress, count,
                    job->o.image.refraction == &cpu_reference_settings ? "tiles" : "samples",
                    job->o.run.quiet);
-    for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
+    for (uint32_t i = 0; i < count && status == STATUS_OK; i++) {
         job->progress.frame = i;
         status = run_frame(job, i);
-        if (first == STATUS_OK)
-            first = status;
     }
     warn_of_remaining(job);
-    if (status != STATUS_OK && status != STATUS_CANT_CREATE)
-        return status;
-    return first != STATUS_OK && render_report_is_mixed(&job->report) ? STATUS_FAILED : first;
+    return status;
 }
 
 static enum status write_report(const struct job *job, int code)
@@ -490,6 +505,8 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.render.json)
         status = file_io_check(job->o.render.json);
     if (status == STATUS_OK)
+        status = load_view(job);
+    if (status == STATUS_OK)
         status = setup_begin_scene(&job->scene.scene, &job->o.image.scene);
     if (status == STATUS_OK)
         status = image_session_choose(&job->session);
@@ -527,6 +544,7 @@ enum status app_render(const struct app_options *options)
     signals_end(&job->stop);
     image_session_close(&job->session);
     gpu_destroy(&job->gpu);
+    ocio_view_finish(&job->view);
     scene_finish(&job->scene.scene);
     render_report_finish(&job->report);
     sequence_finish(&job->sequence);

@@ -44,6 +44,7 @@ enum reader_kind {
     READER_OBJECT,
     READER_SURROUNDINGS,
     READER_BY_MATERIALS,
+    READER_OCIO, /* the last kind that may read the folder of its file */
     READER_ENVIRONMENT,
     READER_IMAGE,       /* sends the rows of an image */
     READER_IMAGE_CHECK, /* checks an image, sends its header */

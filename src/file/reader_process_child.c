@@ -82,7 +82,7 @@ bool reader_enter(int argc, char **argv, struct reader_job *job)
     const uint64_t size = (uint64_t)numbers[2] << 30;
     done = done && set_limit(RLIMIT_AS, size, size);
 #endif
-    const bool with_folder = kind <= READER_BY_MATERIALS;
+    const bool with_folder = kind <= READER_OCIO;
     return done && (job->no_sandbox || sandbox_enter(job->path, with_folder));
 }
 

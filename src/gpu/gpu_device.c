@@ -4,6 +4,7 @@
 #include "graph/rg_exec.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu_acceleration.h"
+#include "src/gpu/gpu_fallback.h"
 #include "src/gpu/gpu_internal.h"
 
 /* Maximum number of devices; further ones are ignored. */
@@ -22,13 +23,51 @@ static VkResult find_devices(VkInstance instance, VkPhysicalDevice *devices, uin
     return result == VK_ERROR_INITIALIZATION_FAILED ? VK_SUCCESS : result;
 }
 
+static void destroy_instance(struct gpu *gpu)
+{
+    if (gpu->messenger)
+        vkDestroyDebugUtilsMessengerEXT(gpu->instance, gpu->messenger, NULL);
+    if (gpu->instance)
+        vkDestroyInstance(gpu->instance, NULL);
+    gpu->messenger = VK_NULL_HANDLE;
+    gpu->instance = VK_NULL_HANDLE;
+}
+
+/* Returns true if firn can use one of the instance's devices. */
+static bool has_usable_device(const struct gpu *gpu)
+{
+    VkPhysicalDevice physical[DEVICES_MAX];
+    struct gpu_device device;
+    uint32_t count = 0;
+    bool found = false;
+    if (find_devices(gpu->instance, physical, &count) != VK_SUCCESS)
+        return false;
+    for (uint32_t i = 0; i < count && !found; i++) {
+        gpu_choose_describe(gpu, physical[i], &device);
+        found = !device.refused[0];
+    }
+    return found;
+}
+
+/* Creates the instance. If it has no usable device, adds the driver of the bundle, if any. */
+static VkResult create_instance(struct gpu *gpu, bool validate)
+{
+    const VkResult result = gpu_instance_create(gpu, validate);
+    if (!gpu_fallback_is_ready() || (result != VK_ERROR_INCOMPATIBLE_DRIVER &&
+                                     (result != VK_SUCCESS || has_usable_device(gpu))))
+        return result;
+    destroy_instance(gpu);
+    gpu_fallback_use();
+    return gpu_instance_create(gpu, validate);
+}
+
 static enum status open_instance(struct gpu *gpu, bool validate)
 {
     if (volkInitialize() != VK_SUCCESS) {
         log_error("no Vulkan loader (libvulkan.so.1): install libvulkan1 and a driver");
         return STATUS_NO_DEVICE;
     }
-    const VkResult result = gpu_instance_create(gpu, validate);
+    const VkResult result = create_instance(gpu, validate);
     if (result == VK_SUCCESS)
         return STATUS_OK;
     if (result != VK_ERROR_INCOMPATIBLE_DRIVER)
@@ -152,11 +191,7 @@ void gpu_destroy(struct gpu *gpu)
         vkDestroyCommandPool(gpu->device, gpu->pool, NULL);
         vkDestroyDevice(gpu->device, NULL);
     }
-    if (gpu->instance) {
-        if (gpu->messenger)
-            vkDestroyDebugUtilsMessengerEXT(gpu->instance, gpu->messenger, NULL);
-        vkDestroyInstance(gpu->instance, NULL);
-    }
+    destroy_instance(gpu);
     *gpu = (struct gpu){ .message_count = gpu->message_count };
 }
 
@@ -190,7 +225,7 @@ enum status gpu_list(struct gpu_device **devices, uint32_t *count)
     *count = 0;
     if (volkInitialize() != VK_SUCCESS)
         return STATUS_OK;
-    VkResult result = gpu_instance_create(&gpu, false);
+    VkResult result = create_instance(&gpu, false);
     if (result == VK_SUCCESS)
         result = find_devices(gpu.instance, physical, count);
     if (result == VK_SUCCESS && *count > 0) {

@@ -1,6 +1,6 @@
 /* gpu_limits.c: checks before any allocation whether an image is too large for a device. */
-#include <unistd.h>
 #include "src/base/log.h"
+#include "src/base/machine.h"
 #include "src/gpu/gpu.h"
 
 enum {
@@ -63,10 +63,9 @@ static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
 static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
 {
     const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;
-    const long pages = sysconf(_SC_PHYS_PAGES), page_size = sysconf(_SC_PAGESIZE);
-    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || pages < 1 || page_size < 1)
+    if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU)
         return size;
-    const VkDeviceSize limit = (VkDeviceSize)pages / 4 * 3 * (VkDeviceSize)page_size;
+    const VkDeviceSize limit = machine_memory() / 4 * 3;
     return limit > size ? limit : size;
 }
 

@@ -1,8 +1,8 @@
 /* gpu_result.c: names of VkResult values, advice for the user, and conversion to enum status. */
 #include <stdio.h>
-#include <sys/resource.h>
 
 #include "src/base/log.h"
+#include "src/base/machine.h"
 #include "src/gpu/gpu_internal.h"
 
 #define ROW(value) .result = (value), .name = #value
@@ -68,9 +68,7 @@ const char *gpu_result_name(VkResult result)
 /* Returns the memory limit of this process, MiB; 0 if there is none. */
 static unsigned memory_limit(void)
 {
-    struct rlimit limit;
-    const bool is_limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-    return is_limited ? (unsigned)(limit.rlim_cur >> 20) : 0;
+    return (unsigned)(machine_memory_limit() >> 20);
 }
 
 const char *gpu_driver_advice(void)

@@ -5,8 +5,8 @@
 #include "src/base/log.h"
 #include "src/base/standard_streams.h"
 #include "src/base/suggest.h"
+#include "src/gpu/gpu_fallback.h"
 #include "src/scene/import/sandboxed_load.h"
-#include "src/version.h"
 
 static const struct {
     const char *name;
@@ -26,6 +26,8 @@ static const struct {
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
     { "merge", APP_MERGE, app_merge, "join the tiles of an image" },
     { "info", APP_INFO, app_info, "print the contents of a scene or model file; needs no device" },
+    { "selftest", APP_SELFTEST, app_selftest,
+      "test this machine: list devices, draw five images and compare them" },
     { "list", APP_LIST, app_list,
       "print the scenes, refraction models, materials, layers, settings, devices and sandbox" },
 };
@@ -47,7 +49,9 @@ static void print_help(FILE *out)
         fprintf(out, "  %-8s %s\n", commands[i].name, commands[i].help);
     fprintf(out, "  %-8s %s\n\n", "help",
             "this text, or the options of a command: firn help render");
-    fprintf(out, "Options:\n  -h, --help     this text\n      --version  the version\n");
+    fprintf(out,
+            "Options:\n  -h, --help     this text\n      --version  the version; with --verbose "
+            "also how it was built\n");
 }
 
 static size_t find_command(const char *name)
@@ -86,15 +90,13 @@ static enum status run(int argc, char **argv)
     bool done;
     if (argc < 2) {
         log_error("no command: expected render, view, profile, graph, diff, ladder, sheet, farm, "
-                  "merge, info or list (see --help)");
+                  "merge, info, selftest or list (see --help)");
         return STATUS_USAGE;
     }
     if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h") || !strcmp(argv[1], "help"))
         return help(argc > 2 ? argv[2] : NULL);
-    if (!strcmp(argv[1], "--version")) {
-        printf("firn %s\n", FIRN_VERSION);
-        return STATUS_OK;
-    }
+    if (!strcmp(argv[1], "--version"))
+        return app_version(argc > 2 ? argv[2] : NULL);
     size_t i = find_command(argv[1]);
     if (i == COMMAND_COUNT)
         return unknown(argv[1]);
@@ -111,5 +113,6 @@ int main(int argc, char **argv)
     if (reader_is_child(argc, argv))
         return sandboxed_load_main(argc, argv);
     standard_streams_begin();
+    gpu_fallback_prepare();
     return (int)standard_streams_end(run(argc, argv));
 }

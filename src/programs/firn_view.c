@@ -1,6 +1,7 @@
 /* firn_view.c: entry point of firn-view, the program that `firn view` starts. */
 #include "src/app/app.h"
 #include "src/base/standard_streams.h"
+#include "src/gpu/gpu_fallback.h"
 #include "src/scene/import/sandboxed_load.h"
 #include "src/view/viewer.h"
 
@@ -11,9 +12,10 @@ int main(int argc, char **argv)
     if (reader_is_child(argc, argv))
         return sandboxed_load_main(argc, argv);
     standard_streams_begin();
+    gpu_fallback_prepare();
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
-    if (status == STATUS_OK && !done && !options.window.session)
-        status = setup_require_scene(&options.image.scene);
+    if (!options.image.scene.name && !options.window.session)
+        options.image.scene.name = "ice-cube";
     if (status == STATUS_OK && !done)
         status = viewer_run(&(struct viewer_params){ .image = &options.image,
                                                      .window = &options.window,

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/base/log.h"
+#include "src/base/program.h"
 
 const struct asset assets[] = {
     {
@@ -115,26 +116,17 @@ const char *asset_set_folder(const char *folder)
     return earlier;
 }
 
-/* Writes the folder of the running program with a trailing slash, or "" if it is unknown. */
-static void find_program_folder(char *folder, size_t size)
+/* Returns the path of `file` in a folder, which the caller frees. If the file does not exist,
+ * returns NULL. If out of memory, returns NULL and sets *lacks_memory. */
+static char *join_if_exists(const char *folder, const char *file, bool *lacks_memory)
 {
-    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
-    folder[length > 0 ? length : 0] = '\0';
-    char *slash = strrchr(folder, '/');
-    folder[slash ? slash + 1 - folder : 0] = '\0';
-}
-
-/* Returns the path made of `a`, `b`, "/" and `file`, which the caller frees. If the file does not
- * exist, returns NULL. If out of memory, returns NULL and sets *lacks_memory. */
-static char *join_if_exists(const char *a, const char *b, const char *file, bool *lacks_memory)
-{
-    const size_t size = strlen(a) + strlen(b) + strlen(file) + 2;
+    const size_t size = strlen(folder) + strlen(file) + 2;
     char *path = malloc(size);
     if (!path) {
         *lacks_memory = true;
         return NULL;
     }
-    snprintf(path, size, "%s%s/%s", a, b, file);
+    snprintf(path, size, "%s/%s", folder, file);
     if (access(path, F_OK) == 0)
         return path;
     free(path);
@@ -144,24 +136,24 @@ static char *join_if_exists(const char *a, const char *b, const char *file, bool
 static const char *const folders[] = { "../share/firn", "assets" };
 
 /* Returns the path of an asset's file, or NULL if it is not found. The caller frees the path. */
-static char *find_path(const struct asset *asset, const char *program, bool *lacks_memory)
+static char *find_path(const struct asset *asset, bool *lacks_memory)
 {
     const char *from_variable = getenv("FIRN_ASSETS");
-    char *path =
-        thread_folder ? join_if_exists(thread_folder, "", asset->file, lacks_memory) : NULL;
+    char folder[PROGRAM_PATH_SIZE];
+    char *path = thread_folder ? join_if_exists(thread_folder, asset->file, lacks_memory) : NULL;
     if (!path && from_variable && from_variable[0])
-        path = join_if_exists(from_variable, "", asset->file, lacks_memory);
-    for (size_t i = 0; program[0] && !path && i < sizeof(folders) / sizeof(folders[0]); i++)
-        path = join_if_exists(program, folders[i], asset->file, lacks_memory);
+        path = join_if_exists(from_variable, asset->file, lacks_memory);
+    for (size_t i = 0; !path && i < sizeof(folders) / sizeof(folders[0]); i++) {
+        if (program_path(folder, folders[i]))
+            path = join_if_exists(folder, asset->file, lacks_memory);
+    }
     return path;
 }
 
 bool asset_exists(const struct asset *asset)
 {
-    char program[4096];
     bool lacks_memory = false;
-    find_program_folder(program, sizeof(program));
-    char *path = find_path(asset, program, &lacks_memory);
+    char *path = find_path(asset, &lacks_memory);
     free(path);
     return path != NULL;
 }
@@ -173,16 +165,16 @@ bool asset_is_valley(const char *name)
 
 enum status asset_locate(const struct asset *asset, char **path)
 {
-    char program[4096];
+    char folder[PROGRAM_PATH_SIZE] = "";
     bool lacks_memory = false;
-    find_program_folder(program, sizeof(program));
-    *path = find_path(asset, program, &lacks_memory);
+    *path = find_path(asset, &lacks_memory);
     if (*path)
         return STATUS_OK;
     if (lacks_memory)
         return log_out_of_memory(asset->name);
-    log_error("'%s': %s is neither in $FIRN_ASSETS nor in %s%s; set FIRN_ASSETS to the folder of "
+    (void)program_path(folder, folders[0]);
+    log_error("'%s': %s is neither in $FIRN_ASSETS nor in %s; set FIRN_ASSETS to the folder of "
               "firn's assets",
-              asset->name, asset->file, program, folders[0]);
+              asset->name, asset->file, folder);
     return STATUS_NO_INPUT;
 }

@@ -1,9 +1,11 @@
 /* aov_to_png.c: converts float layers to 8-bit or 16-bit pixels for PNG files. */
 #include "src/setup/aov_to_png.h"
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/file/ocio_view.h"
 #include "src/file/srgb.h"
 #include "src/tech/output/tonemap.h"
 
@@ -123,18 +125,23 @@ static void show_layer(const struct source *source, enum frame_shown shown, size
     }
 }
 
-/* Tone-maps a pixel of the layer `beauty`. The result has straight (unpremultiplied) alpha. */
+/* Tone-maps a pixel of the layer `beauty`, or applies `view`, which may be NULL. The result has
+ * straight (unpremultiplied) alpha. */
 static void show_beauty(const float *const planes[static 4], size_t i, struct tonemap_params params,
-                        float rgba[static 4])
+                        const struct ocio_view *view, float rgba[static 4])
 {
     const float alpha = planes[3][i];
     const float unpremultiply = alpha > 0.0f && alpha < 1.0f ? 1.0f / alpha : 1.0f;
     const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
     params.gain *= unpremultiply;
+    rgba[3] = alpha;
+    if (view) {
+        ocio_view_apply(view, glms_vec3_scale(radiance, params.gain).raw, rgba);
+        return;
+    }
     const vec3s shown = tonemap_apply(radiance, params);
     for (size_t c = 0; c < 3; c++)
         rgba[c] = srgb_encode(shown.raw[c]);
-    rgba[3] = alpha;
 }
 
 /* Returns a pseudo-random number from 0 to 1, hashed from a pixel index and a seed. */
@@ -176,7 +183,8 @@ static void write_pixel(const float shown[4], size_t i, bool is_dithered, uint8_
 }
 
 bool layer_image_show(const struct image *image, const struct frame_layer *layer,
-                      const struct settings *settings, uint8_t **rgba, uint16_t **rgba_16)
+                      const struct settings *settings, const struct ocio_view *view, uint8_t **rgba,
+                      uint16_t **rgba_16)
 {
     const struct tonemap_params params = tonemap_params_of(settings);
     const size_t pixels = (size_t)image->width * image->height;
@@ -192,7 +200,7 @@ bool layer_image_show(const struct image *image, const struct frame_layer *layer
         if (layer)
             show_layer(&source, layer->shown, i, words != NULL, shown);
         else
-            show_beauty(beauty, i, params, shown);
+            show_beauty(beauty, i, params, view, shown);
         write_pixel(shown, i, is_dithered, bytes, words);
     }
     if (rgba)

@@ -15,12 +15,15 @@ const struct frame_layer *layer_image_find(const char *name);
 /* Returns the layer's bit in renderer_params.layers, or 0 for NULL. */
 uint32_t layer_image_bit(const struct frame_layer *layer);
 
+struct ocio_view;
+
 /* Converts a layer, or the tone-mapped beauty if `layer` is NULL, to RGBA pixels: *rgba has 8 bits
  * per channel, *rgba_16 has 16; either may be NULL. The caller frees them. `image` must have the
- * layer's planes. If tonemap.dither is on, dithers the beauty in *rgba. If out of memory, logs an
- * error and returns false. */
+ * layer's planes. If `view` is not NULL, it replaces the tone curve. If tonemap.dither is on,
+ * dithers the beauty in *rgba. If out of memory, logs an error and returns false. */
 bool layer_image_show(const struct image *image, const struct frame_layer *layer,
-                      const struct settings *settings, uint8_t **rgba, uint16_t **rgba_16);
+                      const struct settings *settings, const struct ocio_view *view, uint8_t **rgba,
+                      uint16_t **rgba_16);
 
 bool layer_image_is_dithered(const struct settings *settings);
 

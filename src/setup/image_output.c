@@ -145,6 +145,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, " split=%s", p->split->refraction.name);
         if (show)
             fprintf(out, " show=%s", show->name);
+        if (is_png && p->ocio)
+            fprintf(out, " ocio=%s", p->ocio);
         if (is_png && p->png_bits == 16)
             fputs(" png-bits=16", out);
         print_transform(out, &p->scene);

@@ -207,7 +207,7 @@ static uint8_t *make_rgba(struct pixel_inspector *inspector, const struct viewpo
     uint8_t *rgba = NULL;
     if (c->layer && !c->channel && !c->false_color && !shows_colors(c)) {
         const bool ok = layer_image_show(&inspector->layers, pixel_inspector_layer(c->layer),
-                                         &p->state.scene.settings, &rgba, NULL);
+                                         &p->state.scene.settings, NULL, &rgba, NULL);
         return ok ? rgba : NULL;
     }
     rgba = malloc(planes->size * 4);

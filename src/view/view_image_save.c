@@ -106,7 +106,7 @@ static enum status draw_side(struct viewport *p, struct side *side,
     if (status == STATUS_OK)
         status = renderer_render(renderer, &side->output.shot, &side->result, NULL, NULL);
     if (status == STATUS_OK && makes_png &&
-        !layer_image_show(render_result_display(&side->result), NULL, params.settings,
+        !layer_image_show(render_result_display(&side->result), NULL, params.settings, NULL,
                           &side->result.rgba, NULL))
         status = STATUS_TRY_AGAIN;
     renderer_destroy(renderer);

@@ -5,7 +5,7 @@ import json
 import struct
 
 from builders import (
-    ACCEPTED, CORNERS, DRAWN, EITHER, POINTS, REFUSED, WEBP, at, data_uri, exr, flipped, glb,
+    ACCEPTED, AVIF, CORNERS, DRAWN, EITHER, POINTS, REFUSED, WEBP, at, data_uri, exr, flipped, glb,
     glb_of, gltf, hdr, hdr_line, nodes, obj, ply, png, tent, textured)
 
 NAN, INFINITY = float('nan'), float('inf')
@@ -226,6 +226,9 @@ def textures():
             ('filter', png(4, 4, b'\xff' * 52), ACCEPTED),
             ('flipped', flipped(good, 3, 8), EITHER), ('gif', loop, ACCEPTED),
             ('jpeg', b'\xff\xd8\xff\xc4' + b'\xff' * 300, ACCEPTED),
+            # drawn with libavif, else accepted without the texture
+            ('avif', AVIF, EITHER), ('avif-cut', AVIF[:-8], EITHER),
+            ('avif-vast', AVIF.replace(b'ispe\0\0\0\0\0\0', b'ispe\0\0\0\0\xff\xff'), EITHER),
             ('webp', WEBP, DRAWN), ('webp-cut', WEBP[:-8], ACCEPTED),
             ('webp-vast', WEBP[:26] + b'\xff' * 4 + WEBP[30:], ACCEPTED),
             ('tga', bytes([0, 0, 10]) + bytes(9) + b'\xff\xff\xff\xff\x20\0' + b'\xff', EITHER)):

@@ -15,7 +15,7 @@ from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
-            'merge', 'info', 'list', 'help')
+            'merge', 'info', 'selftest', 'list', 'help')
 
 
 class CommandLine(Case):
@@ -27,7 +27,13 @@ class CommandLine(Case):
             self.assertRegex(text.decode(), rf'(?m)^\s+(firn )?{command}\b')
 
     def test_version_is_one_line(self):
-        self.assertRegex(self.succeed('--version').stdout.decode(), r'\Afirn \d+\.\d+\.\d+\n\Z')
+        version = self.succeed('--version').stdout
+        self.assertRegex(version.decode(), r'\Afirn \d+\.\d+\.\d+\n\Z')
+        text = self.succeed('--version', '--verbose').stdout
+        self.assertTrue(text.startswith(version))
+        for word in (b'compiler', b'libpng', b'assets', Case.program.encode()):
+            self.assertIn(word, text)
+        self.refuse(USAGE, '--version', '--verbse', names=['--verbse'])
 
     def test_no_command_and_no_scene(self):
         self.refuse(USAGE)

@@ -29,14 +29,14 @@ if len(sys.argv) > 2 and sys.argv[2].startswith('--pages='):
 
 ROOT = pathlib.Path(__file__).parents[2]
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'list', 'sheet',
-            'farm', 'merge', 'info')
+            'farm', 'merge', 'info', 'selftest')
 # Settings of a technique that a reader is to write
 TO_BE_WRITTEN = 'fog.density'
 SMALL = {
     'render': '--size 48x36', 'view': '--size 48x36 --frames 1 -q',
     'profile': '--runs 2 --warmup 0 --clock submits', 'ladder': '--size 48x36 --runs 0',
     'graph': '', 'diff': '', 'list': '', 'sheet': '--size 48x36',
-    'farm': '', 'merge': '', 'info': '',
+    'farm': '', 'merge': '', 'info': '', 'selftest': '',
 }
 # Of what costs most: words of a command, and fewer of the same.
 FEWER = (

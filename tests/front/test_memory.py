@@ -77,6 +77,11 @@ class Memory(Case):
                 left = {name: left.get(name) for name in os.listdir(folder)}
         return done.returncode, done.stderr.decode(), left
 
+    def least(self):
+        """Returns the smallest limit, MiB, within which the program's libraries are loaded."""
+        return next(size for size in range(32, 1024)
+                    if self.run_within(('--version',), size)[0] == 0)
+
     def squeeze(self, *arguments, sizes, may_crash):
         """How many ended with which code."""
         self.succeed(*arguments)
@@ -105,15 +110,15 @@ class Memory(Case):
         self.assertTrue(set(codes) - set(CRASHES), codes)  # where the driver dies is chance
 
     def test_reference(self):
+        starts = self.least()
         self.squeeze('render', 'sphere', '-r', 'reference', '--size', '64x48', '-q', '-o', 'a.exr',
-                     sizes=range(80, 400, 32), may_crash=True)
+                     sizes=range(starts, starts + 320, 32), may_crash=True)
 
     def test_diff(self):
         """Nobody's memory but firn's."""
         self.succeed('render', 'sphere', '--size', '200x150', '-q', '-o', self.folder / 'b.exr')
         path = str(self.folder / 'b.exr')
-        starts = next(size for size in range(32, 1024)  # before, libraries are not even loaded
-                      if self.run_within(('--version',), size)[0] == 0)
+        starts = self.least()
         codes = self.squeeze('diff', path, path, '-o', 'a.exr', sizes=range(starts, starts + 10),
                              may_crash=False)
         self.assertTrue(codes.get(TRY_AGAIN), codes)

@@ -15,7 +15,7 @@ from help import names  # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv.pop(2)).resolve()
 COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'sheet', 'farm',
-            'merge', 'info', 'list')
+            'merge', 'info', 'selftest', 'list')
 HARNESS = '''
 source "$1"
 shift
@@ -27,8 +27,9 @@ printf '%s\\n' "${COMPREPLY[@]}"
 
 
 class Pages(Case):
-    def read(self, name):
-        done = subprocess.run(['man', '-l', '--warnings=w', FOLDER / 'man' / f'{name}.1'],
+    def read(self, name, section=1):
+        page = FOLDER / 'man' / f'{name}.{section}'
+        done = subprocess.run(['man', '-l', '--warnings=w', page],
                               capture_output=True, text=True, check=True,
                               env={'PATH': '/usr/bin:/bin', 'MANWIDTH': '300', 'LC_ALL': 'C.UTF-8'})
         self.assertEqual(done.stderr, '')
@@ -43,7 +44,7 @@ class Pages(Case):
             self.assertRegex(page, rf'(?m)^ +firn-{command} - \w')
 
     def test_every_setting(self):
-        page = self.read('firn-settings')
+        page = self.read('firn-settings', 5)
         for line in self.succeed('list', 'settings').stdout.decode().splitlines()[1:]:
             name, what = line.split(None, 1)
             self.assertIn(name, page)
@@ -66,8 +67,14 @@ class Pages(Case):
 
     def test_no_day(self):
         """The same source gives the same page."""
-        for path in (FOLDER / 'man').glob('*.1'):
-            self.assertIn(' "1" ""\n', path.read_text())
+        for path in (FOLDER / 'man').glob('*.[157]'):
+            self.assertIn(f' "{path.suffix[1]}" ""\n', path.read_text())
+
+    def test_lists(self):
+        for kind in ('layers', 'materials'):
+            page = self.read(f'firn-{kind}', 7)
+            for line in self.succeed('list', kind).stdout.decode().splitlines()[1:]:
+                self.assertIn(line.split()[0], page)
 
 
 class Completions(Case):
@@ -91,6 +98,7 @@ class Completions(Case):
         self.assertEqual(self.offered('render', '-m', 'wa'), ['water'])
         self.assertIn('ice-cube', self.offered('graph', 'i'))
         self.assertEqual(self.offered('list', 'ref'), ['refractions'])
+        self.assertEqual(self.offered('render', '--aov', 'N,alb'), ['N,albedo'])
         self.assertEqual(self.offered('render', '--set', 'cracks.cou'), ['cracks.count='])
         self.assertEqual(self.offered('render', '--set', 'refract.lookup', '=', 'd'),
                          ['distance'])
@@ -98,20 +106,29 @@ class Completions(Case):
                          {'paper', 'exact', 'crossfade', 'auto'})
 
     def test_files(self):
-        (self.folder / 'statue.glb').touch()
-        self.assertIn('statue.glb', self.offered('render', 'st'))
-        self.assertEqual(self.offered('render', '--env', 'st'), ['studio', 'stage', 'statue.glb'])
+        """Only those of the kinds that an option or a command reads."""
+        for name in ('statue.glb', 'statue.hdr', 'statue.txt'):
+            (self.folder / name).touch()
+        (self.folder / 'steps').mkdir()
+        self.assertEqual(self.offered('render', 'sta'), ['statue.glb'])
+        self.assertEqual(self.offered('diff', 'st'), ['steps', 'statue.hdr'])
+        self.assertEqual(self.offered('render', '--env', 'st'),
+                         ['studio', 'stage', 'steps', 'statue.hdr'])
+        self.assertEqual(self.offered('selftest', 'st'), [])
         self.assertEqual(self.offered('render', '--refraction', 'st'), [])
 
     def test_other_shells(self):
+        (self.folder / 'statue.hdr').touch()
         subprocess.run(['zsh', '-n', FOLDER / 'completions/_firn'], check=True)
         fish = FOLDER / 'completions/firn.fish'
         done = subprocess.run(['fish', '-c', f'source "{fish}"; complete -C "firn render --refr"; '
-                               'complete -C "firn la"; complete -C "firn render -m wa"'],
-                              capture_output=True, text=True, check=True,
+                               'complete -C "firn la"; complete -C "firn render -m wa"; '
+                               'complete -C "firn render --aov N,alb"; '
+                               'complete -C "firn diff sta"'],
+                              capture_output=True, text=True, check=True, cwd=self.folder,
                               env={'HOME': str(self.folder), 'PATH': '/usr/bin:/bin'})
         names = [line.split('\t')[0] for line in done.stdout.splitlines()]
-        self.assertEqual(names, ['--refraction', 'ladder', 'water'])
+        self.assertEqual(names, ['--refraction', 'ladder', 'water', 'N,albedo', 'statue.hdr'])
 
 
 if __name__ == '__main__':

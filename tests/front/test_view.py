@@ -385,7 +385,6 @@ class NoWindow(Case):
         self.assertEqual(self.succeed('help', 'view').stdout.decode(), text)
 
     def test_wrong_words(self):
-        self.refuse(USAGE, 'view')
         for option, value in (('--frames', '0'), ('--frames', '1-5'), ('--time-step', '-1'),
                               ('--time-step', 'nan'), ('--present', 'relaxed'),
                               ('--screenshot', 'a.gif'),

@@ -3,11 +3,11 @@
  * name. As in the program, a child reads it and sends the meshes through a pipe, and the parent
  * accepts them or reports why there are none.
  *
- * Draco, stb and libwebp are large and not instrumented; some broken files make them crash, or work
- * for hours. That is why a child reads: there, and nowhere else, it is allowed. So their functions
- * are wrapped (the linker's --wrap), and say in shared memory that one of them runs. A crash at any
- * other time is a fault, and so is an end without a status of the reader, meshes that the parent
- * does not accept and anything that the sanitizers find in the parent.
+ * Draco, stb, libwebp and libavif are large and not instrumented; some broken files make them
+ * crash, or work for hours. That is why a child reads: there, and nowhere else, it is allowed. So
+ * their functions are wrapped (the linker's --wrap), and say in shared memory that one of them
+ * runs. A crash at any other time is a fault, and so is an end without a status of the reader,
+ * meshes that the parent does not accept and anything that the sanitizers find in the parent.
  *
  * The child is forked, which is a hundred times as fast as a new program. It returns its counters
  * of coverage, of which libFuzzer sees only the parent's.
@@ -25,13 +25,14 @@
 #include <unistd.h>
 #include <webp/decode.h>
 #include "src/scene/import/gltf/gltf_draco.h"
+#include "src/scene/import/model_avif.h"
 #include "src/scene/import/model_pipe.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_scene.h"
 
 enum {
-    THEIR_MS = 250, /* CPU time of one call of Draco, stb or libwebp */
+    THEIR_MS = 250, /* CPU time of one call of Draco, stb, libwebp or libavif */
     OUR_MS = 20000,
     COUNTERS_SIZE = 1 << 20,
     SIZE_MAX_OF_ALL = 1 << 30,
@@ -42,7 +43,7 @@ enum {
 extern uint8_t counters_begin[], counters_end[];
 
 struct shared {
-    int their_calls; /* a function of Draco, stb or libwebp runs */
+    int their_calls; /* a function of Draco, stb, libwebp or libavif runs */
     uint8_t counters[COUNTERS_SIZE];
 };
 
@@ -102,6 +103,11 @@ WRAP(int, WebPGetInfo, (const uint8_t *bytes, size_t size, int *width, int *heig
 WRAP(uint8_t *, WebPDecodeRGBAInto,
      (const uint8_t *bytes, size_t size, uint8_t *texels, size_t texels_size, int stride),
      (bytes, size, texels, texels_size, stride))
+WRAP(bool, model_avif_read_size, (const uint8_t *bytes, size_t size, int *width, int *height),
+     (bytes, size, width, height))
+WRAP(enum status, model_avif_decode,
+     (const uint8_t *bytes, size_t size, int width, int height, uint8_t *texels),
+     (bytes, size, width, height, texels))
 
 /* NOLINTEND(readability-identifier-naming) */
 

@@ -10,7 +10,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'corpus'))
 from builders import (  # noqa: E402
-    WEBP, glb, gltf, hdr, hdr_line, obj, ply, png, stl, stl_text, tent, textured)
+    AVIF, WEBP, glb, gltf, hdr, hdr_line, obj, ply, png, stl, stl_text, tent, textured)
 from make_corpus import corpus  # noqa: E402
 from pictures import profile, tile  # noqa: E402
 
@@ -76,6 +76,7 @@ def seeds():
     yield 'model', beside(obj('mtllib beside\nusemtl a\n'), b'newmtl a\nKd 1 0.5 0\n')
     yield 'model', beside(gltf('beside', textured('beside')), png(4, 4))
     yield 'model', beside(gltf('beside', textured('beside')), WEBP)
+    yield 'model', beside(gltf('beside', textured('beside')), AVIF)
 
 
 def main():

@@ -4,6 +4,7 @@
 #include <meshoptimizer.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/scene/import/model_avif.h"
 #include "tests/support/assertions.h"
 #include "tests/support/draco_file.h"
 #include "tests/support/gltf_file.h"
@@ -452,6 +453,41 @@ static void webp_textures(void **state)
                               "supported and is ignored\n");
 }
 
+/* The same with an image of one colour, which is preferred over that of EXT_texture_webp. */
+static void avif_textures(void **state)
+{
+    (void)state;
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    if (!model_avif_is_built())
+        skip();
+    assert_int_equal(
+        gltf_file_material(
+            &model, "'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}",
+            ",'extensionsRequired':['EXT_texture_avif'],'textures':[{'extensions':{"
+            "'EXT_texture_webp':{'source':1},'EXT_texture_avif':{'source':0}}}],'images':[{'uri':"
+            "'data:image/avif;base64,"
+            "AAAAIGZ0eXBhdmlmAAAAAGF2aWZtaWYxbWlhZk1BMUEAAADybWV0YQAAAAAAAAAoaGRscg"
+            "AAAAAAAAAAcGljdAAAAAAAAAAAAAAAAGxpYmF2aWYAAAAADnBpdG0AAAAAAAEAAAAeaWxv"
+            "YwAAAABEAAABAAEAAAABAAABGgAAACAAAAAoaWluZgAAAAAAAQAAABppbmZlAgAAAAABAA"
+            "BhdjAxQ29sb3IAAAAAamlwcnAAAABLaXBjbwAAABRpc3BlAAAAAAAAAAQAAAAEAAAAEHBp"
+            "eGkAAAAAAwgICAAAAAxhdjFDgSAAAAAAABNjb2xybmNseAABAA0ABoAAAAAXaXBtYQAAAA"
+            "AAAAABAAEEAQKDBAAAAChtZGF0EgAKCDgEf5QENBpAMhIRQAAAQAAAV7LtHAxKkTFA5YQ="
+            "'},{'uri':'none.webp'}]",
+            said),
+        STATUS_OK);
+    assert_int_equal(model.textures.size, 4);
+    for (size_t i = 0; i < 16; i++) {
+        const uint8_t *texel = &model.textures.texels[4 * i];
+        assert_in_range(texel[0], 198, 202);
+        assert_in_range(texel[1], 28, 32);
+        assert_in_range(texel[2], 58, 62);
+        assert_int_equal(texel[3], 255);
+    }
+    model_finish(&model);
+    assert_string_equal(said, "");
+}
+
 static void attenuation_without_distance(void **state)
 {
     (void)state;
@@ -569,6 +605,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(material_defaults, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(textures_of_materials, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(avif_textures, temporary_folder_enter,
                                         temporary_folder_leave),
         cmocka_unit_test_setup_teardown(webp_textures, temporary_folder_enter,
                                         temporary_folder_leave),

@@ -91,6 +91,16 @@ enum status option_show(const struct option *option, void *at, const char *value
                        : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
 }
 
+enum status option_ocio(const struct option *option, void *at, const char *value)
+{
+    struct setup_image *image = at;
+    const char *comma = strrchr(value, ',');
+    if (!comma || comma == value || !comma[1])
+        return option_refuse(option, value, "CONFIG,VIEW or CONFIG,DISPLAY/VIEW");
+    image->ocio = value;
+    return STATUS_OK;
+}
+
 enum status option_png_bits(const struct option *option, void *at, const char *value)
 {
     struct setup_image *image = at;

@@ -44,6 +44,8 @@ static const char *const examples[] = {
                    "  firn merge tile.*.exr -o still.exr\n"),
     [APP_INFO] = ("  firn info drink\n"
                   "  firn info statue.glb --json\n"),
+    [APP_SELFTEST] = ("  firn selftest\n"
+                      "  firn selftest --device 0\n"),
     [APP_LIST] = ("  firn list\n"
                   "  firn list settings\n"
                   "  firn list settings --json\n"
@@ -53,7 +55,7 @@ static const char *const examples[] = {
 static const char *const usages[] = {
     [APP_RENDER] = "firn render [options] SCENE: render an image to EXR and PNG files",
     [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
-    [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
+    [APP_VIEW] = "firn view [options] [SCENE]: show a scene in a window; F1 lists the keys",
     [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
     [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two images differ",
     [APP_LADDER] = ("firn ladder [options] [SCENE]: compare every refraction model with the ray "
@@ -63,6 +65,8 @@ static const char *const usages[] = {
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
     [APP_MERGE] = "firn merge [options] TILE...: join the tiles of an image",
     [APP_INFO] = "firn info [options] SCENE: print the contents of a scene or model file",
+    [APP_SELFTEST] =
+        "firn selftest [options]: test this machine: list devices, draw and compare five images",
     [APP_LIST] = ("firn list [options] "
                   "[scenes|environments|refractions|materials|layers|qualities|settings|"
                   "devices|sandbox]: print available names, settings and devices"),
@@ -75,6 +79,8 @@ void option_help(enum app_command command, const struct option *options, size_t 
     if (strstr(usages[command], "SCENE"))
         printf("\nSCENE is a name (firn list scenes) or a model file "
                "(.gltf .glb .obj .ply .stl).\n");
+    if (command == APP_VIEW)
+        printf("The default SCENE is ice-cube.\n");
     if (command == APP_FARM)
         printf("\nslurm prints a shell script that submits the frames to Slurm, parallel prints "
                "one for GNU\nparallel. status lists which frames are complete, with exit code 0 if "

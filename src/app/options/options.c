@@ -35,7 +35,7 @@ enum {
 #define IMAGES  (FRAMES | APP_LADDER | APP_SHEET)
 #define READERS (IMAGES | APP_DIFF | APP_MERGE | APP_INFO)
 #define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
-#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_SHEET)
+#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_SHEET | APP_SELFTEST)
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot be in parentheses */
 /* Initialisers of an option's `offset` and `set`. Compilation fails if `field` is not a `type`. */
@@ -111,6 +111,8 @@ static const struct option options[] = {
       "interleave the tiles' pixels, for images above the device's limit; mips differ" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, IMAGE(option_show),
       "layer that PNG files show instead of the image; see firn list layers" },
+    { "Output", "ocio", 0, "CONFIG,VIEW", APP_RENDER | APP_FARM, IMAGE(option_ocio),
+      "OpenColorIO config and [DISPLAY/]VIEW of PNG files, instead of --tone-curve" },
     { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, IMAGE(option_png_bits),
       "bits per channel of PNG files (default: 8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(window.frame_count),
@@ -380,6 +382,10 @@ static enum status parse_option(struct app_options *o, enum app_command command,
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (IMAGES | APP_INFO) & ~(unsigned)APP_FARM;
+    if (command == APP_SELFTEST) {
+        log_error("unexpected argument '%s' (see --help)", word);
+        return STATUS_USAGE;
+    }
     const uint32_t most = command & (APP_DIFF | APP_FARM) ? 2
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
                                                           : 1;

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/machine.h"
 #include "src/base/parallel.h"
 #include "src/gpu/gpu_renderdoc_capture.h"
 
@@ -112,15 +113,8 @@ static enum status describe_memory(struct profile *p, const struct rg_plan *plan
 
 static void describe_host(char *text, size_t size)
 {
-    char line[256];
-    char model[192] = "a processor";
-    FILE *file = fopen("/proc/cpuinfo", "r"); /* exists on Linux only */
-    while (file && fgets(line, sizeof(line), file)) {
-        if (sscanf(line, "model name : %191[^\n]", model) == 1)
-            break;
-    }
-    if (file)
-        fclose(file);
+    char model[192];
+    machine_processor(model, sizeof(model));
     const uint32_t count = parallel_core_count();
     snprintf(text, size, "%s, %u thread%s", model, count, count == 1 ? "" : "s");
 }

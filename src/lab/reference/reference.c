@@ -6,11 +6,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #include "shaders/microfacet.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/machine.h"
 #include "src/base/parallel.h"
 #include "src/lab/reference/camera_rays.h"
 #include "src/lab/reference/photons.h"
@@ -382,15 +381,13 @@ static bool add_layers(struct job *job, struct render_result *result)
 
 static uint64_t memory_limit(const struct reference_request *request)
 {
-    const long pages = sysconf(_SC_PHYS_PAGES);
-    const long page = sysconf(_SC_PAGESIZE);
-    struct rlimit limit = { .rlim_cur = RLIM_INFINITY };
+    const uint64_t limit = machine_memory_limit();
     if (request->memory)
         return request->memory;
-    uint64_t memory = pages > 0 && page > 0 ? (uint64_t)pages * (uint64_t)page : UINT64_MAX;
-    if (!getrlimit(RLIMIT_AS, &limit) && limit.rlim_cur < memory)
-        memory = limit.rlim_cur;
-    return memory;
+    uint64_t memory = machine_memory();
+    if (!memory)
+        memory = UINT64_MAX;
+    return limit && limit < memory ? limit : memory;
 }
 
 static struct tracer tracing_of(const struct job *job)

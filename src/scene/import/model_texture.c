@@ -12,6 +12,7 @@
 #include <webp/decode.h>
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
+#include "src/scene/import/model_avif.h"
 
 enum {
     IMAGE_SIDE_MAX = 16384,
@@ -27,6 +28,7 @@ struct encoded {
     uint8_t *owned; /* `bytes` if owned, else NULL */
     int size;       /* bytes */
     int width, height;
+    bool is_avif;
 };
 
 void model_loss_add(struct model_loss *loss, const char *format, ...)
@@ -114,6 +116,8 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
         if (file)
             fclose(file);
     }
+    if (model_avif_is_built() && !memcmp(&head[4], "ftypavif", 8))
+        return NULL;
     for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
         if (!memcmp(&head[formats[i].at], formats[i].magic, formats[i].size))
             return formats[i].name;
@@ -131,6 +135,11 @@ static bool is_webp(const struct encoded *encoded)
 static bool read_size(struct encoded *encoded)
 {
     int channels;
+    if (model_avif_read_size(encoded->bytes, (size_t)encoded->size, &encoded->width,
+                             &encoded->height)) {
+        encoded->is_avif = true;
+        return true;
+    }
     if (is_webp(encoded))
         return WebPGetInfo(encoded->bytes, (size_t)encoded->size, &encoded->width,
                            &encoded->height) != 0;
@@ -260,7 +269,7 @@ static enum status decode_texels(const struct encoded *encoded, uint8_t **texels
                                  const char **fault)
 {
     int width, height, channels;
-    if (!is_webp(encoded)) {
+    if (!is_webp(encoded) && !encoded->is_avif) {
         *texels = stbi_load_from_memory(encoded->bytes, encoded->size, &width, &height, &channels,
                                         CHANNELS);
         if (*texels)
@@ -273,6 +282,11 @@ static enum status decode_texels(const struct encoded *encoded, uint8_t **texels
     *texels = malloc(size);
     if (!*texels)
         return STATUS_TRY_AGAIN;
+    if (encoded->is_avif) {
+        const enum status status = model_avif_decode(encoded->bytes, (size_t)encoded->size,
+                                                     encoded->width, encoded->height, *texels);
+        return status == STATUS_DATA ? refuse(fault, "the image is damaged") : status;
+    }
     if (WebPDecodeRGBAInto(encoded->bytes, (size_t)encoded->size, *texels, size,
                            encoded->width * CHANNELS))
         return STATUS_OK;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/file/image_receive.h"
+#include "src/file/ocio_view.h"
 #include "src/file/preset.h"
 #include "src/scene/import/model_pipe.h"
 
@@ -137,6 +138,8 @@ static enum status send_file(const struct reader_job *job)
         return image_send(job->path, &reader_sink);
     case READER_IMAGE_CHECK:
         return image_send_header(job->path, &reader_sink);
+    case READER_OCIO:
+        return ocio_view_send(job->path, job->details, &reader_sink);
     case READER_PRESET:
         return preset_send(job->path, &reader_sink);
     case READER_KIND_COUNT:

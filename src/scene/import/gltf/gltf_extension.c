@@ -3,11 +3,13 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/gltf/gltf.h"
+#include "src/scene/import/model_avif.h"
 
 /* Supported extensions. All others are ignored, or rejected if the file requires them. */
 static const struct model_extension supported[] = {
     { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
     { "EXT_meshopt_compression", MODEL_DRAWN },
+    { "EXT_texture_avif", MODEL_DRAWN }, /* with libavif */
     { "EXT_texture_webp", MODEL_DRAWN },
     { "KHR_draco_mesh_compression", MODEL_DRAWN },
     /* without shadows; lights opaque surfaces only */
@@ -56,6 +58,8 @@ const char *model_undrawn_name(uint32_t index)
 /* Returns the description of a supported extension; NULL for others. */
 static const struct model_extension *find_extension(const char *name)
 {
+    if (!model_avif_is_built() && strcmp(name, "EXT_texture_avif") == 0)
+        return NULL;
     for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
         if (strcmp(supported[i].name, name) == 0)
             return &supported[i];

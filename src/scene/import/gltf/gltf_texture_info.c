@@ -1,6 +1,7 @@
 /* gltf_texture_info.c: reads glTF texture references: samplers, UV sets, transforms. */
 #include <math.h>
 #include "src/scene/import/gltf/gltf.h"
+#include "src/scene/import/model_avif.h"
 
 /* JSON location of a texture reference, in a material or in an object within it. */
 struct slot {
@@ -78,7 +79,10 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     const struct gltf_object object = gltf_element(gltf, "textures", index);
     const struct gltf_object webp = gltf_extension(&object, "EXT_texture_webp");
     const uint32_t sampler = gltf_index(&object, "sampler", "samplers");
-    texture->image = gltf_index(&webp, "source", "images");
+    const struct gltf_object avif = gltf_extension(&object, "EXT_texture_avif");
+    texture->image = model_avif_is_built() ? gltf_index(&avif, "source", "images") : gltf_none;
+    if (texture->image == gltf_none)
+        texture->image = gltf_index(&webp, "source", "images");
     if (texture->image == gltf_none)
         texture->image = gltf_index(&object, "source", "images");
     if (sampler != gltf_none) {

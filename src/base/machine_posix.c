@@ -1,0 +1,32 @@
+/* machine_posix.c: queries the machine by POSIX and, on Linux, by /proc. */
+#include <stdbool.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "src/base/machine.h"
+
+uint64_t machine_memory(void)
+{
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    return pages > 0 && size > 0 ? (uint64_t)pages * (uint64_t)size : 0;
+}
+
+uint64_t machine_memory_limit(void)
+{
+    struct rlimit limit;
+    const bool is_limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return is_limited ? limit.rlim_cur : 0;
+}
+
+void machine_processor(char *text, size_t size)
+{
+    char line[256], name[192] = "a processor";
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    while (file && fgets(line, sizeof(line), file)) {
+        if (sscanf(line, "model name : %191[^\n]", name) == 1)
+            break;
+    }
+    if (file)
+        fclose(file);
+    snprintf(text, size, "%s", name);
+}
