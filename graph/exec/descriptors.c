@@ -218,7 +218,7 @@ static void add_descriptors(struct rg_exec *exec, const struct rg_plan_pass *pla
         for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++)
             RG_KEY(exec, rg_exec_buffer(exec, d->buffer, slot)->buffer);
         if (d->buffer != RG_NONE && exec->plan->buffers[d->buffer].imported) {
-            exec->key.size = 0;
+            exec->key_size = 0;
             return;
         }
     }

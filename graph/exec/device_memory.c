@@ -136,6 +136,8 @@ VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *pl
     if (exec->found == RG_FOUND_HERE)
         return VK_SUCCESS;
     const bool is_bound = exec->found;
+    if (is_bound && plan->block != RG_NONE)
+        return VK_SUCCESS;
     exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
     RG_TRY(find_memory(exec, &placement, &needs, &memory));
     if (!is_bound)
@@ -250,6 +252,8 @@ static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInf
     RG_KEY(exec, placement->offset);
     RG_MAKE(exec, placement->name, BUFFER, CreateBuffer, buffer, info);
     const bool is_bound = exec->found;
+    if (is_bound && placement->block != RG_NONE)
+        return VK_SUCCESS;
     exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
     RG_TRY(find_memory(exec, placement, &needs, &memory));
     if (!is_bound)

@@ -170,7 +170,9 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         exec->slots = calloc(exec->slot_count, sizeof(*exec->slots));
         outcome = exec->slots ? make_all(exec)
                               : rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
-        rg_exec_free_former(exec);
+        if (outcome == VK_SUCCESS)
+            outcome = rg_exec_retire_former(exec);
+        rg_exec_free_retired(exec);
     } else if (outcome == VK_SUCCESS) {
         outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     }
@@ -197,9 +199,10 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
         .slot = former.slot,
         .slots = former.slots,
         .frame = former.frame,
-        .former = former.objects,
+        .objects = former.objects,
+        .former = former.unshared,
+        .plan_number = former.plan_number + 1,
         .retired = former.retired,
-        .key = former.key,
         .is_update = true,
     };
     next.params.plan = params->plan;
@@ -213,7 +216,6 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
     *exec = next;
-    rg_exec_link_former(exec);
     RG_TRY(make_all(exec));
     RG_TRY(rg_exec_keep_content(exec, &former));
     rg_time_keep(exec, &former);

@@ -72,18 +72,13 @@ struct exec_slot {
     uint32_t stamp_count;        /* timestamps written in its current frame */
 };
 
-/* List of the objects that are freed with an executor, with a hash table of their keys. */
+/* List of objects that are freed together, with a hash table of their keys. */
 struct exec_objects {
     struct exec_object *entries;
     uint32_t *chains;     /* `room` of them: index of the first object plus 1; 0 if there is none */
     uint32_t count, room; /* `room` is a power of two, or 0 */
-};
-
-/* Content that identifies the object created next. */
-struct exec_key {
-    unsigned char *bytes;
-    size_t size, room; /* size 0: the object is not reused */
-    bool is_lost;      /* out of memory */
+    unsigned char *keys;  /* of all objects, in their order */
+    size_t key_bytes, key_room;
 };
 
 /* Layout in which the previous plan left a persistent image that the new plan keeps. */
@@ -125,13 +120,17 @@ struct rg_exec {
     struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;
-    struct exec_objects objects;  /* of the current plan (object_cache.c) */
-    struct exec_objects former;   /* of previous plans, during updates */
+    struct exec_objects objects;  /* those with keys (object_cache.c) */
+    struct exec_objects unshared; /* objects of the plan that have no key */
+    struct exec_objects former;   /* the same of the previous plan, during updates */
+    uint32_t next_object;         /* index in `objects` of the one that is tried first */
+    uint32_t plan_number;         /* of the plan: counts updates */
     struct exec_retired *retired; /* objects of previous plans that frames may still use */
     uint64_t frame;               /* number of frames submitted or recorded */
     bool is_update;               /* frames of a previous plan may be in flight */
 
-    struct exec_key key; /* of the object created next */
+    size_t key_size;  /* bytes of the key of the object created next, which follow objects.keys */
+    bool is_key_lost; /* out of memory */
 
     enum {
         RG_NOT_FOUND,
@@ -236,14 +235,10 @@ void *rg_exec_make_array(struct rg_exec *exec, size_t count, size_t size);
 VkResult rg_exec_reserve_object(struct rg_exec *exec); /* reserves an entry in the list */
 bool rg_exec_find(struct rg_exec *exec, VkObjectType type, void *handle, size_t size);
 void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
-/* Frees objects of the previous plan that this plan does not use. Pipelines are kept for one more
- * plan, because programs often switch between two plans. */
-void rg_exec_free_former(struct rg_exec *exec);
-/* Frees the same objects once the frames submitted until now have finished. */
+/* Frees objects that this plan does not use, once the frames submitted until now have finished.
+ * Pipelines are kept for one more plan, because programs often switch between two plans. */
 VkResult rg_exec_retire_former(struct rg_exec *exec);
 void rg_exec_free_retired(struct rg_exec *exec); /* those that no frame uses */
-/* Prepares the search for objects of the previous plan. */
-void rg_exec_link_former(struct rg_exec *exec);
 /* Moves the pipelines in rg_exec_params.pipelines to the executor, for reuse. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);
 /* Frees all objects, but moves pipelines to rg_exec_params.pipelines unless that is NULL. */
