@@ -78,6 +78,7 @@ struct resource {
     uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_before;            /* pass before which memory is acquired */
     uint32_t last_barrier;               /* its newest barrier, or RG_NONE */
+    struct resource *partner;            /* swaps places with it after a frame; NULL if none */
     struct cell cell[];                  /* storage for `cells` of single-cell resources */
 };
 
@@ -373,6 +374,12 @@ uint32_t rg_full_chain(VkExtent2D extent, uint32_t depth);
 static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
 {
     return mip < 32 && side >> mip ? side >> mip : 1;
+}
+
+/* Returns true if an image has the content of its `previous`, not its own. */
+static inline bool rg_is_history(const struct resource *r)
+{
+    return r->partner && r->image->previous;
 }
 
 /* Returns the resource of an image or buffer, adding it on first use. NULL if out of memory. */

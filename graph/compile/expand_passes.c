@@ -103,6 +103,8 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     }
     if (conflict)
         report_conflict(c, conflict, a);
+    rg_fault_if(c, a->flags & ACCESS_WRITES && rg_is_history(a->resource), RG_ERROR_ACCESS, name,
+                "write its `previous`: a history is read-only");
     rg_fault_if(c, !all_filled && a->flags & ACCESS_READS, RG_ERROR_READ_BEFORE_WRITE, name,
                 unfilled_hint);
     c->access_count++;
@@ -392,7 +394,8 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
     }
 }
 
-static void check_output(struct compiler *c, const struct resource *r)
+/* Checks that a resource whose content is needed after the frame is written completely. */
+static void check_filled(struct compiler *c, const struct resource *r)
 {
     bool complete = true;
     for (uint32_t k = 0; k < r->cell_count; k++)
@@ -416,8 +419,8 @@ void rg_expand(struct compiler *c)
     c->row = RG_NONE;
     c->row_first_fault = c->fault_count;
     rg_end_constants(c);
-    for (uint32_t i = 0; i < c->boundary_count; i++) {
-        if (c->resources[i]->output != RG_NONE)
-            check_output(c, c->resources[i]);
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        if (c->resources[i]->output != RG_NONE || c->resources[i]->partner)
+            check_filled(c, c->resources[i]);
     }
 }

@@ -63,6 +63,11 @@ void rg_find_lifetimes(struct compiler *c)
         struct resource *r = rg_resource_of(c, output->image, output->buffer);
         extend_lifetime(c, r, rg_usage(r, output->access), index);
     }
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        struct resource *r = c->resources[i];
+        if (rg_is_history(r) && r->first == RG_NONE) /* no pass reads it */
+            r->partner = r->partner->partner = NULL;
+    }
 }
 
 static void check_texels(struct compiler *c, const struct access *a)
@@ -206,12 +211,13 @@ static void list_image(struct compiler *c, struct resource *r)
         .layers = r->all.layerCount,
         .mips = r->all.levelCount,
         .aspects = r->all.aspectMask,
-        .usage = r->usage,
+        .usage = r->usage | (r->partner ? r->partner->usage : 0),
         .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
         .samples = r->image->samples ? r->image->samples : 1,
         .imported = r->import != RG_NONE,
         .persistent = r->persistent,
         .import = r->import,
+        .partner = r->partner ? r->partner->plan_image : RG_NONE,
         .first = r->first,
         .last = r->last,
         .block = RG_NONE,

@@ -71,7 +71,10 @@ static void print_image(const struct rg_dump *d, uint32_t index)
         rg_dump_print(d, " mips %u", image->mips);
     if (image->samples > 1)
         rg_dump_print(d, " samples %u", image->samples);
-    rg_dump_print(d, image->image->cube ? " cube, " : ", ");
+    rg_dump_print(d, image->image->cube ? " cube" : "");
+    if (image->image->previous && image->partner != RG_NONE)
+        rg_dump_print(d, " previous %n", image->image->previous->name);
+    rg_dump_print(d, ", ");
     print_placement(d, index);
 }
 

@@ -112,6 +112,8 @@ static void add_image(struct rg_exec *exec, const struct rg_plan_image *plan,
                                 plan->mips,         plan->samples,
                                 plan->usage };
     add_name(exec, plan->image->name, placeholder != NULL);
+    if (plan->partner != RG_NONE) /* an update keeps both or none */
+        add_name(exec, exec->plan->images[plan->partner].image->name, plan->partner != RG_NONE);
     if (placeholder) {
         rg_exec_key(exec, placeholder->fallback, sizeof(*placeholder->fallback));
         RG_KEY(exec, placeholder->range.aspect);
@@ -200,7 +202,7 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
     if (image && plan->persistent && result == VK_SUCCESS)
         result = find_origin(exec, (uint64_t)image, index, &exec->origins[index]);
     for (uint32_t i = 0; i < exec->image_set_count; i++)
-        exec->image_sets[i].images[index] = import->image_count ? import->images[i]
+        exec->image_sets[i].images[index] = import->image_count ? import->images[i / exec->parities]
                                             : image             ? image
                                                                 : import->image;
     return result;
@@ -304,11 +306,27 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
     return result;
 }
 
+/* Swaps the images that have a partner in the image sets of odd frames. */
+static void swap_partners(struct rg_exec *exec)
+{
+    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
+        const uint32_t partner = exec->plan->images[i].partner;
+        for (uint32_t s = 1; s < exec->image_set_count && partner < i; s += 2) {
+            VkImage *images = exec->image_sets[s].images;
+            const VkImage image = images[i];
+            images[i] = images[partner];
+            images[partner] = image;
+        }
+    }
+}
+
 VkResult rg_exec_make_memory(struct rg_exec *exec)
 {
     VkResult result = make_blocks(exec);
     for (uint32_t i = 0; i < exec->plan->image_count && result == VK_SUCCESS; i++)
         result = find_images(exec, i);
+    if (exec->parities > 1)
+        swap_partners(exec);
     for (uint32_t i = 0; i < exec->plan->buffer_count && result == VK_SUCCESS; i++)
         result = find_buffers(exec, i);
     return result;

@@ -29,8 +29,9 @@ struct exec_targets {
     VkFramebuffer framebuffer;
 };
 
-/* Objects for one image index of multi-image imports, such as swapchains. The sets for all indices
- * are created in advance, because a frame must not allocate. */
+/* Objects for one image index of multi-image imports, such as swapchains, and, if the plan has
+ * images with partners, for even or odd frames. The sets are created in advance, because a frame
+ * must not allocate. */
 struct exec_image_set {
     VkImage *images;               /* indexed by plan image */
     struct exec_targets *targets;  /* indexed by pass */
@@ -139,7 +140,9 @@ struct rg_exec {
     } found;             /* result of the last lookup */
 
     uint32_t slot_count, slot;                     /* `slot` is the one begun last */
-    uint32_t image_set_count;                      /* 1 unless imports have several images */
+    uint32_t parities;                             /* 2 if images have partners, otherwise 1 */
+    uint32_t parity;                               /* of the next frame; 0 or 1 */
+    uint32_t image_set_count;                      /* image indices times `parities` */
     struct exec_image_set *image_sets, *image_set; /* all sets, and the current one */
     VkPhysicalDeviceMemoryProperties memory_properties;
     VkDeviceMemory *blocks;
@@ -358,6 +361,10 @@ void rg_exec_bind(const struct rg_cmd *cmd);
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 
 /* executor.c */
+/* Selects the images of the next frame. Returns false if the image index is out of range. */
+bool rg_exec_select_images(struct rg_exec *exec, uint32_t image_index);
+/* Notes that all commands of a frame have been recorded. */
+void rg_exec_end_frame(struct rg_exec *exec);
 /* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
 VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 /* Records a part of the frame begun last, and submits it. */

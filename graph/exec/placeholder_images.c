@@ -28,6 +28,7 @@ static VkResult make_fallback(struct rg_exec *exec, uint32_t index)
         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
         .flags = cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
         .samples = 1,
+        .partner = RG_NONE,
         .block = RG_NONE,
     };
     VkImageSubresourceRange subresource = rg_exec_full_range(&fallback->described);

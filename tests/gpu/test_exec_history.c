@@ -19,6 +19,8 @@ static const float depths[FRAMES] = { 0.5F, 0.25F, 0.75F, 0.625F, 0.875F, 0.125F
         [HISTORY_SUM] = { .color = { { (number), 1, 0, 0 } }, LEFT_HALF }, \
         [HISTORY_SEE] = { ALL }, [HISTORY_BEFORE] = { ALL }, \
         [HISTORY_KEEP] = { .color = { { 10 * (number), 2, 3, 4 } }, TOP_HALF }, \
+        [HISTORY_NOW] = { .color = { { (number), 5, 6, 7 } }, LEFT_HALF }, \
+        [HISTORY_LAST] = { ALL }, \
         [HISTORY_NEAREST] = { .color = { { (number), 0, 0, 1 } }, LEFT_HALF, .depth = (z) }, \
         [HISTORY_LAYERS] = { .color = { { (number), 1, 0, 0 } }, ALL }, \
         [HISTORY_MIPS] = { .color = { { (number), 2, 0, 0 } }, ALL }, \
@@ -58,6 +60,10 @@ static void check_images(struct run *run, uint32_t number)
     for (uint32_t i = 0; i < FEATURE_TEXELS; i++) {
         painted_check(run, outputs[HISTORY_SEEN_OUT], i,
                       i % 8 < 4 ? painted_color(sum, frames, 0, 0) : painted_color(0, 0, 0, 0));
+        for (uint32_t k = 0; k < 2; k++)
+            painted_check(run, outputs[HISTORY_NOW_OUT + k], i,
+                          i % 8 < 4 && number >= k ? painted_color(frames - (float)k, 5, 6, 7)
+                                                   : painted_color(0, 0, 0, 0));
         if (number == 0)
             painted_check(run, outputs[HISTORY_BEFORE_OUT], i, painted_color(0, 0, 0, 0));
         else if (i / 8 < 4) /* the rest was discarded */

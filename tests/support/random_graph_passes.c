@@ -88,6 +88,8 @@ static bool overlaps(const struct rg_range *a, const struct rg_range *b)
 /* Reserves a range of a resource for the pass being generated; false if it overlaps another. */
 static bool claim(struct random_tables *t, uint32_t resource, struct rg_range range, bool writes)
 {
+    if (writes && t->known[resource].history)
+        return false;
     for (uint32_t i = 0; i < t->claim_count; i++)
         if (t->claims[i].resource == resource && overlaps(&t->claims[i].range, &range))
             return false;
