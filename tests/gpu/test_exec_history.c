@@ -89,6 +89,24 @@ static void images_are_kept(void **state)
     painted_series_variants(*state, &feature_history.params, &series);
 }
 
+/* Frames of odd and of even number come last before an update. */
+static void images_survive_updates(void **state)
+{
+    struct run run;
+    run_open(&run, *state, &feature_history.params);
+    for (uint32_t number = 0; number < FRAMES; number++) {
+        struct rg_frame frame = { .rows = feature_history.params.technique.passes };
+        if (number % 3 > 0)
+            run_update(&run, &feature_history.params);
+        assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+        begin_images(&run, number, &frame);
+        assert_int_equal(rg_exec_submit(run.exec, &frame), VK_SUCCESS);
+        assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
+        check_images(&run, number);
+    }
+    run_close(&run);
+}
+
 /* ---- buffers ---- */
 
 /* What a frame writes, byte by byte. */
@@ -127,6 +145,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(images_are_kept),
+        ON_DEVICE(images_survive_updates),
         ON_DEVICE(buffers_are_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
