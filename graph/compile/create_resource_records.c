@@ -202,11 +202,11 @@ static void pair(struct compiler *c, struct resource *history)
         rg_fault_of(c, RG_ERROR_PERSISTENT, history->name,
                     "previous: expected an image that is neither imported nor persistent, with "
                     "equal fields and one history");
+    make_persistent(c, history, true);
     if (!r || is_wrong)
         return;
     history->partner = r;
     r->partner = history;
-    make_persistent(c, history, true);
     make_persistent(c, r, false);
 }
 

@@ -23,6 +23,11 @@ static const struct rg_buffer upload = {
     .memory = RG_MEMORY_UPLOAD,
     .persistent = true,
 };
+static const struct rg_image last = { "last", COLOR_FORMAT, .previous = &OTHER };
+static const struct rg_image last_half = { "last_half", COLOR_FORMAT, .scale = 0.5f,
+                                           .previous = &OTHER };
+static const struct rg_image last_last = { "last_last", COLOR_FORMAT, .previous = &last };
+static const struct rg_image own_last = { "own_last", COLOR_FORMAT, .previous = &own_last };
 static const struct rg_sampler nearest = { 0 };
 
 static VkSampleCountFlags one_sample(const void *user, const VkImageCreateInfo *info)
@@ -64,6 +69,21 @@ static const struct fault_case sample_cases[] = {
 
 static const struct fault_case history_cases[] = {
     { AROUND(RG_ERROR_PERSISTENT, "upload", ALSO(.buffer = &upload, .access = RG_UNIFORM)) },
+    { AROUND(RG_ERROR_PERSISTENT, "last_half", ALSO(&last_half, .access = RG_SAMPLED)) },
+    { AROUND(RG_ERROR_PERSISTENT, "last_last", ALSO(&last_last, .access = RG_SAMPLED)) },
+    { AROUND(RG_ERROR_PERSISTENT, "own_last", ALSO(&own_last, .access = RG_SAMPLED)) },
+    { .error = RG_ERROR_PERSISTENT,
+      .resource = "last",
+      .row_count = 1,
+      .rows = { ALSO(&last, .access = RG_SAMPLED) },
+      .imports = { { .image = &OTHER, .access = RG_SAMPLED } } },
+    { .error = RG_ERROR_ACCESS,
+      .resource = "last",
+      .row = true,
+      .row_count = 2,
+      .rows = { DRAW("other", .color = RG_TARGETS({ CLEARED(OTHER) })), FILL(last) } },
+    { AROUND(RG_ERROR_OUTPUT_NOT_WRITTEN, "other",
+             DRAW("draw", .color = RG_TARGETS({ &PICTURE }), SAMPLING(last))) },
 };
 
 static bool sometimes(const struct rg_frame *frame, uint32_t repetition)
