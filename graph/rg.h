@@ -551,6 +551,7 @@ struct rg_format_info {
     uint32_t size;              /* bytes per texel */
     VkImageAspectFlags aspects; /* colour, or depth and stencil */
     bool is_uint, is_sint;      /* integer: no filtering, blending, averaging */
+    uint32_t spirv_format;      /* Image Format of storage images in SPIR-V; 0 if there is none */
 };
 
 /* Returns the properties of a format; NULL if the graph does not support it. Static data. */

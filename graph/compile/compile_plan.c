@@ -39,8 +39,8 @@ struct owned_plan {
 static void reserve(struct compiler *c)
 {
     rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
-    rg_string_set_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
-    rg_string_set_reserve(c->arena, &c->pass_names, c->row_count);
+    rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
+    rg_map_reserve(c->arena, &c->pass_names, c->row_count);
 }
 
 static bool failed(const struct compiler *c)

@@ -129,11 +129,11 @@ struct compiler {
     uint32_t row_count;          /* approximate; for initial array sizes */
     struct resource **resources; /* imports and outputs come first */
     uint32_t resource_count, resource_room;
-    uint32_t boundary_count;   /* imports and outputs in `resources` */
-    uint32_t persistent_count; /* number of persistent resources */
-    struct map by_address;     /* struct resource by rg_image or rg_buffer */
-    struct string_set resource_names, pass_names;
-    struct map provided; /* images written or imported; for fallbacks */
+    uint32_t boundary_count;               /* imports and outputs in `resources` */
+    uint32_t persistent_count;             /* number of persistent resources */
+    struct map by_address;                 /* struct resource by rg_image or rg_buffer */
+    struct map resource_names, pass_names; /* sets of strings */
+    struct map provided;                   /* images written or imported; for fallbacks */
 
     /* Current technique and index of its current pass declaration; NULL and RG_NONE if none. */
     const struct rg_technique *technique;
@@ -212,6 +212,9 @@ static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
 #define RG_CHECK_TABLE(c, of, table, count, max, resource) \
     rg_fault_if((c), rg_is_bad_table((of)->table, (of)->count, (max)), RG_ERROR_TABLE, (resource), \
                 #table ": expected " #count " entries, at most " #max)
+
+/* format_table.c: returns the format with a number of SPIR-V; NULL if the graph has none. */
+const struct rg_format_info *rg_storage_format(uint32_t number);
 
 /* ---- access_table.c ---- */
 

@@ -113,7 +113,7 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
         return;
     }
-    if (rg_string_set_add(c->arena, &c->resource_names, name))
+    if (rg_map_add_text(c->arena, &c->resource_names, name))
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
 

@@ -380,7 +380,7 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
 {
     c->row_first_fault = c->fault_count;
     rg_fault_if(c, !row->name, RG_ERROR_NO_NAME, NULL, "give the pass a name");
-    rg_fault_if(c, row->name && rg_string_set_add(c->arena, &c->pass_names, row->name),
+    rg_fault_if(c, row->name && rg_map_add_text(c->arena, &c->pass_names, row->name),
                 RG_ERROR_DUPLICATE_NAME, NULL, "give each pass a unique name");
     rg_check_row(c, row);
     if (c->fault_count == c->row_first_fault)

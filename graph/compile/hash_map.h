@@ -1,4 +1,4 @@
-/* hash_map.h: arena-allocated pointer map and string set. Private to graph/compile/. */
+/* hash_map.h: arena-allocated pointer map, also as a set of strings. Private to graph/compile/. */
 #ifndef RG_COMPILE_HASH_MAP_H
 #define RG_COMPILE_HASH_MAP_H
 
@@ -39,22 +39,8 @@ static inline void **rg_map_value(struct arena *arena, struct map *map, const vo
     return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
 }
 
-/* Slot of a string set. It has no pointer, since small slots let a search read few cache lines. */
-struct string_slot {
-    uint32_t hash;
-    uint32_t number; /* `texts` index plus 1; 0: empty */
-};
-
-/* Set of strings, compared by content. */
-struct string_set {
-    struct string_slot *slots;
-    const char **texts; /* in insertion order */
-    uint32_t mask, count;
-};
-
-void rg_string_set_reserve(struct arena *arena, struct string_set *set, uint32_t count);
-
-/* Adds a string. Returns true if the set already had it. */
-bool rg_string_set_add(struct arena *arena, struct string_set *set, const char *text);
+/* Adds a string to a set of strings, which is a map from hashes. Returns true if the set already had
+ * it. The string is borrowed. */
+bool rg_map_add_text(struct arena *arena, struct map *set, const char *text);
 
 #endif
