@@ -236,6 +236,10 @@ struct rg_use {
      * means compute or fragment, plus vertex for RG_UNIFORM */
     VkShaderStageFlags stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
+    /* format in which shaders see an image, of equal texel size, such as UNORM of an SRGB image; 0
+     * means that of the image. An imported image then has VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT and
+     * VK_IMAGE_CREATE_EXTENDED_USAGE_BIT */
+    VkFormat view_format;
 };
 
 /* An attachment of a raster pass. */

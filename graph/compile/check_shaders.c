@@ -149,7 +149,7 @@ static uint32_t layer_count(const struct shaders *s, const struct rg_image *imag
 static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
                          const struct spirv_image *declared, const struct rg_use *use)
 {
-    const VkFormat has = use->image ? use->image->format : use->buffer->format;
+    const VkFormat has = use->image ? rg_view_format(use) : use->buffer->format;
     const struct rg_format_info *format = rg_format_info(has);
     char component = component_of(has, use->range.aspect);
     if (declared->format && !(format && format->spirv_format == declared->format))

@@ -74,6 +74,7 @@ struct resource {
     uint32_t import, output;             /* index into params->imports, outputs, or RG_NONE */
     uint32_t first, last;                /* lifetime in passes; RG_NONE if unused */
     VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
+    bool is_mutable;                     /* a use has another view_format */
     uint32_t plan_image, plan_buffer;    /* indices into the plan, or RG_NONE */
     uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_before;            /* pass before which memory is acquired */
@@ -255,6 +256,12 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
 
 /* Returns an error hint if this kind of pass does not support a use, otherwise NULL. */
 const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use);
+
+/* Returns the format in which shaders see the image of a use. */
+static inline VkFormat rg_view_format(const struct rg_use *use)
+{
+    return use->view_format ? use->view_format : use->image->format;
+}
 
 /* Cell iterator; usage: for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) */
 

@@ -147,6 +147,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
         .first = RG_NONE,
         .last = RG_NONE,
         .usage = 0,
+        .is_mutable = false,
         .plan_image = RG_NONE,
         .plan_buffer = RG_NONE,
         .item = RG_NONE,

@@ -243,6 +243,7 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
+    r->is_mutable = r->is_mutable || (use->image && rg_view_format(use) != use->image->format);
     /* a depth image that is tested and sampled: read-only depth layout for the whole range */
     if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
         use->image == c->pass->pass->depth.image)

@@ -85,8 +85,9 @@ static void check_texels(struct compiler *c, const struct access *a)
 static void check_format(struct compiler *c, const struct access *a)
 {
     const struct rg_device *device = c->params->device;
-    const struct rg_sampler *sampler =
-        a->kind == RG_SAMPLED ? ((const struct rg_use *)a->declared)->sampler : NULL;
+    const struct rg_use *use = rg_is_shader_access(a->kind) ? a->declared : NULL;
+    const struct rg_sampler *sampler = a->kind == RG_SAMPLED ? use->sampler : NULL;
+    const VkFormat format = use ? rg_view_format(use) : a->resource->image->format;
     VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
     if (!device->format_features)
         return;
@@ -96,7 +97,7 @@ static void check_format(struct compiler *c, const struct access *a)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_MINMAX_BIT;
     if (a->kind == RG_COLOR && rg_is_blended(a->declared))
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
-    if (needed & ~device->format_features(device->user, a->resource->image->format))
+    if (needed & ~device->format_features(device->user, format))
         rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
                  "this device does not support this use of the format; choose another");
 }
@@ -201,8 +202,16 @@ static void add_memory(struct compiler *c, struct resource *r,
                     "make it smaller: the resources so far exceed any memory");
 }
 
+/* Returns true if an image, or its partner, is seen in several formats. */
+static bool is_mutable(const struct resource *r)
+{
+    return r->is_mutable || (r->partner && r->partner->is_mutable);
+}
+
 static void list_image(struct compiler *c, struct resource *r)
 {
+    const VkImageCreateFlags mutable_flags =
+        VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT;
     struct rg_plan_image *image = &c->images[r->plan_image];
     *image = (struct rg_plan_image){
         .image = r->image,
@@ -212,7 +221,8 @@ static void list_image(struct compiler *c, struct resource *r)
         .mips = r->all.levelCount,
         .aspects = r->all.aspectMask,
         .usage = r->usage | (r->partner ? r->partner->usage : 0),
-        .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .flags = (r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0) |
+                 (is_mutable(r) ? mutable_flags : 0),
         .samples = r->image->samples ? r->image->samples : 1,
         .imported = r->import != RG_NONE,
         .persistent = r->persistent,

@@ -151,22 +151,26 @@ fail:
 }
 
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
-                           VkImageViewType type, const VkImageSubresourceRange *range,
-                           VkImageView *view)
+                           const struct exec_view *info, VkImageView *view)
 {
+    /* other formats need not support all usage of the image */
+    const VkImageViewUsageCreateInfo usage = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
+        .usage = info->usage,
+    };
     VkResult result;
     if (!plan->imported) {
-        rg_exec_key(exec, range, sizeof(*range));
+        rg_exec_key(exec, info, sizeof(*info));
         RG_KEY(exec, image);
-        RG_KEY(exec, type);
     }
     RG_MAKE(exec, plan->image->name, IMAGE_VIEW, CreateImageView, view,
             &(VkImageViewCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                .pNext = plan->flags & VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT ? &usage : NULL,
                 .image = image,
-                .viewType = type,
-                .format = plan->image->format,
-                .subresourceRange = *range,
+                .viewType = info->type,
+                .format = info->format ? info->format : plan->image->format,
+                .subresourceRange = info->range,
             });
 fail:
     return result;

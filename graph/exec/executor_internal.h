@@ -255,9 +255,17 @@ VkResult rg_exec_make_memory(struct rg_exec *exec);
  * NULL. Sets exec->found to RG_FOUND_HERE if the placeholder is shared with another use. */
 VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan,
                             const struct rg_use *placeholder, VkImage *image);
+
+/* Part of the key of an image view, without padding. */
+struct exec_view {
+    VkImageViewType type;
+    VkImageUsageFlags usage; /* of the view, if its image has views of several formats */
+    VkFormat format;         /* 0 means that of the image */
+    VkImageSubresourceRange range;
+};
+
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
-                           VkImageViewType type, const VkImageSubresourceRange *range,
-                           VkImageView *view);
+                           const struct exec_view *info, VkImageView *view);
 /* Creates a frame slot's buffer in host memory, with `preferred` memory properties if possible. */
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,

@@ -164,6 +164,7 @@ static const struct field use_fields[] = {
     CHOSEN(rg_use, sampler, samplers),
     CHOSEN(rg_use, fallback, fallbacks),
     FIELD(rg_use, STAGES, stages),
+    FIELD(rg_use, U32, view_format),
     FIELD(rg_use, BOOL, partial),
 };
 

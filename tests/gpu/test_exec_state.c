@@ -614,14 +614,48 @@ static void constants_reach_shaders(void **state)
                      .constants = &info);
 }
 
+/* ---- views of other formats ---- */
+
+static const struct rg_image codes = { .name = "codes", .format = VK_FORMAT_R8G8B8A8_UNORM };
+static const struct rg_image recoded = COLOR_IMAGE("recoded");
+static const struct rg_buffer recoded_out = COLOR_BUFFER("recoded out");
+
+static const struct rg_pass view_rows[] = {
+    { .name = "codes", .color = RG_TARGETS({ &codes, RG_LOAD_CLEAR }), PAINTED },
+    {
+        .name = "view",
+        .color = RG_TARGETS({ &recoded, RG_LOAD_DISCARD }),
+        .uses = RG_USES({ .image = &codes,
+                          .access = RG_SAMPLED,
+                          .binding = PAINT_SOURCE,
+                          .view_format = VK_FORMAT_R8G8B8A8_SNORM }),
+        PAINTED_BY(painted_record, &fetch_frag),
+    },
+    RUN_READ("read recoded", recoded, recoded_out),
+};
+
+static void check_recoded(struct run *run)
+{
+    painted_check_all(run, &recoded_out, 64, painted_color(1, 0, -1 / 127.0F, 0));
+}
+
+static void formats_of_views_differ(void **state)
+{
+    /* bytes 127, 0, 255 and 0 */
+    static const struct paint_push paints[] = { { ALL, .color = { { 127 / 255.0F, 0, 1, 0 } } },
+                                                { ALL } };
+    PAINTED_VARIANTS(state, view_rows, paints, check_recoded, .outputs = { &recoded_out });
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(depth_is_tested),         ON_DEVICE(targets_are_blended),
-        ON_DEVICE(any_blend_is_drawn),      ON_DEVICE(stencil_is_tested),
-        ON_DEVICE(faces_are_culled),        ON_DEVICE(mesh_is_drawn),
-        ON_DEVICE(mesh_of_a_pool_is_drawn), ON_DEVICE(viewport_is_set),
-        ON_DEVICE(instances_are_drawn),     ON_DEVICE(constants_reach_shaders),
+        ON_DEVICE(formats_of_views_differ), ON_DEVICE(depth_is_tested),
+        ON_DEVICE(targets_are_blended),     ON_DEVICE(any_blend_is_drawn),
+        ON_DEVICE(stencil_is_tested),       ON_DEVICE(faces_are_culled),
+        ON_DEVICE(mesh_is_drawn),           ON_DEVICE(mesh_of_a_pool_is_drawn),
+        ON_DEVICE(viewport_is_set),         ON_DEVICE(instances_are_drawn),
+        ON_DEVICE(constants_reach_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -119,6 +119,9 @@ static struct rg_use *add_use(struct random_tables *t, uint32_t resource, enum r
     else
         use->buffer = &t->buffers[resource - IMAGES];
     t->use_count++;
+    if (use->image && use->image->format == VK_FORMAT_R8G8B8A8_UNORM && access >= RG_SAMPLED &&
+        access <= RG_STORAGE_READ_WRITE && random_graph_chance(t, 10))
+        use->view_format = VK_FORMAT_R32_UINT;
     return use;
 }
 
