@@ -39,8 +39,8 @@ static inline void **rg_map_value(struct arena *arena, struct map *map, const vo
     return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
 }
 
-/* Adds a string to a set of strings, which is a map from hashes. Returns true if the set already had
- * it. The string is borrowed. */
+/* Adds a string to a set of strings, which is a map from hashes. Returns true if the set already
+ * had it. The string is borrowed. */
 bool rg_map_add_text(struct arena *arena, struct map *set, const char *text);
 
 #endif

@@ -252,8 +252,8 @@ static void free_objects(const struct rg_functions *vk, VkDevice device, struct 
     *list = (struct exec_objects){ 0 };
 }
 
-/* Returns true if a plan after `plan` may use an object: all those that `plan` uses, and, as they do
- * not depend on the view's size, pipelines and their layouts that have been unused for few plans. */
+/* Returns true if the object is kept for the next plan: if `plan` uses it, or if it is a pipeline
+ * or layout, which do not depend on the view, and has been unused for few plans. */
 static bool is_kept(const struct exec_object *object, uint32_t plan, bool only_pipelines)
 {
     const bool is_pipeline = object->type == VK_OBJECT_TYPE_PIPELINE ||
