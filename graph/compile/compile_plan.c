@@ -20,7 +20,7 @@
  *    chapter "Synchronization and Cache Control". A barrier has a release and a deadline; stabbing
  *    these intervals greedily by deadline gives the fewest batches (Cormen et al., "Introduction to
  *    Algorithms", activity selection).
- * 6. Memory (memory_blocks.c, pack_memory.c): dynamic storage allocation, first-fit by several
+ * 6. Memory (pack_memory.c): dynamic storage allocation, first-fit by several
  *    orders, then squeaky wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block
  *    reaches its lower bound, the peak of live bytes.
  * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners. By

@@ -9,7 +9,6 @@
 #define RG_COMPILE_COMPILER_H
 
 #include "graph/compile/arena.h"
-#include "graph/compile/hash_map.h"
 #include "graph/compile/spirv_reflection.h"
 #include "graph/rg.h"
 
@@ -409,7 +408,7 @@ void rg_find_lifetimes(struct compiler *c);
 void rg_check_formats(struct compiler *c);
 void rg_list_resources(struct compiler *c);
 
-/* memory_blocks.c: assigns each transient resource a memory block and an offset in it. */
+/* pack_memory.c: assigns each transient resource a memory block and an offset in it. */
 void rg_pack_blocks(struct compiler *c);
 
 /* emit_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */

@@ -117,6 +117,20 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
 
+/* A constant, because compilers set single fields and clear the others much more slowly. */
+static const struct resource unused = {
+    .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
+    .depth = 1,
+    .import = RG_NONE,
+    .output = RG_NONE,
+    .first = RG_NONE,
+    .last = RG_NONE,
+    .plan_image = RG_NONE,
+    .plan_buffer = RG_NONE,
+    .item = RG_NONE,
+    .last_barrier = RG_NONE,
+};
+
 /* Adds a resource. Returns NULL if out of memory. */
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
@@ -126,35 +140,10 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* all fields are listed because compilers clear omitted fields much more slowly */
-    *r = (struct resource){
-        .name = NULL,
-        .image = image,
-        .buffer = image ? NULL : buffer,
-        .cells = NULL,
-        .cell_count = 0,
-        .persistent = false,
-        .shared = false,
-        .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
-        .extent = { 0, 0 },
-        .max_extent = { 0, 0 },
-        .depth = 1,
-        .format = NULL,
-        .size = 0,
-        .max_size = 0,
-        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
-        .output = RG_NONE,
-        .first = RG_NONE,
-        .last = RG_NONE,
-        .usage = 0,
-        .is_mutable = false,
-        .plan_image = RG_NONE,
-        .plan_buffer = RG_NONE,
-        .item = RG_NONE,
-        .acquired_before = 0,
-        .last_barrier = RG_NONE,
-        .partner = NULL,
-    };
+    *r = unused;
+    r->image = image;
+    r->buffer = image ? NULL : buffer;
+    r->import = import ? (uint32_t)(import - c->params->imports) : RG_NONE;
     if (image)
         size_image(r, image, c);
     else

@@ -70,35 +70,36 @@ void rg_find_lifetimes(struct compiler *c)
     }
 }
 
-static void check_texels(struct compiler *c, const struct access *a)
+/* Returns the features that a device needs for an access to an image. */
+static VkFormatFeatureFlags features_of(const struct access *a, const struct rg_use *use)
 {
-    const struct rg_device *device = c->params->device;
-    VkFormatFeatureFlags needed = a->kind == RG_SAMPLED
-                                      ? VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT
-                                      : VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT;
-    if (device->buffer_features &&
-        needed & ~device->buffer_features(device->user, a->resource->buffer->format))
-        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
-                 "this device does not support texel buffers of this format; choose another");
-}
-
-static void check_format(struct compiler *c, const struct access *a)
-{
-    const struct rg_device *device = c->params->device;
-    const struct rg_use *use = rg_is_shader_access(a->kind) ? a->declared : NULL;
     const struct rg_sampler *sampler = a->kind == RG_SAMPLED ? use->sampler : NULL;
-    const VkFormat format = use ? rg_view_format(use) : a->resource->image->format;
     VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
-    if (!device->format_features)
-        return;
     if (sampler && sampler->linear && !sampler->compare)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     if (sampler && sampler->reduction)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_MINMAX_BIT;
     if (a->kind == RG_COLOR && rg_is_blended(a->declared))
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
-    if (needed & ~device->format_features(device->user, format))
-        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
+    return needed;
+}
+
+static void check_format(struct compiler *c, const struct access *a)
+{
+    const struct rg_device *device = c->params->device;
+    const struct resource *r = a->resource;
+    const struct rg_use *use = rg_is_shader_access(a->kind) ? a->declared : NULL;
+    VkFormatFeatureFlags missing = 0;
+    if (r->image && device->format_features)
+        missing =
+            features_of(a, use) &
+            ~device->format_features(device->user, use ? rg_view_format(use) : r->image->format);
+    if (a->flags & ACCESS_TEXELS && device->buffer_features)
+        missing = (a->kind == RG_SAMPLED ? VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT
+                                         : VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT) &
+                  ~device->buffer_features(device->user, r->buffer->format);
+    if (missing)
+        rg_fault(c, RG_ERROR_FORMAT, r->name,
                  "this device does not support this use of the format; choose another");
 }
 
@@ -112,12 +113,8 @@ void rg_check_formats(struct compiler *c)
         c->row = c->plan_passes[p].row;
         if (pass->alive && !c->plan_passes[p].repetition)
             c->row_first_fault = c->fault_count;
-        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
-            if (a[i].resource->image)
-                check_format(c, &a[i]);
-            else if (a[i].flags & ACCESS_TEXELS)
-                check_texels(c, &a[i]);
-        }
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
+            check_format(c, &a[i]);
     }
 }
 
