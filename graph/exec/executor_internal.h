@@ -339,6 +339,8 @@ VkResult rg_exec_check_imports(struct rg_exec *exec);
  */
 VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
+/* Records a barrier by which all later commands wait for all earlier ones. */
+void rg_exec_record_wait(const struct rg_exec *exec, VkCommandBuffer commands);
 /* Records a layout transition that synchronises with all commands before and after. */
 void rg_exec_record_transition(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                                const VkImageSubresourceRange *range, VkImageLayout from,
