@@ -125,6 +125,7 @@ struct rg_exec {
     struct exec_objects unshared; /* objects of the plan that have no key */
     struct exec_objects former;   /* the same of the previous plan, during updates */
     uint32_t next_object;         /* index in `objects` of the one that is tried first */
+    uint32_t next_view;           /* and of the one that is tried first for a shared view */
     uint32_t plan_number;         /* of the plan: counts updates */
     struct exec_retired *retired; /* objects of previous plans that frames may still use */
     uint64_t frame;               /* number of frames submitted or recorded */

@@ -137,15 +137,19 @@ static bool has_key(const struct rg_exec *exec, const struct exec_object *object
 
 /* Returns the object with a type and the current key, or NULL. Of several ones, which are not
  * shared, the oldest that this plan does not use. Similar plans look for their objects in the same
- * order, so that the successor of the object found last is tried first. */
+ * order, so that the successor of the object found last is tried first; of views that the plan
+ * shares, that of the last such view, since passes often sample images in the order of the targets.
+ */
 static struct exec_object *find_object(const struct rg_exec *exec, VkObjectType type)
 {
     const struct exec_objects *list = &exec->objects;
     const uint64_t hash = hash_of(exec, type);
     struct exec_object *found = NULL;
-    if (exec->next_object < list->count) {
-        struct exec_object *next = &list->entries[exec->next_object];
-        if (next->plan != exec->plan_number && has_key(exec, next, type, hash))
+    const bool is_view = type == VK_OBJECT_TYPE_IMAGE_VIEW;
+    for (uint32_t i = 0; i < (is_view ? 2 : 1); i++) {
+        const uint32_t index = i ? exec->next_view : exec->next_object;
+        struct exec_object *next = index < list->count ? &list->entries[index] : NULL;
+        if (next && (i || next->plan != exec->plan_number) && has_key(exec, next, type, hash))
             return next;
     }
     for (uint32_t i = list->room ? *chain_of(list, hash) : 0; i; i = list->entries[i - 1].next) {
@@ -165,8 +169,11 @@ bool rg_exec_find(struct rg_exec *exec, VkObjectType type, void *handle, size_t 
                                                       : RG_FOUND_FORMER;
     if (!object)
         return false;
+    const uint32_t next = (uint32_t)(object - exec->objects.entries) + 1;
     if (exec->found == RG_FOUND_FORMER)
-        exec->next_object = (uint32_t)(object - exec->objects.entries) + 1;
+        exec->next_object = next;
+    else if (type == VK_OBJECT_TYPE_IMAGE_VIEW)
+        exec->next_view = next;
     object->plan = exec->plan_number;
     memcpy(handle, &object->handle, size);
     exec->key_size = 0;
