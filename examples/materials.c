@@ -4,9 +4,8 @@
  *
  * Passes: `cascades` draws the layers of the shadow map, `surfaces` the G-buffer by one pipeline of
  * the program per material, `light` the lit image with hardware PCF, `smoke` soft particles that
- * test the depth which they sample, `blend even` and `blend odd` average the frames (temporal
- * antialiasing), and `show` makes the image for the CPU. Two images take turns as the history: a
- * frame reads one and draws to the other, so that nothing is copied.
+ * test the depth which they sample, `blend` averages the frames (temporal antialiasing), and `show`
+ * makes the image for the CPU. The history is what `blend` drew in the last frame, without a copy.
  */
 #include "camera.h"
 #include "example.h"
@@ -49,12 +48,11 @@ static const struct rg_image normal = { .name = "normal", .format = VK_FORMAT_R1
 static const struct rg_image position = { .name = "position",
                                           .format = VK_FORMAT_R32G32B32A32_SFLOAT };
 static const struct rg_image lit = { .name = "lit", .format = VK_FORMAT_R16G16B16A16_SFLOAT };
-static const struct rg_image history_even = { .name = "history_even",
-                                              .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-                                              .persistent = true };
-static const struct rg_image history_odd = { .name = "history_odd",
-                                             .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-                                             .persistent = true };
+static const struct rg_image blended = { .name = "blended",
+                                         .format = VK_FORMAT_R16G16B16A16_SFLOAT };
+static const struct rg_image history = { .name = "history",
+                                         .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                                         .previous = &blended };
 static const struct rg_image picture = { .name = "picture", .format = VK_FORMAT_R8G8B8A8_UNORM };
 static const struct rg_buffer pixels = { .name = "pixels",
                                          .size_per_texel = 4,
@@ -129,17 +127,6 @@ static void record_light(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static bool is_even(const struct rg_frame *frame, uint32_t repetition)
-{
-    (void)repetition;
-    return frame->number % 2 == 0;
-}
-
-static bool is_odd(const struct rg_frame *frame, uint32_t repetition)
-{
-    return !is_even(frame, repetition);
-}
-
 static void record_blend(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct blend_push push = { frame->previous, frame->number ? 0.1f : 1.0f };
@@ -149,7 +136,7 @@ static void record_blend(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static void record_show(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_push(cmd, &frame->number, sizeof(frame->number));
+    (void)frame;
     rg_cmd_draw(cmd, 3);
 }
 
@@ -173,19 +160,6 @@ static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 #define CLEARED(to) \
     { \
         .image = &(to), .load = RG_LOAD_CLEAR \
-    }
-
-/* One of two rows that take turns. */
-#define BLEND(title, from, to, condition) \
-    { \
-        .name = title, .color = RG_TARGETS({ .image = &(to), .load = RG_LOAD_DISCARD }), \
-        .uses = RG_USES(SAMPLED(lit, 0), SAMPLED(position, 1), \
-                        { .image = &(from), \
-                          .access = RG_SAMPLED, \
-                          .binding = 2, \
-                          .sampler = &history_sampler }), \
-        .vert = &screen_vert, .frag = &blend_frag, .push_size = sizeof(struct blend_push), \
-        .record = record_blend, .when = condition \
     }
 
 static const struct rg_pass passes[] = {
@@ -219,14 +193,20 @@ static const struct rg_pass passes[] = {
       .push_size = sizeof(struct matrix),
       .record = record_smoke,
       .depth_read_only = true },
-    BLEND("blend even", history_odd, history_even, is_even),
-    BLEND("blend odd", history_even, history_odd, is_odd),
+    { .name = "blend",
+      .color = RG_TARGETS({ .image = &blended, .load = RG_LOAD_DISCARD }),
+      .uses = RG_USES(
+          SAMPLED(lit, 0), SAMPLED(position, 1),
+          { .image = &history, .access = RG_SAMPLED, .binding = 2, .sampler = &history_sampler }),
+      .vert = &screen_vert,
+      .frag = &blend_frag,
+      .push_size = sizeof(struct blend_push),
+      .record = record_blend },
     { .name = "show",
       .color = RG_TARGETS({ .image = &picture, .load = RG_LOAD_DISCARD }),
-      .uses = RG_USES(SAMPLED(history_even, 0), SAMPLED(history_odd, 1)),
+      .uses = RG_USES(SAMPLED(blended, 0)),
       .vert = &screen_vert,
       .frag = &show_frag,
-      .push_size = sizeof(uint32_t),
       .record = record_show },
     { .name = "copy",
       .kind = RG_TRANSFER,

@@ -164,6 +164,10 @@ struct rg_image {
     bool cube;       /* sampled as cube map; 6n layers */
     bool array;      /* array view even with one layer */
     bool persistent; /* keeps content; ignored for imports */
+    /* read-only image with the content that `previous` had at the end of the last frame, and zero
+     * in the first: history without a copy, as two images swap places after each frame. `previous`
+     * has equal fields, is written completely in each frame, and is not imported. NULL if unused */
+    const struct rg_image *previous;
 };
 
 /* A buffer, which is transient, persistent or imported, like an image. If passes access it as
@@ -232,6 +236,10 @@ struct rg_use {
      * means compute or fragment, plus vertex for RG_UNIFORM */
     VkShaderStageFlags stages;
     struct rg_range range; /* image subresources; {0} for a buffer */
+    /* format in which shaders see an image, of equal texel size, such as UNORM of an SRGB image; 0
+     * means that of the image. An imported image then has VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT and
+     * VK_IMAGE_CREATE_EXTENDED_USAGE_BIT */
+    VkFormat view_format;
 };
 
 /* An attachment of a raster pass. */
@@ -547,6 +555,7 @@ struct rg_format_info {
     uint32_t size;              /* bytes per texel */
     VkImageAspectFlags aspects; /* colour, or depth and stencil */
     bool is_uint, is_sint;      /* integer: no filtering, blending, averaging */
+    uint32_t spirv_format;      /* Image Format of storage images in SPIR-V; 0 if there is none */
 };
 
 /* Returns the properties of a format; NULL if the graph does not support it. Static data. */

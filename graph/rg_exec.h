@@ -238,7 +238,8 @@ RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *
 
 /* Returns a view of an image that is not imported, for example for the application's bindless set.
  * The type is that of a sampled use: 3D, cube (6 layers of a cube), 2D array or 2D; NULL as `range`
- * means all, `each` is ignored. A view to be sampled has one aspect. During a pass that declares
+ * means all, `each` is ignored. A view to be sampled has one aspect; that of an image with a
+ * rg_use.view_format is only sampled. During a pass that declares
  * the image, its layout is rg_access_info(access)->layout of the use, or that of RG_DEPTH_READ if
  * it is also the read-only depth. The view is created on the first call, also before any frame, and
  * is valid until rg_exec_update() or rg_exec_destroy(). VK_NULL_HANDLE if the plan does not use the

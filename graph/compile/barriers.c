@@ -111,26 +111,30 @@ static void simulate_access(const struct access *a)
     }
 }
 
-static void simulate_frame(struct compiler *c)
+/* Applies the accesses of a frame to persistent resources, or only to those with a partner. */
+static void simulate_frame(struct compiler *c, bool only_pairs)
 {
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
-            if (a[i].resource->persistent)
+            if (a[i].resource->persistent && (a[i].resource->partner || !only_pairs))
                 simulate_access(&a[i]);
         }
     }
     for (uint32_t i = 0; i < c->boundary_count; i++) {
         struct resource *r = c->resources[i];
-        if (!r->persistent || r->output == RG_NONE)
+        if (!r->persistent || r->output == RG_NONE || (only_pairs && !r->partner))
             continue;
         const struct access a = rg_boundary_access(r, c->params->outputs[r->output].access);
         simulate_access(&a);
     }
 }
 
-typedef void history_read_fn(struct compiler *c, const struct cell_walk *w, const struct access *a);
+/* Visits a read in the next frame of a subresource whose state at the end of this frame is `left`.
+ * `next` has its resource in this frame and its range. */
+typedef void history_read_fn(struct compiler *c, struct cell *left, const struct rg_barrier *next,
+                             const struct access *a);
 
 /* Calls `visit` for each read that depends on content or layout left by the previous frame. */
 static void each_history_read(struct compiler *c, history_read_fn *visit)
@@ -145,13 +149,16 @@ static void each_history_read(struct compiler *c, history_read_fn *visit)
         const struct access *first = &c->accesses[pass->first_access];
         const struct access *end = first + (pass->alive ? pass->access_count : 0);
         for (const struct access *a = first; a < end; a++) {
-            if (!a->resource->persistent)
-                continue;
-            for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
-                if (a->flags & ACCESS_WRITES || w.cell->layout != a->layout)
+            const struct resource *r =
+                rg_is_history(a->resource) ? a->resource->partner : a->resource;
+            for (struct cell_walk w = rg_cells(a); w.cell && r->persistent; rg_next_cell(&w)) {
+                struct cell *left = &r->cells[w.cell - a->resource->cells];
+                const struct rg_barrier next = { r->plan_image, r->plan_buffer,
+                                                 .range = rg_cell_range(&w) };
+                if (a->flags & ACCESS_WRITES || left->layout != a->layout)
                     w.cell->changed = true;
                 if (!w.cell->changed)
-                    visit(c, &w, a);
+                    visit(c, left, &next, a);
             }
         }
     }
@@ -159,18 +166,18 @@ static void each_history_read(struct compiler *c, history_read_fn *visit)
 
 /* Marks a read of the previous frame's content as synchronised if the previous frame has a barrier
  * for another such read. barriers.c then extends this barrier to cover both reads. */
-static void expect_history_read(struct compiler *c, const struct cell_walk *w,
-                                const struct access *a)
+static void expect_history_read(struct compiler *c, struct cell *left,
+                                const struct rg_barrier *next, const struct access *a)
 {
     (void)c;
-    if (w->cell->visible)
-        w->cell->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+    (void)next;
+    if (left->visible)
+        left->visible |= a->visibility & RG_VISIBLE_TO_ALL;
 }
 
-static void begin_persistent(struct compiler *c)
+/* Turns the states at the end of a frame into those at the start of the next one. */
+static void begin_next_frame(struct compiler *c)
 {
-    simulate_frame(c);
-    each_history_read(c, expect_history_read);
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
@@ -178,6 +185,23 @@ static void begin_persistent(struct compiler *c)
             s->written = s->touched = s->barrier_end = 0;
             s->flags &= ~(uint32_t)(CELL_CHANGED | CELL_CERTAIN);
         }
+    }
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && rg_is_history(r); k++) {
+            const struct cell end = r->cells[k];
+            r->cells[k] = r->partner->cells[k];
+            r->partner->cells[k] = end;
+        }
+    }
+}
+
+static void begin_persistent(struct compiler *c)
+{
+    for (int i = 0; i < 2; i++) { /* twice, since a history begins as its partner ends */
+        simulate_frame(c, i > 0);
+        each_history_read(c, expect_history_read);
+        begin_next_frame(c);
     }
 }
 
@@ -395,7 +419,8 @@ static void begin_history(struct compiler *c, struct resource *r)
         if (w.mip != mip)
             merge_newest(c, r, start);
         mip = w.mip;
-        VkImageLayout found = w.cell->layout ? w.cell->layout : VK_IMAGE_LAYOUT_GENERAL;
+        const struct cell *state = r->partner ? &r->partner->cells[w.cell - r->cells] : w.cell;
+        VkImageLayout found = state->layout ? state->layout : VK_IMAGE_LAYOUT_GENERAL;
         c->barriers[c->barrier_count++] = (struct rg_barrier){
             .image = r->plan_image,
             .buffer = r->plan_buffer,
@@ -414,17 +439,12 @@ static void begin_history(struct compiler *c, struct resource *r)
 }
 
 /* Extends a barrier of this frame so that it also covers a read in the next frame. */
-static void extend_to_history_read(struct compiler *c, const struct cell_walk *w,
-                                   const struct access *a)
+static void extend_to_history_read(struct compiler *c, struct cell *left,
+                                   const struct rg_barrier *next, const struct access *a)
 {
-    const struct rg_barrier next = {
-        .image = a->resource->plan_image,
-        .buffer = a->resource->plan_buffer,
-        .range = rg_cell_range(w),
-    };
-    if (!(a->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
+    if (!(a->visibility & RG_VISIBLE_TO_ALL & ~left->visible) || !left->visible)
         return;
-    bool extended = widen(c, w->cell, a, &next);
+    bool extended = widen(c, left, a, next);
     assert(extended);
     (void)extended;
 }

@@ -46,6 +46,15 @@ static const char *sampler_problem(const struct rg_sampler *s, const struct rg_f
     return NULL;
 }
 
+static bool is_view_format(const struct rg_use *use)
+{
+    const struct rg_format_info *view = rg_format_info(use->view_format);
+    const struct rg_format_info *image = use->image ? rg_format_info(use->image->format) : NULL;
+    return view && image && view->size == image->size && !use->fallback &&
+           view->aspects & image->aspects & VK_IMAGE_ASPECT_COLOR_BIT &&
+           rg_is_shader_access(use->access);
+}
+
 static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
 {
     const char *name = use_name(use);
@@ -65,9 +74,12 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
                     "remove the sampler: a multisampled image is read by texelFetch");
     }
     if (use->sampler && use->image) {
-        problem = sampler_problem(use->sampler, rg_format_info(use->image->format));
+        problem = sampler_problem(use->sampler, rg_format_info(rg_view_format(use)));
         rg_fault_if(c, problem, RG_ERROR_VALUE, name, problem);
     }
+    rg_fault_if(c, use->view_format && !is_view_format(use), RG_ERROR_FORMAT, name,
+                "view_format: expected a colour format of the size of the image's, in a shader's "
+                "use without fallback");
     const struct rg_range *r = &use->range;
     rg_fault_if(c, use->buffer && (r->aspect | r->mip | r->mip_count | r->layer | r->layer_count),
                 RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");

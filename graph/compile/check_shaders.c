@@ -113,54 +113,9 @@ static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
     return NULL;
 }
 
-/* Storage image formats, indexed by SPIR-V's Image Format number. */
-static const VkFormat storage_formats[] = {
-    VK_FORMAT_UNDEFINED,
-    VK_FORMAT_R32G32B32A32_SFLOAT,
-    VK_FORMAT_R16G16B16A16_SFLOAT,
-    VK_FORMAT_R32_SFLOAT,
-    VK_FORMAT_R8G8B8A8_UNORM,
-    VK_FORMAT_R8G8B8A8_SNORM,
-    VK_FORMAT_R32G32_SFLOAT,
-    VK_FORMAT_R16G16_SFLOAT,
-    VK_FORMAT_B10G11R11_UFLOAT_PACK32,
-    VK_FORMAT_R16_SFLOAT,
-    VK_FORMAT_R16G16B16A16_UNORM,
-    VK_FORMAT_A2B10G10R10_UNORM_PACK32,
-    VK_FORMAT_R16G16_UNORM,
-    VK_FORMAT_R8G8_UNORM,
-    VK_FORMAT_R16_UNORM,
-    VK_FORMAT_R8_UNORM,
-    VK_FORMAT_R16G16B16A16_SNORM,
-    VK_FORMAT_R16G16_SNORM,
-    VK_FORMAT_R8G8_SNORM,
-    VK_FORMAT_R16_SNORM,
-    VK_FORMAT_R8_SNORM,
-    VK_FORMAT_R32G32B32A32_SINT,
-    VK_FORMAT_R16G16B16A16_SINT,
-    VK_FORMAT_R8G8B8A8_SINT,
-    VK_FORMAT_R32_SINT,
-    VK_FORMAT_R32G32_SINT,
-    VK_FORMAT_R16G16_SINT,
-    VK_FORMAT_R8G8_SINT,
-    VK_FORMAT_R16_SINT,
-    VK_FORMAT_R8_SINT,
-    VK_FORMAT_R32G32B32A32_UINT,
-    VK_FORMAT_R16G16B16A16_UINT,
-    VK_FORMAT_R8G8B8A8_UINT,
-    VK_FORMAT_R32_UINT,
-    VK_FORMAT_A2B10G10R10_UINT_PACK32,
-    VK_FORMAT_R32G32_UINT,
-    VK_FORMAT_R16G16_UINT,
-    VK_FORMAT_R8G8_UINT,
-    VK_FORMAT_R16_UINT,
-    VK_FORMAT_R8_UINT,
-};
-
-static const char *format_name(VkFormat format)
+static const char *format_name(const struct rg_format_info *format)
 {
-    const struct rg_format_info *info = rg_format_info(format);
-    return info ? info->name : "an unknown format";
+    return format ? format->name : "an unknown format";
 }
 
 /* Returns a format's component type in shaders: 'f' float, 'i' int, 'u' uint, '?' unknown. */
@@ -194,14 +149,13 @@ static uint32_t layer_count(const struct shaders *s, const struct rg_image *imag
 static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
                          const struct spirv_image *declared, const struct rg_use *use)
 {
-    const VkFormat has = use->image ? use->image->format : use->buffer->format;
-    VkFormat format = declared->format < sizeof(storage_formats) / sizeof(storage_formats[0])
-                          ? storage_formats[declared->format]
-                          : VK_FORMAT_UNDEFINED;
+    const VkFormat has = use->image ? rg_view_format(use) : use->buffer->format;
+    const struct rg_format_info *format = rg_format_info(has);
     char component = component_of(has, use->range.aspect);
-    if (format && format != has)
+    if (declared->format && !(format && format->spirv_format == declared->format))
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
-              v->binding, format_name(format), format_name(has), use_name(use));
+              v->binding, format_name(rg_storage_format(declared->format)), format_name(format),
+              use_name(use));
     else if (component != '?' && declared->component != component)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
               v->binding, use_name(use), component_name(component),

@@ -20,7 +20,7 @@
  *    chapter "Synchronization and Cache Control". A barrier has a release and a deadline; stabbing
  *    these intervals greedily by deadline gives the fewest batches (Cormen et al., "Introduction to
  *    Algorithms", activity selection).
- * 6. Memory (memory_blocks.c, pack_memory.c): dynamic storage allocation, first-fit by several
+ * 6. Memory (pack_memory.c): dynamic storage allocation, first-fit by several
  *    orders, then squeaky wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block
  *    reaches its lower bound, the peak of live bytes.
  * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners. By
@@ -39,8 +39,8 @@ struct owned_plan {
 static void reserve(struct compiler *c)
 {
     rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
-    rg_string_set_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
-    rg_string_set_reserve(c->arena, &c->pass_names, c->row_count);
+    rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
+    rg_map_reserve(c->arena, &c->pass_names, c->row_count);
 }
 
 static bool failed(const struct compiler *c)

@@ -9,7 +9,6 @@
 #define RG_COMPILE_COMPILER_H
 
 #include "graph/compile/arena.h"
-#include "graph/compile/hash_map.h"
 #include "graph/compile/spirv_reflection.h"
 #include "graph/rg.h"
 
@@ -74,10 +73,12 @@ struct resource {
     uint32_t import, output;             /* index into params->imports, outputs, or RG_NONE */
     uint32_t first, last;                /* lifetime in passes; RG_NONE if unused */
     VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
+    bool is_mutable;                     /* a use has another view_format */
     uint32_t plan_image, plan_buffer;    /* indices into the plan, or RG_NONE */
     uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_before;            /* pass before which memory is acquired */
     uint32_t last_barrier;               /* its newest barrier, or RG_NONE */
+    struct resource *partner;            /* swaps places with it after a frame; NULL if none */
     struct cell cell[];                  /* storage for `cells` of single-cell resources */
 };
 
@@ -128,11 +129,11 @@ struct compiler {
     uint32_t row_count;          /* approximate; for initial array sizes */
     struct resource **resources; /* imports and outputs come first */
     uint32_t resource_count, resource_room;
-    uint32_t boundary_count;   /* imports and outputs in `resources` */
-    uint32_t persistent_count; /* number of persistent resources */
-    struct map by_address;     /* struct resource by rg_image or rg_buffer */
-    struct string_set resource_names, pass_names;
-    struct map provided; /* images written or imported; for fallbacks */
+    uint32_t boundary_count;               /* imports and outputs in `resources` */
+    uint32_t persistent_count;             /* number of persistent resources */
+    struct map by_address;                 /* struct resource by rg_image or rg_buffer */
+    struct map resource_names, pass_names; /* sets of strings */
+    struct map provided;                   /* images written or imported; for fallbacks */
 
     /* Current technique and index of its current pass declaration; NULL and RG_NONE if none. */
     const struct rg_technique *technique;
@@ -212,6 +213,9 @@ static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
     rg_fault_if((c), rg_is_bad_table((of)->table, (of)->count, (max)), RG_ERROR_TABLE, (resource), \
                 #table ": expected " #count " entries, at most " #max)
 
+/* format_table.c: returns the format with a number of SPIR-V; NULL if the graph has none. */
+const struct rg_format_info *rg_storage_format(uint32_t number);
+
 /* ---- access_table.c ---- */
 
 extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
@@ -251,6 +255,12 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
 
 /* Returns an error hint if this kind of pass does not support a use, otherwise NULL. */
 const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use);
+
+/* Returns the format in which shaders see the image of a use. */
+static inline VkFormat rg_view_format(const struct rg_use *use)
+{
+    return use->view_format ? use->view_format : use->image->format;
+}
 
 /* Cell iterator; usage: for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) */
 
@@ -375,6 +385,12 @@ static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
     return mip < 32 && side >> mip ? side >> mip : 1;
 }
 
+/* Returns true if an image has the content of its `previous`, not its own. */
+static inline bool rg_is_history(const struct resource *r)
+{
+    return r->partner && r->image->previous;
+}
+
 /* Returns the resource of an image or buffer, adding it on first use. NULL if out of memory. */
 struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
                                 const struct rg_buffer *buffer);
@@ -392,7 +408,7 @@ void rg_find_lifetimes(struct compiler *c);
 void rg_check_formats(struct compiler *c);
 void rg_list_resources(struct compiler *c);
 
-/* memory_blocks.c: assigns each transient resource a memory block and an offset in it. */
+/* pack_memory.c: assigns each transient resource a memory block and an offset in it. */
 void rg_pack_blocks(struct compiler *c);
 
 /* emit_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */

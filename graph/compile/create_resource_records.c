@@ -86,7 +86,7 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* Allocates the states of a resource's subresources and initialises them. subresource_state.c adds
+/* Allocates the states of a resource's subresources and initialises them. barriers.c adds
  * the states of imports, persistent resources and aliased memory. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
@@ -113,9 +113,23 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
         return;
     }
-    if (rg_string_set_add(c->arena, &c->resource_names, name))
+    if (rg_map_add_text(c->arena, &c->resource_names, name))
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
+
+/* A constant, because compilers set single fields and clear the others much more slowly. */
+static const struct resource unused = {
+    .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
+    .depth = 1,
+    .import = RG_NONE,
+    .output = RG_NONE,
+    .first = RG_NONE,
+    .last = RG_NONE,
+    .plan_image = RG_NONE,
+    .plan_buffer = RG_NONE,
+    .item = RG_NONE,
+    .last_barrier = RG_NONE,
+};
 
 /* Adds a resource. Returns NULL if out of memory. */
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
@@ -126,33 +140,10 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* all fields are listed because compilers clear omitted fields much more slowly */
-    *r = (struct resource){
-        .name = NULL,
-        .image = image,
-        .buffer = image ? NULL : buffer,
-        .cells = NULL,
-        .cell_count = 0,
-        .persistent = false,
-        .shared = false,
-        .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
-        .extent = { 0, 0 },
-        .max_extent = { 0, 0 },
-        .depth = 1,
-        .format = NULL,
-        .size = 0,
-        .max_size = 0,
-        .import = import ? (uint32_t)(import - c->params->imports) : RG_NONE,
-        .output = RG_NONE,
-        .first = RG_NONE,
-        .last = RG_NONE,
-        .usage = 0,
-        .plan_image = RG_NONE,
-        .plan_buffer = RG_NONE,
-        .item = RG_NONE,
-        .acquired_before = 0,
-        .last_barrier = RG_NONE,
-    };
+    *r = unused;
+    r->image = image;
+    r->buffer = image ? NULL : buffer;
+    r->import = import ? (uint32_t)(import - c->params->imports) : RG_NONE;
     if (image)
         size_image(r, image, c);
     else
@@ -168,14 +159,58 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
     return c->arena->failed ? NULL : r;
 }
 
+static bool is_alike(const struct resource *a, const struct resource *b)
+{
+    return a->image->format == b->image->format && a->extent.width == b->extent.width &&
+           a->extent.height == b->extent.height && a->depth == b->depth &&
+           a->max_extent.width == b->max_extent.width &&
+           a->max_extent.height == b->max_extent.height && a->all.layerCount == b->all.layerCount &&
+           a->all.levelCount == b->all.levelCount && a->image->samples == b->image->samples &&
+           a->image->cube == b->image->cube;
+}
+
+/* Makes an image persistent whose subresources begin a frame filled or not. */
+static void make_persistent(struct compiler *c, struct resource *r, bool filled)
+{
+    r->persistent = true;
+    r->shared = false;
+    c->persistent_count++;
+    for (uint32_t k = 0; k < r->cell_count; k++) {
+        r->cells[k].flags = 0;
+        r->cells[k].filled = filled ? CELL_FILLED : r->cells[k].filled;
+    }
+}
+
+/* Joins a history image and the image whose previous content it has. */
+static void pair(struct compiler *c, struct resource *history)
+{
+    const struct rg_image *image = history->image->previous;
+    struct resource *r = image->previous ? NULL : rg_resource_of(c, image, NULL);
+    const bool is_wrong = image->previous || image->persistent || history->persistent ||
+                          (r && (r->partner || r->import != RG_NONE || !is_alike(r, history)));
+    if (is_wrong)
+        rg_fault_of(c, RG_ERROR_PERSISTENT, history->name,
+                    "previous: expected an image that is neither imported nor persistent, with "
+                    "equal fields and one history");
+    make_persistent(c, history, true);
+    if (!r || is_wrong)
+        return;
+    history->partner = r;
+    r->partner = history;
+    make_persistent(c, r, false);
+}
+
 struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
                                 const struct rg_buffer *buffer)
 {
     const void *address = image ? (const void *)image : (const void *)buffer;
     void **value = rg_map_value(c->arena, &c->by_address, address);
-    if (value && !*value)
-        *value = add_resource(c, image, buffer, NULL);
-    return value ? *value : NULL;
+    if (!value || *value)
+        return value ? *value : NULL;
+    struct resource *r = *value = add_resource(c, image, buffer, NULL);
+    if (r && image && image->previous)
+        pair(c, r);
+    return r;
 }
 
 static void add_import(struct compiler *c, const struct rg_import *import)

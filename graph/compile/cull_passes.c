@@ -79,9 +79,10 @@ static bool needs_another_round(const struct compiler *c)
     for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
-            struct cell *cell = &r->cells[k];
-            more = more || (cell->is_needed && !cell->is_needed_next_frame);
-            cell->is_needed_next_frame = cell->is_needed_next_frame || cell->is_needed;
+            const struct cell *cell = &r->cells[k];
+            struct cell *end = rg_is_history(r) ? &r->partner->cells[k] : &r->cells[k];
+            more = more || (cell->is_needed && !end->is_needed_next_frame);
+            end->is_needed_next_frame = end->is_needed_next_frame || cell->is_needed;
         }
     }
     return more;

@@ -103,6 +103,8 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     }
     if (conflict)
         report_conflict(c, conflict, a);
+    rg_fault_if(c, a->flags & ACCESS_WRITES && rg_is_history(a->resource), RG_ERROR_ACCESS, name,
+                "write its `previous`: a history is read-only");
     rg_fault_if(c, !all_filled && a->flags & ACCESS_READS, RG_ERROR_READ_BEFORE_WRITE, name,
                 unfilled_hint);
     c->access_count++;
@@ -241,6 +243,7 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
+    r->is_mutable = r->is_mutable || (use->image && rg_view_format(use) != use->image->format);
     /* a depth image that is tested and sampled: read-only depth layout for the whole range */
     if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
         use->image == c->pass->pass->depth.image)
@@ -378,7 +381,7 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
 {
     c->row_first_fault = c->fault_count;
     rg_fault_if(c, !row->name, RG_ERROR_NO_NAME, NULL, "give the pass a name");
-    rg_fault_if(c, row->name && rg_string_set_add(c->arena, &c->pass_names, row->name),
+    rg_fault_if(c, row->name && rg_map_add_text(c->arena, &c->pass_names, row->name),
                 RG_ERROR_DUPLICATE_NAME, NULL, "give each pass a unique name");
     rg_check_row(c, row);
     if (c->fault_count == c->row_first_fault)
@@ -392,7 +395,8 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
     }
 }
 
-static void check_output(struct compiler *c, const struct resource *r)
+/* Checks that a resource whose content is needed after the frame is written completely. */
+static void check_filled(struct compiler *c, const struct resource *r)
 {
     bool complete = true;
     for (uint32_t k = 0; k < r->cell_count; k++)
@@ -416,8 +420,8 @@ void rg_expand(struct compiler *c)
     c->row = RG_NONE;
     c->row_first_fault = c->fault_count;
     rg_end_constants(c);
-    for (uint32_t i = 0; i < c->boundary_count; i++) {
-        if (c->resources[i]->output != RG_NONE)
-            check_output(c, c->resources[i]);
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        if (c->resources[i]->output != RG_NONE || c->resources[i]->partner)
+            check_filled(c, c->resources[i]);
     }
 }

@@ -63,36 +63,43 @@ void rg_find_lifetimes(struct compiler *c)
         struct resource *r = rg_resource_of(c, output->image, output->buffer);
         extend_lifetime(c, r, rg_usage(r, output->access), index);
     }
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        struct resource *r = c->resources[i];
+        if (rg_is_history(r) && r->first == RG_NONE) /* no pass reads it */
+            r->partner = r->partner->partner = NULL;
+    }
 }
 
-static void check_texels(struct compiler *c, const struct access *a)
+/* Returns the features that a device needs for an access to an image. */
+static VkFormatFeatureFlags features_of(const struct access *a, const struct rg_use *use)
 {
-    const struct rg_device *device = c->params->device;
-    VkFormatFeatureFlags needed = a->kind == RG_SAMPLED
-                                      ? VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT
-                                      : VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT;
-    if (device->buffer_features &&
-        needed & ~device->buffer_features(device->user, a->resource->buffer->format))
-        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
-                 "this device does not support texel buffers of this format; choose another");
-}
-
-static void check_format(struct compiler *c, const struct access *a)
-{
-    const struct rg_device *device = c->params->device;
-    const struct rg_sampler *sampler =
-        a->kind == RG_SAMPLED ? ((const struct rg_use *)a->declared)->sampler : NULL;
+    const struct rg_sampler *sampler = a->kind == RG_SAMPLED ? use->sampler : NULL;
     VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
-    if (!device->format_features)
-        return;
     if (sampler && sampler->linear && !sampler->compare)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     if (sampler && sampler->reduction)
         needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_MINMAX_BIT;
     if (a->kind == RG_COLOR && rg_is_blended(a->declared))
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
-    if (needed & ~device->format_features(device->user, a->resource->image->format))
-        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
+    return needed;
+}
+
+static void check_format(struct compiler *c, const struct access *a)
+{
+    const struct rg_device *device = c->params->device;
+    const struct resource *r = a->resource;
+    const struct rg_use *use = rg_is_shader_access(a->kind) ? a->declared : NULL;
+    VkFormatFeatureFlags missing = 0;
+    if (r->image && device->format_features)
+        missing =
+            features_of(a, use) &
+            ~device->format_features(device->user, use ? rg_view_format(use) : r->image->format);
+    if (a->flags & ACCESS_TEXELS && device->buffer_features)
+        missing = (a->kind == RG_SAMPLED ? VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT
+                                         : VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT) &
+                  ~device->buffer_features(device->user, r->buffer->format);
+    if (missing)
+        rg_fault(c, RG_ERROR_FORMAT, r->name,
                  "this device does not support this use of the format; choose another");
 }
 
@@ -106,12 +113,8 @@ void rg_check_formats(struct compiler *c)
         c->row = c->plan_passes[p].row;
         if (pass->alive && !c->plan_passes[p].repetition)
             c->row_first_fault = c->fault_count;
-        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
-            if (a[i].resource->image)
-                check_format(c, &a[i]);
-            else if (a[i].flags & ACCESS_TEXELS)
-                check_texels(c, &a[i]);
-        }
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
+            check_format(c, &a[i]);
     }
 }
 
@@ -196,8 +199,16 @@ static void add_memory(struct compiler *c, struct resource *r,
                     "make it smaller: the resources so far exceed any memory");
 }
 
+/* Returns true if an image, or its partner, is seen in several formats. */
+static bool is_mutable(const struct resource *r)
+{
+    return r->is_mutable || (r->partner && r->partner->is_mutable);
+}
+
 static void list_image(struct compiler *c, struct resource *r)
 {
+    const VkImageCreateFlags mutable_flags =
+        VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT;
     struct rg_plan_image *image = &c->images[r->plan_image];
     *image = (struct rg_plan_image){
         .image = r->image,
@@ -206,12 +217,14 @@ static void list_image(struct compiler *c, struct resource *r)
         .layers = r->all.layerCount,
         .mips = r->all.levelCount,
         .aspects = r->all.aspectMask,
-        .usage = r->usage,
-        .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .usage = r->usage | (r->partner ? r->partner->usage : 0),
+        .flags = (r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0) |
+                 (is_mutable(r) ? mutable_flags : 0),
         .samples = r->image->samples ? r->image->samples : 1,
         .imported = r->import != RG_NONE,
         .persistent = r->persistent,
         .import = r->import,
+        .partner = r->partner ? r->partner->plan_image : RG_NONE,
         .first = r->first,
         .last = r->last,
         .block = RG_NONE,

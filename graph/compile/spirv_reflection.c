@@ -366,37 +366,25 @@ static bool is_main(struct spirv *s, const struct instruction *in, uint32_t mode
 static void decorate(struct spirv *s, const struct instruction *in)
 {
     struct spirv_id *id = in->count > 2 ? find_id(s, in->words[1]) : NULL;
-    uint32_t value = in->count > 3 ? in->words[3] : 0;
+    const uint32_t kind = in->count > 2 ? in->words[2] : 0;
+    const uint32_t value = in->count > 3 ? in->words[3] : 0;
     if (!id)
         return;
-    switch (in->words[2]) {
-    case DECORATION_NON_WRITABLE:
+    if (kind == DECORATION_NON_WRITABLE)
         id->denied |= SPIRV_STORES;
-        break;
-    case DECORATION_NON_READABLE:
+    if (kind == DECORATION_NON_READABLE)
         id->denied |= SPIRV_LOADS;
-        break;
-    case DECORATION_BUFFER_BLOCK:
+    if (kind == DECORATION_BUFFER_BLOCK)
         id->buffer_block = true;
-        break;
-    case DECORATION_ARRAY_STRIDE:
+    if (kind == DECORATION_ARRAY_STRIDE)
         id->stride = value;
-        break;
-    case DECORATION_BINDING:
-        id->binding = value + 1;
-        break;
-    case DECORATION_SET:
-        id->set = value + 1;
-        break;
-    case DECORATION_LOCATION:
-        id->location = value + 1;
-        break;
-    case DECORATION_SPEC_ID:
-        id->spec = value + 1;
-        break;
-    default:
-        break;
-    }
+    uint32_t *number = kind == DECORATION_BINDING    ? &id->binding
+                       : kind == DECORATION_SET      ? &id->set
+                       : kind == DECORATION_LOCATION ? &id->location
+                       : kind == DECORATION_SPEC_ID  ? &id->spec
+                                                     : NULL;
+    if (number)
+        *number = value + 1;
 }
 
 /* Returns the word index of an instruction's result id, or 0 if the parser ignores the result. */

@@ -151,6 +151,8 @@ static void print_image(const struct rg_dump *d, uint32_t index)
     if (i->image->depth)
         rg_dump_print(d, ", \"depth\": %u", i->depth);
     rg_dump_print(d, ", \"cube\": %s", bool_of(i->image->cube));
+    if (i->image->previous && i->partner != RG_NONE)
+        rg_dump_print(d, ", \"previous\": %n", i->image->previous->name);
     resource_members(d, &r);
 }
 

@@ -97,11 +97,14 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
         const struct rg_plan_target *target = &attachments[i];
         const struct rg_plan_image *image = &exec->plan->images[target->image];
         const uint32_t layers = rg_exec_layers(plan->pass);
-        const VkImageSubresourceRange range = { image->aspects, target->mip, 1, target->layer,
-                                                layers };
-        RG_TRY(rg_exec_make_view(exec, image, set->images[target->image],
-                                 layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
-                                 &range, &targets->views[i]));
+        const struct exec_view view = {
+            .type = layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
+            .usage = image->usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                     VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT),
+            .range = { image->aspects, target->mip, 1, target->layer, layers },
+        };
+        RG_TRY(
+            rg_exec_make_view(exec, image, set->images[target->image], &view, &targets->views[i]));
     }
     if (!exec->passes[index].render_pass)
         return VK_SUCCESS;

@@ -189,9 +189,13 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         if (d->buffer == RG_NONE && !d->image.imageView) {
             const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
             const struct rg_plan_image *image = &exec->plan->images[use->image];
-            const VkImageViewType type =
-                view_type(image, use->range.layerCount, use->use->access != RG_SAMPLED);
-            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], type, &use->range,
+            const struct exec_view view = {
+                .type = view_type(image, use->range.layerCount, use->use->access != RG_SAMPLED),
+                .usage = rg_access_info(use->use->access)->image_usage,
+                .format = use->use->view_format,
+                .range = use->range,
+            };
+            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], &view,
                                      &d->image.imageView));
         }
     }
@@ -218,7 +222,7 @@ static void add_descriptors(struct rg_exec *exec, const struct rg_plan_pass *pla
         for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++)
             RG_KEY(exec, rg_exec_buffer(exec, d->buffer, slot)->buffer);
         if (d->buffer != RG_NONE && exec->plan->buffers[d->buffer].imported) {
-            exec->key.size = 0;
+            exec->key_size = 0;
             return;
         }
     }
@@ -373,8 +377,12 @@ VkImageView rg_exec_view(struct rg_exec *exec, const struct rg_image *image,
         .baseArrayLayer = r->layer,
         .layerCount = r->layer_count ? r->layer_count : plan->layers - r->layer,
     };
-    VkResult result =
-        rg_exec_make_view(exec, plan, exec->image_set->images[plan - exec->plan->images],
-                          view_type(plan, all.layerCount, false), &all, &view);
+    const struct exec_view info = {
+        .type = view_type(plan, all.layerCount, false),
+        .usage = VK_IMAGE_USAGE_SAMPLED_BIT,
+        .range = all,
+    };
+    VkResult result = rg_exec_make_view(
+        exec, plan, exec->image_set->images[plan - exec->plan->images], &info, &view);
     return result == VK_SUCCESS ? view : VK_NULL_HANDLE;
 }

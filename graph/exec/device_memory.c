@@ -112,6 +112,8 @@ static void add_image(struct rg_exec *exec, const struct rg_plan_image *plan,
                                 plan->mips,         plan->samples,
                                 plan->usage };
     add_name(exec, plan->image->name, placeholder != NULL);
+    if (plan->partner != RG_NONE) /* an update keeps both or none */
+        add_name(exec, exec->plan->images[plan->partner].image->name, plan->partner != RG_NONE);
     if (placeholder) {
         rg_exec_key(exec, placeholder->fallback, sizeof(*placeholder->fallback));
         RG_KEY(exec, placeholder->range.aspect);
@@ -136,6 +138,8 @@ VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *pl
     if (exec->found == RG_FOUND_HERE)
         return VK_SUCCESS;
     const bool is_bound = exec->found;
+    if (is_bound && plan->block != RG_NONE)
+        return VK_SUCCESS;
     exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
     RG_TRY(find_memory(exec, &placement, &needs, &memory));
     if (!is_bound)
@@ -147,22 +151,26 @@ fail:
 }
 
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
-                           VkImageViewType type, const VkImageSubresourceRange *range,
-                           VkImageView *view)
+                           const struct exec_view *info, VkImageView *view)
 {
+    /* other formats need not support all usage of the image */
+    const VkImageViewUsageCreateInfo usage = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
+        .usage = info->usage,
+    };
     VkResult result;
     if (!plan->imported) {
-        rg_exec_key(exec, range, sizeof(*range));
+        rg_exec_key(exec, info, sizeof(*info));
         RG_KEY(exec, image);
-        RG_KEY(exec, type);
     }
     RG_MAKE(exec, plan->image->name, IMAGE_VIEW, CreateImageView, view,
             &(VkImageViewCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                .pNext = plan->flags & VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT ? &usage : NULL,
                 .image = image,
-                .viewType = type,
-                .format = plan->image->format,
-                .subresourceRange = *range,
+                .viewType = info->type,
+                .format = info->format ? info->format : plan->image->format,
+                .subresourceRange = info->range,
             });
 fail:
     return result;
@@ -198,7 +206,7 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
     if (image && plan->persistent && result == VK_SUCCESS)
         result = find_origin(exec, (uint64_t)image, index, &exec->origins[index]);
     for (uint32_t i = 0; i < exec->image_set_count; i++)
-        exec->image_sets[i].images[index] = import->image_count ? import->images[i]
+        exec->image_sets[i].images[index] = import->image_count ? import->images[i / exec->parities]
                                             : image             ? image
                                                                 : import->image;
     return result;
@@ -250,6 +258,8 @@ static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInf
     RG_KEY(exec, placement->offset);
     RG_MAKE(exec, placement->name, BUFFER, CreateBuffer, buffer, info);
     const bool is_bound = exec->found;
+    if (is_bound && placement->block != RG_NONE)
+        return VK_SUCCESS;
     exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
     RG_TRY(find_memory(exec, placement, &needs, &memory));
     if (!is_bound)
@@ -300,11 +310,27 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
     return result;
 }
 
+/* Swaps the images that have a partner in the image sets of odd frames. */
+static void swap_partners(struct rg_exec *exec)
+{
+    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
+        const uint32_t partner = exec->plan->images[i].partner;
+        for (uint32_t s = 1; s < exec->image_set_count && partner < i; s += 2) {
+            VkImage *images = exec->image_sets[s].images;
+            const VkImage image = images[i];
+            images[i] = images[partner];
+            images[partner] = image;
+        }
+    }
+}
+
 VkResult rg_exec_make_memory(struct rg_exec *exec)
 {
     VkResult result = make_blocks(exec);
     for (uint32_t i = 0; i < exec->plan->image_count && result == VK_SUCCESS; i++)
         result = find_images(exec, i);
+    if (exec->parities > 1)
+        swap_partners(exec);
     for (uint32_t i = 0; i < exec->plan->buffer_count && result == VK_SUCCESS; i++)
         result = find_buffers(exec, i);
     return result;

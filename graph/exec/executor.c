@@ -46,6 +46,10 @@ static VkResult count_image_sets(struct rg_exec *exec)
         if (count)
             exec->image_set_count = count;
     }
+    exec->parities = 1;
+    for (uint32_t i = 0; i < exec->plan->image_count; i++)
+        exec->parities = exec->plan->images[i].partner != RG_NONE ? 2 : exec->parities;
+    exec->image_set_count *= exec->parities;
     return VK_SUCCESS;
 }
 
@@ -82,7 +86,7 @@ static VkResult make_arrays(struct rg_exec *exec)
                RG_MAKE_ARRAY(exec, set->targets, plan->pass_count) &&
                RG_MAKE_ARRAY(exec, set->descriptors, plan->pass_count);
     }
-    exec->image_set = exec->image_sets;
+    exec->image_set = &exec->image_sets[exec->parity % exec->parities];
     return done ? VK_SUCCESS : VK_ERROR_OUT_OF_HOST_MEMORY;
 }
 
@@ -170,7 +174,9 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
         exec->slots = calloc(exec->slot_count, sizeof(*exec->slots));
         outcome = exec->slots ? make_all(exec)
                               : rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
-        rg_exec_free_former(exec);
+        if (outcome == VK_SUCCESS)
+            outcome = rg_exec_retire_former(exec);
+        rg_exec_free_retired(exec);
     } else if (outcome == VK_SUCCESS) {
         outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     }
@@ -197,9 +203,11 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
         .slot = former.slot,
         .slots = former.slots,
         .frame = former.frame,
-        .former = former.objects,
+        .parity = former.parity,
+        .objects = former.objects,
+        .former = former.unshared,
+        .plan_number = former.plan_number + 1,
         .retired = former.retired,
-        .key = former.key,
         .is_update = true,
     };
     next.params.plan = params->plan;
@@ -213,7 +221,6 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
     *exec = next;
-    rg_exec_link_former(exec);
     RG_TRY(make_all(exec));
     RG_TRY(rg_exec_keep_content(exec, &former));
     rg_time_keep(exec, &former);
@@ -344,6 +351,21 @@ fail:
     return result;
 }
 
+bool rg_exec_select_images(struct rg_exec *exec, uint32_t image_index)
+{
+    if (image_index >= exec->image_set_count / exec->parities)
+        return false;
+    exec->image_set =
+        &exec->image_sets[image_index * exec->parities + exec->parity % exec->parities];
+    return true;
+}
+
+void rg_exec_end_frame(struct rg_exec *exec)
+{
+    exec->initialized = true;
+    exec->parity ^= 1;
+}
+
 VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
 {
     return rg_exec_submit_synced(exec, frame, &(struct rg_exec_external_sync){ 0 });
@@ -359,16 +381,15 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
     if (!exec->begun || exec->next_part.count)
         return rg_exec_refuse(exec, "rg_exec_submit() without rg_exec_begin()");
     exec->begun = false;
-    if (sync->image_index >= exec->image_set_count)
+    if (!rg_exec_select_images(exec, sync->image_index))
         return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");
     exec->external_sync = *sync;
-    exec->image_set = &exec->image_sets[sync->image_index];
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
         RG_TRY(submit_alone(exec, frame));
     else
         RG_TRY(rg_exec_submit_recorded(exec, frame, &whole));
-    exec->initialized = true;
+    rg_exec_end_frame(exec);
 fail:
     return result;
 }
@@ -383,12 +404,13 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *re
     VkResult result;
     if (exec->next_part.count)
         return rg_exec_refuse(exec, "rg_exec_record() before the last part");
-    if (recording->slot >= exec->slot_count || recording->image_index >= exec->image_set_count)
+    if (recording->slot >= exec->slot_count ||
+        recording->image_index >= exec->image_set_count / exec->parities)
         return rg_exec_refuse(exec, "rg_exec_record() with a slot or image_index out of range");
     struct exec_slot *slot = &exec->slots[recording->slot];
     RG_TRY(rg_exec_wait(exec, recording->slot));
     exec->slot = recording->slot;
-    exec->image_set = &exec->image_sets[recording->image_index];
+    rg_exec_select_images(exec, recording->image_index);
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     rg_time_begin(exec, start);
     if (slot->times.measure.clock == RG_CLOCK_SUBMITS)
@@ -397,7 +419,7 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *re
     slot->times.record = rg_time_now() - start - slot->times.begin;
     slot->recorded = true;
     slot->frame = ++exec->frame;
-    exec->initialized = true;
+    rg_exec_end_frame(exec);
 fail:
     return result;
 }

@@ -29,8 +29,9 @@ struct exec_targets {
     VkFramebuffer framebuffer;
 };
 
-/* Objects for one image index of multi-image imports, such as swapchains. The sets for all indices
- * are created in advance, because a frame must not allocate. */
+/* Objects for one image index of multi-image imports, such as swapchains, and, if the plan has
+ * images with partners, for even or odd frames. The sets are created in advance, because a frame
+ * must not allocate. */
 struct exec_image_set {
     VkImage *images;               /* indexed by plan image */
     struct exec_targets *targets;  /* indexed by pass */
@@ -72,18 +73,13 @@ struct exec_slot {
     uint32_t stamp_count;        /* timestamps written in its current frame */
 };
 
-/* List of the objects that are freed with an executor, with a hash table of their keys. */
+/* List of objects that are freed together, with a hash table of their keys. */
 struct exec_objects {
     struct exec_object *entries;
     uint32_t *chains;     /* `room` of them: index of the first object plus 1; 0 if there is none */
     uint32_t count, room; /* `room` is a power of two, or 0 */
-};
-
-/* Content that identifies the object created next. */
-struct exec_key {
-    unsigned char *bytes;
-    size_t size, room; /* size 0: the object is not reused */
-    bool is_lost;      /* out of memory */
+    unsigned char *keys;  /* of all objects, in their order */
+    size_t key_bytes, key_room;
 };
 
 /* Layout in which the previous plan left a persistent image that the new plan keeps. */
@@ -125,13 +121,18 @@ struct rg_exec {
     struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;
-    struct exec_objects objects;  /* of the current plan (object_cache.c) */
-    struct exec_objects former;   /* of previous plans, during updates */
+    struct exec_objects objects;  /* those with keys (object_cache.c) */
+    struct exec_objects unshared; /* objects of the plan that have no key */
+    struct exec_objects former;   /* the same of the previous plan, during updates */
+    uint32_t next_object;         /* index in `objects` of the one that is tried first */
+    uint32_t next_view;           /* and of the one that is tried first for a shared view */
+    uint32_t plan_number;         /* of the plan: counts updates */
     struct exec_retired *retired; /* objects of previous plans that frames may still use */
     uint64_t frame;               /* number of frames submitted or recorded */
     bool is_update;               /* frames of a previous plan may be in flight */
 
-    struct exec_key key; /* of the object created next */
+    size_t key_size;  /* bytes of the key of the object created next, which follow objects.keys */
+    bool is_key_lost; /* out of memory */
 
     enum {
         RG_NOT_FOUND,
@@ -140,7 +141,9 @@ struct rg_exec {
     } found;             /* result of the last lookup */
 
     uint32_t slot_count, slot;                     /* `slot` is the one begun last */
-    uint32_t image_set_count;                      /* 1 unless imports have several images */
+    uint32_t parities;                             /* 2 if images have partners, otherwise 1 */
+    uint32_t parity;                               /* of the next frame; 0 or 1 */
+    uint32_t image_set_count;                      /* image indices times `parities` */
     struct exec_image_set *image_sets, *image_set; /* all sets, and the current one */
     VkPhysicalDeviceMemoryProperties memory_properties;
     VkDeviceMemory *blocks;
@@ -236,14 +239,10 @@ void *rg_exec_make_array(struct rg_exec *exec, size_t count, size_t size);
 VkResult rg_exec_reserve_object(struct rg_exec *exec); /* reserves an entry in the list */
 bool rg_exec_find(struct rg_exec *exec, VkObjectType type, void *handle, size_t size);
 void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name);
-/* Frees objects of the previous plan that this plan does not use. Pipelines are kept for one more
- * plan, because programs often switch between two plans. */
-void rg_exec_free_former(struct rg_exec *exec);
-/* Frees the same objects once the frames submitted until now have finished. */
+/* Frees objects that this plan does not use, once the frames submitted until now have finished.
+ * Pipelines are kept for one more plan, because programs often switch between two plans. */
 VkResult rg_exec_retire_former(struct rg_exec *exec);
 void rg_exec_free_retired(struct rg_exec *exec); /* those that no frame uses */
-/* Prepares the search for objects of the previous plan. */
-void rg_exec_link_former(struct rg_exec *exec);
 /* Moves the pipelines in rg_exec_params.pipelines to the executor, for reuse. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);
 /* Frees all objects, but moves pipelines to rg_exec_params.pipelines unless that is NULL. */
@@ -257,9 +256,17 @@ VkResult rg_exec_make_memory(struct rg_exec *exec);
  * NULL. Sets exec->found to RG_FOUND_HERE if the placeholder is shared with another use. */
 VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan,
                             const struct rg_use *placeholder, VkImage *image);
+
+/* Part of the key of an image view, without padding. */
+struct exec_view {
+    VkImageViewType type;
+    VkImageUsageFlags usage; /* of the view, if its image has views of several formats */
+    VkFormat format;         /* 0 means that of the image */
+    VkImageSubresourceRange range;
+};
+
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
-                           VkImageViewType type, const VkImageSubresourceRange *range,
-                           VkImageView *view);
+                           const struct exec_view *info, VkImageView *view);
 /* Creates a frame slot's buffer in host memory, with `preferred` memory properties if possible. */
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
@@ -333,6 +340,8 @@ VkResult rg_exec_check_imports(struct rg_exec *exec);
  */
 VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
+/* Records a barrier by which all later commands wait for all earlier ones. */
+void rg_exec_record_wait(const struct rg_exec *exec, VkCommandBuffer commands);
 /* Records a layout transition that synchronises with all commands before and after. */
 void rg_exec_record_transition(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                                const VkImageSubresourceRange *range, VkImageLayout from,
@@ -363,6 +372,10 @@ void rg_exec_bind(const struct rg_cmd *cmd);
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 
 /* executor.c */
+/* Selects the images of the next frame. Returns false if the image index is out of range. */
+bool rg_exec_select_images(struct rg_exec *exec, uint32_t image_index);
+/* Notes that all commands of a frame have been recorded. */
+void rg_exec_end_frame(struct rg_exec *exec);
 /* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
 VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 /* Records a part of the frame begun last, and submits it. */

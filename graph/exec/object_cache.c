@@ -1,30 +1,23 @@
 /* object_cache.c: error handling of Vulkan calls, and an executor's objects, cached by key. An
  * object with a key is reused: for an equal key in one plan, by the next plan, or (pipelines) by
- * another executor. Keys contain handles of other objects, which is safe, since these are in the
- * same list, and lists move as a whole. */
+ * another executor. Keys contain handles of other objects, which is safe: an object leaves the list
+ * together with those whose keys contain its handle, because no later plan can find them. */
 #include <stdlib.h>
 #include <string.h>
 #include "graph/exec/executor_internal.h"
 
 enum {
     UNUSED_MAX = 1, /* plans that an unused pipeline survives */
-    SHORT_KEY = 40, /* bytes of a key that is stored in place */
 };
 
 struct exec_object {
     VkObjectType type; /* UNKNOWN: host memory; MAX_ENUM: moved */
-    uint64_t handle;
     uint32_t key_size; /* 0: never reused */
-
-    /* content that identifies it; allocated if it is longer than SHORT_KEY */
-    union {
-        unsigned char *key;
-        unsigned char short_key[SHORT_KEY];
-    };
-
-    uint64_t hash;   /* of type and key */
-    uint32_t next;   /* next object of the same hash chain, plus 1; 0 if there is none */
-    uint32_t unused; /* plans since its last use */
+    size_t key;        /* index in the list's `keys` of the content that identifies the object */
+    uint64_t handle;
+    uint64_t hash; /* of type and key */
+    uint32_t next; /* next object of the same hash chain, plus 1; 0 if there is none */
+    uint32_t plan; /* number of the last plan that used it */
 };
 
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
@@ -41,24 +34,6 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
     return result;
 }
 
-static const unsigned char *key_of(const struct exec_object *object)
-{
-    return object->key_size > SHORT_KEY ? object->key : object->short_key;
-}
-
-/* Moves the key into an object whose key_size is set. */
-static void store_key(struct exec_object *object, struct exec_key *key)
-{
-    if (object->key_size <= SHORT_KEY) {
-        memcpy(object->short_key, key->bytes, key->size);
-        key->size = 0;
-        return;
-    }
-    unsigned char *shrunk = realloc(key->bytes, key->size);
-    object->key = shrunk ? shrunk : key->bytes;
-    *key = (struct exec_key){ 0 };
-}
-
 static uint32_t *chain_of(const struct exec_objects *list, uint64_t hash)
 {
     return &list->chains[hash & (list->room - 1)];
@@ -68,30 +43,27 @@ static uint32_t *chain_of(const struct exec_objects *list, uint64_t hash)
 static void link_object(struct exec_objects *list, uint32_t index)
 {
     uint32_t *chain = chain_of(list, list->entries[index].hash);
-    if (!list->entries[index].key_size)
-        return;
     list->entries[index].next = *chain;
     *chain = index + 1;
 }
 
-/* Links all objects of a list, so that of equal keys the oldest object is found first. */
 static void link_objects(struct exec_objects *list)
 {
     if (list->room)
         memset(list->chains, 0, list->room * sizeof(*list->chains));
-    for (uint32_t i = list->count; i-- > 0;)
+    for (uint32_t i = 0; i < list->count; i++)
         link_object(list, i);
 }
 
-/* Makes room for one more object, whose key must have been stored completely. */
-VkResult rg_exec_reserve_object(struct rg_exec *exec)
+/* Makes room for `count` more objects. */
+static VkResult reserve(const struct rg_exec *exec, struct exec_objects *list, uint32_t count)
 {
-    struct exec_objects *list = &exec->objects;
-    if (list->count < list->room && !exec->key.is_lost)
+    uint32_t room = list->room ? list->room : 64;
+    if (count <= list->room - list->count)
         return VK_SUCCESS;
-    const uint32_t room = list->room ? list->room * 2 : 64;
-    struct exec_object *entries =
-        exec->key.is_lost ? NULL : realloc(list->entries, room * sizeof(*entries));
+    while (count > room - list->count)
+        room *= 2;
+    struct exec_object *entries = realloc(list->entries, room * sizeof(*entries));
     if (entries)
         list->entries = entries;
     uint32_t *chains = entries ? realloc(list->chains, room * sizeof(*chains)) : NULL;
@@ -103,29 +75,40 @@ VkResult rg_exec_reserve_object(struct rg_exec *exec)
     return VK_SUCCESS;
 }
 
-void rg_exec_key(struct rg_exec *exec, const void *data, size_t size)
+VkResult rg_exec_reserve_object(struct rg_exec *exec)
 {
-    struct exec_key *key = &exec->key;
-    if (size > key->room - key->size) {
-        const size_t room = key->room * 2 + size + 64;
-        unsigned char *bytes = realloc(key->bytes, room);
-        key->is_lost = key->is_lost || !bytes;
-        if (!bytes)
-            return;
-        key->bytes = bytes;
-        key->room = room;
-    }
-    memcpy(key->bytes + key->size, data, size);
-    key->size += size;
+    if (exec->is_key_lost)
+        return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "realloc", NULL);
+    return reserve(exec, exec->key_size ? &exec->objects : &exec->unshared, 1);
 }
 
-static uint64_t hash_of(VkObjectType type, const struct exec_key *key)
+/* Appends to the bytes after the keys of all objects. */
+void rg_exec_key(struct rg_exec *exec, const void *data, size_t size)
 {
+    struct exec_objects *list = &exec->objects;
+    const size_t end = list->key_bytes + exec->key_size;
+    if (size > list->key_room - end) {
+        const size_t room = list->key_room * 2 + size + 64;
+        unsigned char *keys = realloc(list->keys, room);
+        exec->is_key_lost = exec->is_key_lost || !keys;
+        if (!keys)
+            return;
+        list->keys = keys;
+        list->key_room = room;
+    }
+    memcpy(list->keys + end, data, size);
+    exec->key_size += size;
+}
+
+/* Returns the hash of a type and the current key. */
+static uint64_t hash_of(const struct rg_exec *exec, VkObjectType type)
+{
+    const unsigned char *key = exec->objects.keys + exec->objects.key_bytes;
     uint64_t hash = (uint64_t)type;
-    for (size_t at = 0; at < key->size; at += sizeof(uint64_t)) {
-        const size_t rest = key->size - at;
+    for (size_t at = 0; at < exec->key_size; at += sizeof(uint64_t)) {
+        const size_t rest = exec->key_size - at;
         uint64_t word = 0;
-        memcpy(&word, key->bytes + at, rest < sizeof(word) ? rest : sizeof(word));
+        memcpy(&word, key + at, rest < sizeof(word) ? rest : sizeof(word));
         hash = (hash ^ word) * UINT64_C(0x9e3779b97f4a7c15);
         hash ^= hash >> 29;
     }
@@ -143,72 +126,82 @@ static bool can_be_shared(VkObjectType type)
            type == VK_OBJECT_TYPE_IMAGE;
 }
 
-/* Moves an object to another list, which has room for it. */
-static void move_object(struct exec_objects *to, struct exec_object *object)
+/* Returns true if an object has a type and the current key. */
+static bool has_key(const struct rg_exec *exec, const struct exec_object *object, VkObjectType type,
+                    uint64_t hash)
 {
-    to->entries[to->count++] = *object;
-    link_object(to, to->count - 1);
-    object->type = VK_OBJECT_TYPE_MAX_ENUM;
-    object->key_size = 0;
+    const struct exec_objects *list = &exec->objects;
+    return object->hash == hash && object->type == type && object->key_size == exec->key_size &&
+           !memcmp(list->keys + object->key, list->keys + list->key_bytes, exec->key_size);
 }
 
-/* Returns the link to an object with a type and key, or NULL if the list has none. */
-static uint32_t *find_link(const struct exec_objects *list, VkObjectType type,
-                           const struct exec_key *key, uint64_t hash)
+/* Returns the object with a type and the current key, or NULL. Of several ones, which are not
+ * shared, the oldest that this plan does not use. Similar plans look for their objects in the same
+ * order, so that the successor of the object found last is tried first; of views that the plan
+ * shares, that of the last such view, since passes often sample images in the order of the targets.
+ */
+static struct exec_object *find_object(const struct rg_exec *exec, VkObjectType type)
 {
-    uint32_t *link = list->room ? chain_of(list, hash) : NULL;
-    while (link && *link) {
-        struct exec_object *object = &list->entries[*link - 1];
-        if (object->hash == hash && object->type == type && object->key_size == key->size &&
-            !memcmp(key_of(object), key->bytes, key->size))
-            return link;
-        link = &object->next;
+    const struct exec_objects *list = &exec->objects;
+    const uint64_t hash = hash_of(exec, type);
+    struct exec_object *found = NULL;
+    const bool is_view = type == VK_OBJECT_TYPE_IMAGE_VIEW;
+    for (uint32_t i = 0; i < (is_view ? 2 : 1); i++) {
+        const uint32_t index = i ? exec->next_view : exec->next_object;
+        struct exec_object *next = index < list->count ? &list->entries[index] : NULL;
+        if (next && (i || next->plan != exec->plan_number) && has_key(exec, next, type, hash))
+            return next;
     }
-    return NULL;
+    for (uint32_t i = list->room ? *chain_of(list, hash) : 0; i; i = list->entries[i - 1].next) {
+        struct exec_object *object = &list->entries[i - 1];
+        if (has_key(exec, object, type, hash) &&
+            (object->plan != exec->plan_number || can_be_shared(type)))
+            found = object;
+    }
+    return found;
 }
 
 bool rg_exec_find(struct rg_exec *exec, VkObjectType type, void *handle, size_t size)
 {
-    struct exec_objects *own = &exec->objects;
-    const uint64_t hash = hash_of(type, &exec->key);
-    exec->found = RG_NOT_FOUND;
-    if (!exec->key.size)
+    struct exec_object *object = exec->key_size ? find_object(exec, type) : NULL;
+    exec->found = !object                             ? RG_NOT_FOUND
+                  : object->plan == exec->plan_number ? RG_FOUND_HERE
+                                                      : RG_FOUND_FORMER;
+    if (!object)
         return false;
-    const uint32_t *link = can_be_shared(type) ? find_link(own, type, &exec->key, hash) : NULL;
-    uint32_t *former = link ? NULL : find_link(&exec->former, type, &exec->key, hash);
-    if (link)
-        exec->found = RG_FOUND_HERE;
-    if (former) {
-        struct exec_object *object = &exec->former.entries[*former - 1];
-        exec->found = RG_FOUND_FORMER;
-        *former = object->next;
-        move_object(own, object);
-        own->entries[own->count - 1].unused = 0;
-    }
-    if (exec->found) {
-        const uint32_t index = link ? *link - 1 : own->count - 1;
-        memcpy(handle, &own->entries[index].handle, size);
-        exec->key.size = 0;
-    }
-    return exec->found;
+    const uint32_t next = (uint32_t)(object - exec->objects.entries) + 1;
+    if (exec->found == RG_FOUND_FORMER)
+        exec->next_object = next;
+    else if (type == VK_OBJECT_TYPE_IMAGE_VIEW)
+        exec->next_view = next;
+    object->plan = exec->plan_number;
+    memcpy(handle, &object->handle, size);
+    exec->key_size = 0;
+    return true;
 }
 
 void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t handle, const char *name)
 {
-    struct exec_key *key = &exec->key;
     const VkDebugUtilsObjectNameInfoEXT info = {
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
         .objectType = type,
         .objectHandle = handle,
         .pObjectName = name,
     };
-    struct exec_object *object = &exec->objects.entries[exec->objects.count++];
-    *object = (struct exec_object){ .type = type, .handle = handle };
-    if (key->size) {
-        object->key_size = (uint32_t)key->size;
-        object->hash = hash_of(type, key);
-        link_object(&exec->objects, exec->objects.count - 1);
-        store_key(object, key);
+    struct exec_objects *list = exec->key_size ? &exec->objects : &exec->unshared;
+    struct exec_object *object = &list->entries[list->count++];
+    *object = (struct exec_object){
+        .type = type,
+        .handle = handle,
+        .plan = exec->plan_number,
+        .key = list->key_bytes,
+        .key_size = (uint32_t)exec->key_size,
+    };
+    if (exec->key_size) {
+        object->hash = hash_of(exec, type);
+        link_object(list, list->count - 1);
+        list->key_bytes += exec->key_size;
+        exec->key_size = 0;
     }
     if (name && exec->vk.SetDebugUtilsObjectNameEXT)
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
@@ -252,8 +245,6 @@ static void free_object(const struct rg_functions *vk, VkDevice device,
     DESTROY(SAMPLER, Sampler)
     if (object->type == VK_OBJECT_TYPE_DEVICE_MEMORY)
         vk->FreeMemory(device, (VkDeviceMemory)object->handle, NULL);
-    if (object->key_size > SHORT_KEY)
-        free(object->key);
     if (object->type == VK_OBJECT_TYPE_UNKNOWN)
         free((void *)(uintptr_t)object->handle);
 }
@@ -264,39 +255,49 @@ static void free_objects(const struct rg_functions *vk, VkDevice device, struct 
         free_object(vk, device, &list->entries[--list->count]);
     free(list->entries);
     free(list->chains);
+    free(list->keys);
     *list = (struct exec_objects){ 0 };
 }
 
-/* Returns true for pipelines and their layouts, which do not depend on the view's size. */
-static bool is_worth_keeping(const struct exec_object *object)
+/* Returns true if the object is kept for the next plan: if `plan` uses it, or if it is a pipeline
+ * or layout, which do not depend on the view, and has been unused for few plans. */
+static bool is_kept(const struct exec_object *object, uint32_t plan, bool only_pipelines)
 {
-    return object->unused <= UNUSED_MAX && (object->type == VK_OBJECT_TYPE_PIPELINE ||
-                                            object->type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
-                                            object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT);
+    const bool is_pipeline = object->type == VK_OBJECT_TYPE_PIPELINE ||
+                             object->type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
+                             object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT;
+    const uint32_t unused = plan - object->plan;
+    return is_pipeline ? unused <= UNUSED_MAX : !unused && !only_pipelines;
 }
 
-/* Moves the pipelines in a list to the executor's objects. */
-static void keep_pipelines(struct rg_exec *exec, struct exec_objects *list)
+/* Moves the objects that are not kept to the end of another list. */
+static VkResult remove_objects(struct rg_exec *exec, struct exec_objects *to, bool only_pipelines)
 {
-    for (uint32_t i = 0; i < list->count; i++) {
-        struct exec_object *object = &list->entries[i];
-        if (is_worth_keeping(object) && rg_exec_reserve_object(exec) == VK_SUCCESS)
-            move_object(&exec->objects, object);
+    struct exec_objects *list = &exec->objects;
+    const uint32_t count = list->count;
+    uint32_t removed = 0;
+    VkResult result;
+    for (uint32_t i = 0; i < count; i++)
+        removed += !is_kept(&list->entries[i], exec->plan_number, only_pipelines);
+    RG_TRY(reserve(exec, to, removed));
+    if (!removed)
+        return result;
+    list->count = 0;
+    list->key_bytes = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct exec_object object = list->entries[i];
+        if (!is_kept(&object, exec->plan_number, only_pipelines)) {
+            to->entries[to->count++] = object;
+            continue;
+        }
+        memmove(list->keys + list->key_bytes, list->keys + object.key, object.key_size);
+        list->entries[list->count] = object;
+        list->entries[list->count++].key = list->key_bytes;
+        list->key_bytes += object.key_size;
     }
-}
-
-/* Keeps pipelines of the previous plan that have been unused for few plans. */
-static void keep_former_pipelines(struct rg_exec *exec)
-{
-    for (uint32_t i = 0; i < exec->former.count; i++)
-        exec->former.entries[i].unused++;
-    keep_pipelines(exec, &exec->former);
-}
-
-void rg_exec_free_former(struct rg_exec *exec)
-{
-    keep_former_pipelines(exec);
-    free_objects(&exec->vk, exec->device, &exec->former);
+    link_objects(list);
+fail:
+    return result;
 }
 
 /* ---- objects of previous plans that frames in flight use ---- */
@@ -307,21 +308,15 @@ struct exec_retired {
     struct exec_retired *next;
 };
 
-void rg_exec_link_former(struct rg_exec *exec)
-{
-    link_objects(&exec->former);
-}
-
 VkResult rg_exec_retire_former(struct rg_exec *exec)
 {
     struct exec_retired *retired = malloc(sizeof(*retired));
     if (!retired)
         return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "malloc", NULL);
-    keep_former_pipelines(exec);
     *retired = (struct exec_retired){ exec->former, exec->frame, exec->retired };
     exec->former = (struct exec_objects){ 0 };
     exec->retired = retired;
-    return VK_SUCCESS;
+    return remove_objects(exec, &retired->objects, false);
 }
 
 /* Returns true if the frame with this number, or an earlier one, has not finished. */
@@ -365,6 +360,7 @@ struct rg_pipelines {
     struct rg_functions vk;
     VkDevice device;
     struct exec_objects cached;
+    uint32_t plan_number; /* of the executor destroyed last */
 };
 
 struct rg_pipelines *rg_pipelines_create(void)
@@ -384,24 +380,39 @@ void rg_exec_adopt_pipelines(struct rg_exec *exec)
     struct rg_pipelines *pipelines = exec->params.pipelines;
     if (!pipelines)
         return;
-    exec->former = pipelines->cached;
+    exec->objects = pipelines->cached;
+    exec->plan_number = pipelines->plan_number + 1;
     pipelines->cached = (struct exec_objects){ 0 };
-    rg_exec_link_former(exec);
+}
+
+/* Appends the executor's pipelines to those that other executors have cached. */
+static void cache_pipelines(struct rg_exec *exec, struct rg_pipelines *pipelines)
+{
+    struct exec_objects own = exec->objects;
+    exec->objects = pipelines->cached;
+    for (uint32_t i = 0; i < exec->objects.count; i++)
+        exec->objects.entries[i].plan += exec->plan_number - pipelines->plan_number;
+    for (uint32_t i = 0; i < own.count; i++) {
+        struct exec_object *object = &own.entries[i];
+        rg_exec_key(exec, own.keys + object->key, object->key_size);
+        if (rg_exec_reserve_object(exec) != VK_SUCCESS)
+            break;
+        rg_exec_add_object(exec, object->type, object->handle, NULL);
+        exec->objects.entries[exec->objects.count - 1].plan = object->plan;
+        object->type = VK_OBJECT_TYPE_MAX_ENUM; /* moved */
+    }
+    *pipelines = (struct rg_pipelines){ exec->vk, exec->device, exec->objects, exec->plan_number };
+    exec->objects = own;
 }
 
 void rg_exec_free_objects(struct rg_exec *exec)
 {
     struct rg_pipelines *pipelines = exec->params.pipelines;
-    struct exec_objects own = exec->objects;
-    free(exec->key.bytes);
-    exec->key = (struct exec_key){ 0 };
+    exec->key_size = 0;
     free_retired(exec, true);
-    if (pipelines) {
-        exec->objects = pipelines->cached;
-        keep_pipelines(exec, &own);
-        keep_pipelines(exec, &exec->former);
-        *pipelines = (struct rg_pipelines){ exec->vk, exec->device, exec->objects };
-    }
-    free_objects(&exec->vk, exec->device, &own);
+    if (pipelines && remove_objects(exec, &exec->unshared, true) == VK_SUCCESS)
+        cache_pipelines(exec, pipelines);
+    free_objects(&exec->vk, exec->device, &exec->objects);
+    free_objects(&exec->vk, exec->device, &exec->unshared);
     free_objects(&exec->vk, exec->device, &exec->former);
 }

@@ -172,6 +172,8 @@ static VkResult run(struct rg_exec *exec, const struct rg_frame *frame,
         .begins = part->ends,
     };
     exec->initialized = true;
+    if (is_last)
+        rg_exec_end_frame(exec);
 fail:
     return result;
 }
@@ -186,7 +188,7 @@ VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
     if (!exec->next_part.count) {
         exec->next_part = (struct exec_part){ .count = 1, .begins = true };
         exec->external_sync = (struct rg_exec_external_sync){ 0 };
-        exec->image_set = exec->image_sets;
+        rg_exec_select_images(exec, 0);
         RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
     }
     const struct exec_part part = find_part(exec, frame, seconds);

@@ -159,22 +159,10 @@ static bool is_stamped(const struct exec_slot *slot)
 static void stamp(struct rg_exec *exec, VkCommandBuffer commands)
 {
     const uint32_t index = exec->slots[exec->slot].stamp_count++;
-    const VkMemoryBarrier2 all = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-    };
-    const VkDependencyInfo info = {
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-        .memoryBarrierCount = 1,
-        .pMemoryBarriers = &all,
-    };
     exec->vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT,
                                 exec->time->stamps, first_stamp(exec, exec->slot) + index);
     if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_EXACT)
-        exec->vk.CmdPipelineBarrier2(commands, &info);
+        rg_exec_record_wait(exec, commands);
 }
 
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands)

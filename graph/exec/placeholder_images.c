@@ -28,6 +28,7 @@ static VkResult make_fallback(struct rg_exec *exec, uint32_t index)
         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
         .flags = cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
         .samples = 1,
+        .partner = RG_NONE,
         .block = RG_NONE,
     };
     VkImageSubresourceRange subresource = rg_exec_full_range(&fallback->described);
@@ -35,12 +36,15 @@ static VkResult make_fallback(struct rg_exec *exec, uint32_t index)
         subresource.aspectMask = use->range.aspect;
     RG_TRY(rg_exec_make_image(exec, &fallback->described, use, &fallback->image));
     fallback->first = exec->found != RG_FOUND_HERE;
-    RG_TRY(rg_exec_make_view(exec, &fallback->described, fallback->image,
-                             use->image->depth ? VK_IMAGE_VIEW_TYPE_3D
-                             : cube            ? VK_IMAGE_VIEW_TYPE_CUBE
-                             : array           ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
-                                               : VK_IMAGE_VIEW_TYPE_2D,
-                             &subresource, &fallback->view));
+    const struct exec_view view = {
+        .type = use->image->depth ? VK_IMAGE_VIEW_TYPE_3D
+                : cube            ? VK_IMAGE_VIEW_TYPE_CUBE
+                : array           ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                  : VK_IMAGE_VIEW_TYPE_2D,
+        .usage = VK_IMAGE_USAGE_SAMPLED_BIT,
+        .range = subresource,
+    };
+    RG_TRY(rg_exec_make_view(exec, &fallback->described, fallback->image, &view, &fallback->view));
 fail:
     return result;
 }

@@ -82,8 +82,7 @@ VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former
     return VK_SUCCESS;
 }
 
-/* Lets all commands that follow wait for the frames of the previous plan, whose memory they use. */
-static void record_wait(const struct rg_exec *exec, VkCommandBuffer commands)
+void rg_exec_record_wait(const struct rg_exec *exec, VkCommandBuffer commands)
 {
     const VkMemoryBarrier2 barrier = {
         .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
@@ -103,8 +102,8 @@ void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
 {
     const struct rg_plan *plan = exec->plan;
     const VkClearColorValue zero = { { 0 } };
-    if (exec->is_update)
-        record_wait(exec, commands);
+    if (exec->is_update) /* whose memory is that of frames of the previous plan */
+        rg_exec_record_wait(exec, commands);
     for (uint32_t i = 0; i < exec->transition_count; i++) {
         const struct exec_transition *move = &exec->transitions[i];
         rg_exec_record_transition(exec, commands, exec->image_set->images[move->image],

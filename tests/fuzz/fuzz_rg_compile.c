@@ -133,10 +133,13 @@ static const void *const sets[CHOICES] = { NULL, NULL,     NULL,     NULL,
 /* ---- fields ---- */
 
 static const struct field image_fields[] = {
-    FIELD(rg_image, NAME, name),   FIELD(rg_image, U32, format),      FIELD(rg_image, U32, width),
-    FIELD(rg_image, U32, height),  FIELD(rg_image, FLOAT, scale),     FIELD(rg_image, U32, layers),
-    FIELD(rg_image, U32, mips),    FIELD(rg_image, BOOL, cube),       FIELD(rg_image, BOOL, array),
-    FIELD(rg_image, U32, samples), FIELD(rg_image, BOOL, persistent), FIELD(rg_image, U32, depth),
+    FIELD(rg_image, NAME, name),       FIELD(rg_image, U32, format),
+    FIELD(rg_image, U32, width),       FIELD(rg_image, U32, height),
+    FIELD(rg_image, FLOAT, scale),     FIELD(rg_image, U32, layers),
+    FIELD(rg_image, U32, mips),        FIELD(rg_image, BOOL, cube),
+    FIELD(rg_image, BOOL, array),      FIELD(rg_image, U32, samples),
+    FIELD(rg_image, BOOL, persistent), FIELD(rg_image, U32, depth),
+    FIELD(rg_image, IMAGE, previous),
 };
 
 static const struct field buffer_fields[] = {
@@ -161,6 +164,7 @@ static const struct field use_fields[] = {
     CHOSEN(rg_use, sampler, samplers),
     CHOSEN(rg_use, fallback, fallbacks),
     FIELD(rg_use, STAGES, stages),
+    FIELD(rg_use, U32, view_format),
     FIELD(rg_use, BOOL, partial),
 };
 

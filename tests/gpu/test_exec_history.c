@@ -19,6 +19,8 @@ static const float depths[FRAMES] = { 0.5F, 0.25F, 0.75F, 0.625F, 0.875F, 0.125F
         [HISTORY_SUM] = { .color = { { (number), 1, 0, 0 } }, LEFT_HALF }, \
         [HISTORY_SEE] = { ALL }, [HISTORY_BEFORE] = { ALL }, \
         [HISTORY_KEEP] = { .color = { { 10 * (number), 2, 3, 4 } }, TOP_HALF }, \
+        [HISTORY_NOW] = { .color = { { (number), 5, 6, 7 } }, LEFT_HALF }, \
+        [HISTORY_LAST] = { ALL }, \
         [HISTORY_NEAREST] = { .color = { { (number), 0, 0, 1 } }, LEFT_HALF, .depth = (z) }, \
         [HISTORY_LAYERS] = { .color = { { (number), 1, 0, 0 } }, ALL }, \
         [HISTORY_MIPS] = { .color = { { (number), 2, 0, 0 } }, ALL }, \
@@ -58,6 +60,10 @@ static void check_images(struct run *run, uint32_t number)
     for (uint32_t i = 0; i < FEATURE_TEXELS; i++) {
         painted_check(run, outputs[HISTORY_SEEN_OUT], i,
                       i % 8 < 4 ? painted_color(sum, frames, 0, 0) : painted_color(0, 0, 0, 0));
+        for (uint32_t k = 0; k < 2; k++)
+            painted_check(run, outputs[HISTORY_NOW_OUT + k], i,
+                          i % 8 < 4 && number >= k ? painted_color(frames - (float)k, 5, 6, 7)
+                                                   : painted_color(0, 0, 0, 0));
         if (number == 0)
             painted_check(run, outputs[HISTORY_BEFORE_OUT], i, painted_color(0, 0, 0, 0));
         else if (i / 8 < 4) /* the rest was discarded */
@@ -81,6 +87,24 @@ static void images_are_kept(void **state)
 {
     static const struct painted_series series = { FRAMES, begin_images, check_images };
     painted_series_variants(*state, &feature_history.params, &series);
+}
+
+/* Frames of odd and of even number come last before an update. */
+static void images_survive_updates(void **state)
+{
+    struct run run;
+    run_open(&run, *state, &feature_history.params);
+    for (uint32_t number = 0; number < FRAMES; number++) {
+        struct rg_frame frame = { .rows = feature_history.params.technique.passes };
+        if (number % 3 > 0)
+            run_update(&run, &feature_history.params);
+        assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+        begin_images(&run, number, &frame);
+        assert_int_equal(rg_exec_submit(run.exec, &frame), VK_SUCCESS);
+        assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
+        check_images(&run, number);
+    }
+    run_close(&run);
 }
 
 /* ---- buffers ---- */
@@ -121,6 +145,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(images_are_kept),
+        ON_DEVICE(images_survive_updates),
         ON_DEVICE(buffers_are_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

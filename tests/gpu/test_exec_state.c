@@ -3,6 +3,7 @@
 
 #include "tests/support/assertions.h"
 
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/rectangle_rows.h"
 
@@ -614,14 +615,100 @@ static void constants_reach_shaders(void **state)
                      .constants = &info);
 }
 
+/* ---- views of other formats ---- */
+
+static const struct rg_image codes = { .name = "codes", .format = VK_FORMAT_R8G8B8A8_UNORM };
+static const struct rg_image recoded = COLOR_IMAGE("recoded");
+static const struct rg_buffer recoded_out = COLOR_BUFFER("recoded out");
+
+static const struct rg_pass view_rows[] = {
+    { .name = "codes", .color = RG_TARGETS({ &codes, RG_LOAD_CLEAR }), PAINTED },
+    {
+        .name = "view",
+        .color = RG_TARGETS({ &recoded, RG_LOAD_DISCARD }),
+        .uses = RG_USES({ .image = &codes,
+                          .access = RG_SAMPLED,
+                          .binding = PAINT_SOURCE,
+                          .view_format = VK_FORMAT_R8G8B8A8_SNORM }),
+        PAINTED_BY(painted_record, &fetch_frag),
+    },
+    RUN_READ("read recoded", recoded, recoded_out),
+};
+
+static void check_recoded(struct run *run)
+{
+    painted_check_all(run, &recoded_out, FEATURE_TEXELS, painted_color(1, 0, -1 / 127.0F, 0));
+}
+
+static void formats_of_views_differ(void **state)
+{
+    /* bytes 127, 0, 255 and 0 */
+    static const struct paint_push paints[] = { { ALL, .color = { { 127 / 255.0F, 0, 1, 0 } } },
+                                                { ALL } };
+    PAINTED_VARIANTS(state, view_rows, paints, check_recoded, .outputs = { &recoded_out });
+}
+
+/* A compute shader stores to an image whose own format cannot be stored to. */
+static const struct rg_image shown = { .name = "shown", .format = VK_FORMAT_R8G8B8A8_SRGB };
+static const struct rg_buffer codes_in = { .name = "codes in", .size_per_texel = 4 };
+
+static const struct rg_pass storage_rows[] = {
+    {
+        .name = "store",
+        .kind = RG_COMPUTE,
+        .uses =
+            RG_USES(FEATURE_SEED,
+                    { .image = &shown,
+                      .access = RG_STORAGE_WRITE,
+                      .binding = DATA_TEXELS,
+                      .view_format = VK_FORMAT_R32_UINT },
+                    { .buffer = &codes_in, .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS }),
+        .comp = &fill_comp,
+        .record = feature_record_texels,
+    },
+    { .name = "keep", .color = RG_TARGETS({ &shown, RG_LOAD_KEEP }), PAINTED },
+    PAINTED_FETCH("decode", shown, recoded),
+    RUN_READ("read decoded", recoded, recoded_out),
+};
+
+static void begin_stored(struct run *run, uint32_t number, struct rg_frame *frame)
+{
+    static const struct paint_push paints[] = { { ALL },
+                                                { .from = { { 2, 2 } }, .to = { { 3, 3 } } },
+                                                { ALL } };
+    (void)number;
+    *(struct data_seed *)run_data(run, &feature_seed) = (struct data_seed){ 100 };
+    frame->paints = paints;
+}
+
+static void check_stored(struct run *run, uint32_t number)
+{
+    const float *texels = run_data(run, &recoded_out);
+    (void)number;
+    for (uint32_t i = 0; i < FEATURE_TEXELS; i++) {
+        const float linear = powf(((float)(100 + i) / 255.0F + 0.055F) / 1.055F, 2.4F);
+        CHECK_NEAR(texels[(size_t)4 * i], linear, 0.002F);
+        CHECK_NEAR(texels[(size_t)4 * i + 1], 0, 0);
+    }
+}
+
+static void other_formats_are_stored(void **state)
+{
+    static const struct painted_series series = { 2, begin_stored, check_stored };
+    static const struct run_params params = { .technique = RG_TECHNIQUE("test", storage_rows),
+                                              .outputs = { &recoded_out } };
+    painted_series_variants(*state, &params, &series);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(depth_is_tested),         ON_DEVICE(targets_are_blended),
-        ON_DEVICE(any_blend_is_drawn),      ON_DEVICE(stencil_is_tested),
-        ON_DEVICE(faces_are_culled),        ON_DEVICE(mesh_is_drawn),
-        ON_DEVICE(mesh_of_a_pool_is_drawn), ON_DEVICE(viewport_is_set),
-        ON_DEVICE(instances_are_drawn),     ON_DEVICE(constants_reach_shaders),
+        ON_DEVICE(other_formats_are_stored), ON_DEVICE(formats_of_views_differ),
+        ON_DEVICE(depth_is_tested),          ON_DEVICE(targets_are_blended),
+        ON_DEVICE(any_blend_is_drawn),       ON_DEVICE(stencil_is_tested),
+        ON_DEVICE(faces_are_culled),         ON_DEVICE(mesh_is_drawn),
+        ON_DEVICE(mesh_of_a_pool_is_drawn),  ON_DEVICE(viewport_is_set),
+        ON_DEVICE(instances_are_drawn),      ON_DEVICE(constants_reach_shaders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -267,6 +267,7 @@ void dump_plan_init(struct dump_plan *p, const char *const names[DUMP_PLAN_NAMES
     memcpy(p->images, images, sizeof(images));
     for (uint32_t i = 0; i < DUMP_PLAN_IMAGES; i++) {
         struct rg_plan_image *image = &p->images[i];
+        image->partner = RG_NONE;
         image->image = &p->image_rows[i];
         image->extent = (VkExtent2D){ 64, 48 };
         image->depth = i == HISTORY ? 5 : 1;

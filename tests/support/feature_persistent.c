@@ -6,6 +6,10 @@ static const struct rg_image sum = COLOR_IMAGE("sum", .persistent = true);
 static const struct rg_image seen = COLOR_IMAGE("seen");
 static const struct rg_image kept = COLOR_IMAGE("kept", .persistent = true);
 static const struct rg_image before = COLOR_IMAGE("before");
+/* the last frame's `now`, without a copy */
+static const struct rg_image now = COLOR_IMAGE("now");
+static const struct rg_image last = COLOR_IMAGE("last", .previous = &now);
+static const struct rg_image last_seen = COLOR_IMAGE("last seen");
 static const struct rg_image nearest = COLOR_IMAGE("nearest");
 
 static const struct rg_image depth = {
@@ -23,6 +27,8 @@ static const struct rg_image mips =
 
 static const struct rg_buffer seen_out = COLOR_BUFFER("seen out");
 static const struct rg_buffer before_out = COLOR_BUFFER("before out");
+static const struct rg_buffer now_out = COLOR_BUFFER("now out");
+static const struct rg_buffer last_out = COLOR_BUFFER("last out");
 static const struct rg_buffer nearest_out = COLOR_BUFFER("nearest out");
 static const struct rg_buffer layers_out = COLOR_BUFFER("layers out");
 static const struct rg_buffer mip_out[HISTORY_MIP_COUNT] = {
@@ -50,6 +56,12 @@ static const struct rg_pass image_rows[] = {
         .color = RG_TARGETS({ &kept, RG_LOAD_DISCARD }),
         PAINTED,
     },
+    [HISTORY_NOW] = {
+        .name = "now",
+        .color = RG_TARGETS({ &now, RG_LOAD_CLEAR }),
+        PAINTED,
+    },
+    [HISTORY_LAST] = PAINTED_FETCH("last", last, last_seen),
     [HISTORY_NEAREST] = {
         .name = "nearest",
         .color = RG_TARGETS({ &nearest, RG_LOAD_CLEAR }),
@@ -71,6 +83,8 @@ static const struct rg_pass image_rows[] = {
     },
     RUN_READ("read seen", seen, seen_out),
     RUN_READ("read before", before, before_out),
+    RUN_READ("read now", now, now_out),
+    RUN_READ("read last", last_seen, last_out),
     RUN_READ("read depth", depth, depth_out),
     RUN_READ("read nearest", nearest, nearest_out),
     RUN_READ("read layers", layers, layers_out),
@@ -86,6 +100,8 @@ const struct feature feature_history = {
         .outputs = {
             [HISTORY_SEEN_OUT] = &seen_out,
             [HISTORY_BEFORE_OUT] = &before_out,
+            [HISTORY_NOW_OUT] = &now_out,
+            [HISTORY_LAST_OUT] = &last_out,
             [HISTORY_DEPTH_OUT] = &depth_out,
             [HISTORY_NEAREST_OUT] = &nearest_out,
             [HISTORY_LAYERS_OUT] = &layers_out,

@@ -32,14 +32,22 @@ static uint32_t first_content(const struct hazard_resource *resource)
     return HAZARD_UNDEFINED;
 }
 
+/* Returns true if a frame begins without the content that the last one has left. */
+static bool is_replaced(const struct hazard *h, uint32_t cell)
+{
+    return hazard_partner(h, cell) != cell && !hazard_is_history(h, cell);
+}
+
 static void begin(struct hazard *h, uint32_t frame)
 {
     for (uint32_t i = 0; i < h->cell_count; i++) {
         const struct hazard_resource *resource = &h->resources[h->cells[i].resource];
-        if (!resource->persistent)
+        if (!resource->persistent || is_replaced(h, i))
             h->cells[i].declared = first_content(resource);
         else if (frame == 0)
             h->cells[i].declared = HAZARD_ZERO;
+        else if (hazard_is_history(h, i))
+            h->cells[i].declared = h->ends[(frame - 1) * h->cell_count + hazard_partner(h, i)];
     }
 }
 
@@ -116,6 +124,12 @@ static void want(struct hazard *h, const struct hazard_use *use, bool surely,
 static void end_backward(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++) {
+        if (!hazard_is_history(h, i))
+            continue;
+        h->cells[hazard_partner(h, i)].wanted = h->cells[i].wanted;
+        h->cells[i].wanted = false;
+    }
+    for (uint32_t i = 0; i < h->cell_count; i++) {
         struct hazard_subresource *cell = &h->cells[i];
         const struct hazard_resource *resource = &h->resources[cell->resource];
         cell->carried = resource->persistent && cell->wanted;
@@ -155,8 +169,8 @@ void hazard_expect(struct hazard *h)
 static bool history_changed(const struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++)
-        if (h->resources[h->cells[i].resource].persistent &&
-            h->cells[i].wanted != h->cells[i].carried)
+        if (h->resources[h->cells[i].resource].persistent && !is_replaced(h, i) &&
+            h->cells[i].wanted != h->cells[hazard_partner(h, i)].carried)
             return true;
     return false;
 }

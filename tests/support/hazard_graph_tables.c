@@ -90,6 +90,7 @@ static uint32_t add_resource(struct hazard *h, const struct rg_image *image,
         .mips = 1,
         .layers = 1,
         .first = RG_NONE,
+        .partner = RG_NONE,
     };
     find_in_plan(h, resource);
     uint32_t aspect_count = 1;
@@ -325,6 +326,23 @@ static void number_expected(struct hazard *h)
     }
 }
 
+/* Finds histories. Their `previous` is persistent, but swaps places only if the history is read. */
+static void pair_histories(struct hazard *h)
+{
+    for (uint32_t i = 0; i < h->resource_count; i++) {
+        const struct rg_image *previous =
+            h->resources[i].image ? h->resources[i].image->previous : NULL;
+        if (!previous || h->resources[i].import)
+            continue;
+        const uint32_t other = add_resource(h, previous, NULL);
+        h->resources[i].persistent = h->resources[other].persistent = true;
+        if (h->resources[i].plan == RG_NONE)
+            continue;
+        h->resources[i].partner = other;
+        h->resources[other].partner = i;
+    }
+}
+
 void hazard_tables(struct hazard *h)
 {
     const struct rg_compile_params *params = h->params;
@@ -348,5 +366,6 @@ void hazard_tables(struct hazard *h)
     }
     for (size_t i = 0; i < params->output_count; i++)
         add_resource(h, params->outputs[i].image, params->outputs[i].buffer);
+    pair_histories(h);
     number_expected(h);
 }

@@ -118,6 +118,11 @@ static void check_image(struct hazard *h, const struct hazard_resource *resource
         hazard_report(h, "'%s' cannot be viewed as a cube", name_of(resource));
     if (resource->persistent && !(image->usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
         hazard_report(h, "'%s' cannot be filled with zeros", name_of(resource));
+    const uint32_t partner =
+        resource->partner == RG_NONE ? RG_NONE : h->resources[resource->partner].plan;
+    if (image->partner != partner ||
+        (partner != RG_NONE && image->usage != h->plan->images[partner].usage))
+        hazard_report(h, "'%s' has another partner, or other usage than it", name_of(resource));
 }
 
 static void check_import(struct hazard *h, const struct hazard_resource *resource, bool imported,

@@ -175,7 +175,9 @@ uint32_t hazard_min_batches(const struct hazard *h)
             pass_through(&intervals, resource, h->plan->pass_count);
             continue;
         }
-        if (begins(resource, &states[i][0], &states[i][1]))
+        const uint32_t partner = hazard_partner(h, i);
+        const struct state *left = &states[states[partner][1].any ? partner : i][1];
+        if (begins(&h->resources[h->cells[partner].resource], &states[i][0], left))
             add(&intervals, 0, states[i][0].last);
         end(&intervals, resource, &states[i][1], h->plan->pass_count);
     }

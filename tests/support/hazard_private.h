@@ -92,6 +92,8 @@ struct hazard_resource {
     const struct rg_import *import; /* may be NULL */
     const struct rg_output *output; /* may be NULL */
     bool persistent;
+    /* image with which it swaps places after a frame (rg_image.previous), or RG_NONE */
+    uint32_t partner;
     VkExtent2D extent;
     uint32_t mips, layers, samples, depth;
     VkDeviceSize size; /* of a buffer, bytes */
@@ -229,6 +231,22 @@ uint32_t hazard_next_subresource(const struct hazard_resource *resource,
 
 /* hazard_graph_tables.c: fills resources, passes, uses and subresources. */
 void hazard_tables(struct hazard *h);
+
+/* Returns the subresource of the partner; `cell` itself if its resource has none. */
+static inline uint32_t hazard_partner(const struct hazard *h, uint32_t cell)
+{
+    const struct hazard_resource *resource = &h->resources[h->cells[cell].resource];
+    if (resource->partner == RG_NONE)
+        return cell;
+    return h->resources[resource->partner].first_cell + cell - resource->first_cell;
+}
+
+/* Returns true if the subresource has the content that its partner had in the last frame. */
+static inline bool hazard_is_history(const struct hazard *h, uint32_t cell)
+{
+    const struct hazard_resource *resource = &h->resources[h->cells[cell].resource];
+    return resource->partner != RG_NONE && resource->image->previous;
+}
 
 /* hazard_expected_content.c: computes the useful passes and the expected content. */
 void hazard_expect_useful(struct hazard *h);

@@ -30,6 +30,8 @@ static void begin(struct hazard *h)
     for (uint32_t i = 0; i < h->cell_count; i++) {
         struct hazard_subresource *cell = &h->cells[i];
         const struct hazard_resource *resource = &h->resources[cell->resource];
+        if (hazard_partner(h, i) != i && !hazard_is_history(h, i))
+            cell->content = HAZARD_UNDEFINED;
         if (resource->persistent)
             continue;
         cell->content = HAZARD_UNDEFINED;
@@ -285,6 +287,20 @@ static void end(struct hazard *h)
     }
 }
 
+static void swap_partners(struct hazard *h)
+{
+    for (uint32_t i = 0; i < h->cell_count; i++) {
+        if (!hazard_is_history(h, i))
+            continue;
+        struct hazard_subresource *a = &h->cells[i], *b = &h->cells[hazard_partner(h, i)];
+        const struct hazard_subresource moved = *a;
+        *a = *b;
+        *b = moved;
+        b->resource = a->resource;
+        a->resource = moved.resource;
+    }
+}
+
 void hazard_frame_before(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++)
@@ -304,4 +320,5 @@ void hazard_frame(struct hazard *h)
     }
     run_barriers(h, plan->first_final_barrier, plan->final_barrier_count);
     end(h);
+    swap_partners(h);
 }

@@ -37,8 +37,10 @@ def image_line(plan, image):
                      if image[what] > 1)
     depth = f"x{image['depth']}" if 'depth' in image else ''
     size = f"{image['width']}x{image['height']}{depth}"
+    previous = f" previous {image['previous']}" if 'previous' in image else ''
     return (f"image {image['name']} {image['format']} {size}{counts}"
-            f"{' cube' if image['cube'] else ''}, {memory_of(image)}, {lifetime(plan, image)}")
+            f"{' cube' if image['cube'] else ''}{previous}, {memory_of(image)}, "
+            f"{lifetime(plan, image)}")
 
 
 def buffer_line(plan, buffer):

@@ -90,15 +90,48 @@ static void draw_resolved(struct random_tables *t, uint32_t index)
     *image = t->images[index - 1];
     image->name = random_graph_name(t, 'i', index, index);
     image->samples = 0;
+    image->previous = NULL;
     image->persistent = t->history && random_graph_chance(t, 20);
     t->known[index] = t->known[index - 1];
     t->known[index].samples = 1;
     t->known[index].copies = true;
+    t->known[index].history = false;
     memset(t->known[index].defined, image->persistent, sizeof(t->known[index].defined));
+}
+
+/* Makes image `index` the history of the image before it. */
+static void draw_history(struct random_tables *t, uint32_t index)
+{
+    struct rg_image *image = &t->images[index];
+    *image = t->images[index - 1];
+    image->name = random_graph_name(t, 'i', index, index);
+    image->previous = &t->images[index - 1];
+    t->known[index] = t->known[index - 1];
+    t->known[index].history = true;
+    memset(t->known[index].defined, 1, sizeof(t->known[index].defined));
+}
+
+/* Makes histories of images that are not always written completely persistent images. */
+static void finish_histories(struct random_tables *t)
+{
+    for (uint32_t i = 0; i < t->image_count; i++) {
+        if (!t->known[i].history)
+            continue;
+        const struct rg_range whole = random_graph_whole(&t->known[i - 1]);
+        if (random_graph_is_defined(&t->known[i - 1], &whole, 0))
+            continue;
+        t->images[i].previous = NULL;
+        t->images[i].persistent = true;
+    }
 }
 
 static void draw_image(struct random_tables *t, uint32_t index, VkExtent2D view)
 {
+    if (index > 0 && t->history && !t->images[index - 1].persistent &&
+        !t->images[index - 1].previous && random_graph_chance(t, 30)) {
+        draw_history(t, index);
+        return;
+    }
     if (index > 0 && t->known[index - 1].samples > 1 && random_graph_chance(t, 70)) {
         draw_resolved(t, index);
         return;
@@ -228,6 +261,8 @@ static void draw_imports(struct random_tables *t, struct rg_compile_params *para
     params->imports = t->imports;
     for (uint32_t r = 0; r < RESOURCES; r++) {
         bool device = r < IMAGES || t->buffers[r - IMAGES].memory == RG_MEMORY_DEVICE;
+        if (r < IMAGES && (t->known[r].history || (r + 1 < IMAGES && t->known[r + 1].history)))
+            continue;
         if (random_graph_exists(t, r) && device && random_graph_chance(t, 15))
             draw_import(t, &t->imports[params->import_count++], r);
     }
@@ -387,6 +422,7 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_
         random_graph_draw_last(t);
         draw_outputs(t, params);
     }
+    finish_histories(t);
     split(t, params);
     params->sharing = (enum rg_sharing)random_graph_below(t, 3);
     t->device = (struct rg_device){

@@ -88,6 +88,8 @@ static bool overlaps(const struct rg_range *a, const struct rg_range *b)
 /* Reserves a range of a resource for the pass being generated; false if it overlaps another. */
 static bool claim(struct random_tables *t, uint32_t resource, struct rg_range range, bool writes)
 {
+    if (writes && t->known[resource].history)
+        return false;
     for (uint32_t i = 0; i < t->claim_count; i++)
         if (t->claims[i].resource == resource && overlaps(&t->claims[i].range, &range))
             return false;
@@ -117,6 +119,9 @@ static struct rg_use *add_use(struct random_tables *t, uint32_t resource, enum r
     else
         use->buffer = &t->buffers[resource - IMAGES];
     t->use_count++;
+    if (use->image && use->image->format == VK_FORMAT_R8G8B8A8_UNORM && access >= RG_SAMPLED &&
+        access <= RG_STORAGE_READ_WRITE && random_graph_chance(t, 10))
+        use->view_format = VK_FORMAT_R32_UINT;
     return use;
 }
 

@@ -25,6 +25,7 @@ struct random_known {
     VkFormat format; /* of a buffer: its texel format */
     bool depth, stencil, storage, copies, written;
     bool volume;            /* 3D image */
+    bool history;           /* image with the previous content of the image before it */
     bool structure;         /* buffer with an acceleration structure */
     uint8_t defined[CELLS]; /* bit 0: always written; bit n: written if condition n is true */
 };

@@ -8,7 +8,7 @@
 #include "src/gpu/gpu.h"
 
 enum {
-    RUN_OUTPUT_COUNT = 8,
+    RUN_OUTPUT_COUNT = 10,
     RUN_KEPT_COUNT = 2,
 };
 

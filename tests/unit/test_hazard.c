@@ -107,21 +107,21 @@ static const struct by_hand right = {
     },
     .images = {
         {
-            .image = &first, .extent = { SIZE, SIZE }, .depth = 1,
+            .image = &first, .extent = { SIZE, SIZE }, .depth = 1, .partner = RG_NONE,
             .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
             .import = RG_NONE, .first = 0, .last = 1, .offset = 0, .size = BYTES,
         },
         {
-            .image = &second, .extent = { SIZE, SIZE }, .depth = 1,
+            .image = &second, .extent = { SIZE, SIZE }, .depth = 1, .partner = RG_NONE,
             .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
             .import = RG_NONE, .first = 1, .last = 2, .offset = BYTES, .size = BYTES,
         },
         {
-            .image = &third, .extent = { SIZE, SIZE }, .depth = 1,
+            .image = &third, .extent = { SIZE, SIZE }, .depth = 1, .partner = RG_NONE,
             .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
@@ -311,6 +311,7 @@ static void test_wrong_fields(void **state)
     CHECK_WRONG(b.images[1].layers = 2);
     CHECK_WRONG(b.images[1].samples = 4);
     CHECK_WRONG(b.images[1].persistent = true);
+    CHECK_WRONG(b.images[1].partner = 0);
     CHECK_WRONG(b.images[1].last = 1);
     CHECK_WRONG(b.images[1].offset = 2 * BYTES); /* beyond the block */
     CHECK_WRONG(b.buffers[0].usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT);

@@ -139,13 +139,13 @@ static const struct by_hand right = {
     },
     .images = {
         {
-            .image = &many, .extent = { SIZE, SIZE }, .depth = 1,
+            .image = &many, .extent = { SIZE, SIZE }, .depth = 1, .partner = RG_NONE,
             .layers = 1, .mips = 1, .samples = 4,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
             .import = RG_NONE, .first = 0, .last = 0, .offset = 0, .size = MANY_BYTES,
         },
         {
-            .image = &now, .extent = { SIZE, SIZE }, .depth = 1,
+            .image = &now, .extent = { SIZE, SIZE }, .depth = 1, .partner = RG_NONE,
             .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
@@ -153,7 +153,7 @@ static const struct by_hand right = {
             .import = RG_NONE, .first = 0, .last = 2, .offset = MANY_BYTES, .size = BYTES,
         },
         {
-            .image = &past, .extent = { SIZE, SIZE }, .depth = 1,
+            .image = &past, .extent = { SIZE, SIZE }, .depth = 1, .partner = RG_NONE,
             .layers = 1, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT,
             .usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
@@ -161,7 +161,7 @@ static const struct by_hand right = {
             .size = BYTES,
         },
         {
-            .image = &light, .extent = { SIZE, 2 }, .depth = 1,
+            .image = &light, .extent = { SIZE, 2 }, .depth = 1, .partner = RG_NONE,
             .layers = 3, .mips = 1, .samples = 1,
             .aspects = VK_IMAGE_ASPECT_COLOR_BIT, .usage = VK_IMAGE_USAGE_SAMPLED_BIT,
             .imported = true, .first = 0, .last = 0, .block = RG_NONE,

@@ -23,6 +23,12 @@ static const struct rg_buffer upload = {
     .memory = RG_MEMORY_UPLOAD,
     .persistent = true,
 };
+static const struct rg_buffer given = { .name = "given", .size = 64, .memory = RG_MEMORY_UPLOAD };
+static const struct rg_image last = { "last", COLOR_FORMAT, .previous = &OTHER };
+static const struct rg_image last_half = { "last_half", COLOR_FORMAT, .scale = 0.5f,
+                                           .previous = &OTHER };
+static const struct rg_image last_last = { "last_last", COLOR_FORMAT, .previous = &last };
+static const struct rg_image own_last = { "own_last", COLOR_FORMAT, .previous = &own_last };
 static const struct rg_sampler nearest = { 0 };
 
 static VkSampleCountFlags one_sample(const void *user, const VkImageCreateInfo *info)
@@ -62,8 +68,35 @@ static const struct fault_case sample_cases[] = {
       .device = &plain_device },
 };
 
+static const struct fault_case view_cases[] = {
+    { ROW(RG_ERROR_FORMAT, "picture",
+          ALSO(&PICTURE, .access = RG_SAMPLED, .view_format = VK_FORMAT_R16_SFLOAT)) },
+    { ROW(RG_ERROR_FORMAT, "picture",
+          ALSO(&PICTURE, .access = RG_SAMPLED, .view_format = VK_FORMAT_D32_SFLOAT)) },
+    { ROW(RG_ERROR_FORMAT, "given",
+          ALSO(.buffer = &given, .access = RG_UNIFORM, .view_format = VK_FORMAT_R32_UINT)) },
+    { ROW(RG_ERROR_FORMAT, "picture",
+          COPY("copy", { &OTHER, .access = RG_COPY_DST },
+               { &PICTURE, .access = RG_COPY_SRC, .view_format = VK_FORMAT_R32_UINT })) },
+};
+
 static const struct fault_case history_cases[] = {
     { AROUND(RG_ERROR_PERSISTENT, "upload", ALSO(.buffer = &upload, .access = RG_UNIFORM)) },
+    { AROUND(RG_ERROR_PERSISTENT, "last_half", ALSO(&last_half, .access = RG_SAMPLED)) },
+    { AROUND(RG_ERROR_PERSISTENT, "last_last", ALSO(&last_last, .access = RG_SAMPLED)) },
+    { AROUND(RG_ERROR_PERSISTENT, "own_last", ALSO(&own_last, .access = RG_SAMPLED)) },
+    { .error = RG_ERROR_PERSISTENT,
+      .resource = "last",
+      .row_count = 1,
+      .rows = { ALSO(&last, .access = RG_SAMPLED) },
+      .imports = { { .image = &OTHER, .access = RG_SAMPLED } } },
+    { .error = RG_ERROR_ACCESS,
+      .resource = "last",
+      .row = true,
+      .row_count = 2,
+      .rows = { DRAW("other", .color = RG_TARGETS({ CLEARED(OTHER) })), FILL(last) } },
+    { AROUND(RG_ERROR_OUTPUT_NOT_WRITTEN, "other",
+             DRAW("draw", .color = RG_TARGETS({ &PICTURE }), SAMPLING(last))) },
 };
 
 static bool sometimes(const struct rg_frame *frame, uint32_t repetition)
@@ -266,9 +299,9 @@ static void test_every_case(void **state)
 {
     (void)state;
     const struct fault_cases tables[] = {
-        FAULT_CASES(sample_cases),    FAULT_CASES(history_cases), FAULT_CASES(condition_cases),
-        FAULT_CASES(stage_cases),     FAULT_CASES(sampler_cases), FAULT_CASES(resource_cases),
-        FAULT_CASES(structure_cases),
+        FAULT_CASES(sample_cases),    FAULT_CASES(view_cases),      FAULT_CASES(history_cases),
+        FAULT_CASES(condition_cases), FAULT_CASES(stage_cases),     FAULT_CASES(sampler_cases),
+        FAULT_CASES(resource_cases),  FAULT_CASES(structure_cases),
     };
     bool provoked[RG_ERROR_COUNT] = { false };
     fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);
