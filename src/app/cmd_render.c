@@ -201,7 +201,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
             copy_tile(job, i, &tile, image);
         render_result_finish(&tile);
     }
-    return status;
+    return status == STATUS_OK ? renderer_finish_display(job->renderer, image) : status;
 }
 
 /* Returns the EXR file that the frame's sample sums belong to, or NULL if no sums are stored. */
