@@ -5,12 +5,16 @@
 #include "lib/material_textures.glsl"
 
 /* Returns true if the current sample skips a blended surface. Of each pixel's samples, a fraction
- * `alpha` keeps the surface (Enderton et al. 2010, "Stochastic transparency"). */
+ * `alpha` keeps the surface (Enderton et al. 2010, "Stochastic transparency"). Layers of distance
+ * have different multiples of the random number, so that they skip independent samples. */
 bool is_alpha_skipped(float alpha, uint row)
 {
+    const float layers = 128.0; /* per factor of 2 of the distance */
+    float layer = floor(layers * -log2(gl_FragCoord.z));
     float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float of_row = 0.7548777 * float(row);
-    return alpha <= fract(of_pixel + of_row + frame.sample_random);
+    float multiple = 2.0 * mod(layer, 7.0) + 1.0;
+    float of_surface = 0.7548777 * float(row) + 0.618034 * layer;
+    return alpha <= fract(multiple * (of_pixel + frame.sample_random) + of_surface);
 }
 
 /* Returns true if a surface is skipped. `alpha` is the base colour texture's. */

@@ -22,6 +22,10 @@ layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 const int halvings = 4; /* bisections of the step in which the ray hits an object */
 
+/* Greatest depth behind a front face where a ray still crosses the face, relative to the thickness.
+ * Farther behind, the ray passes behind the object's outline and hits nothing that is known. */
+const float crossing = 0.05;
+
 /* Segment of a reflected ray inside the objects' bounding box; end points are in clip space. */
 struct segment {
     float t_enter, t_leave; /* the ray misses the box if t_leave <= t_enter */
@@ -82,7 +86,8 @@ float intersect(segment p)
         else
             t_before = t;
     }
-    return t_hit;
+    bool is_crossed = depth_behind_front(mix(p.from, p.to, t_hit)) < crossing * push.thickness;
+    return is_crossed ? t_hit : 2.0;
 }
 
 /* Returns true if a pixel shows a reflective surface that no object hides. */

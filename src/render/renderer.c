@@ -197,6 +197,7 @@ void renderer_destroy(struct renderer *renderer)
     bvh_finish(&renderer->own_bvh);
     image_finish(&renderer->sums);
     image_finish(&renderer->display_sums);
+    image_finish(&renderer->shown);
     image_finish(&renderer->lighting);
     free(renderer->meshes);
     free(renderer);
@@ -269,34 +270,30 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-/* Copies the tile from the read-back 8-bit image. Image rows are `width` pixels long. */
-static uint8_t *copy_display(struct renderer *r, struct compiled_frame *compiled_frame,
-                             uint32_t slot, uint32_t width)
+/* Copies a rectangle of 8-bit pixels. Rows are `from_width` and `to_width` pixels long. */
+static void copy_pixels(const uint8_t *from, size_t from_width, uint8_t *to, size_t to_width,
+                        const struct tile *size)
 {
-    const size_t row_size = (size_t)r->tile.width * 4;
-    uint8_t *rgba = malloc(row_size * r->tile.height);
-    const uint8_t *source = renderer_read_back(compiled_frame, &frame_display, slot);
-    if (!rgba || !source)
-        (void)log_out_of_memory(NULL);
-    for (size_t y = 0; y < r->tile.height && rgba && source; y++)
-        memcpy(rgba + y * row_size, source + y * width * 4, row_size);
-    return rgba;
+    for (size_t y = 0; y < size->height; y++)
+        memcpy(to + y * to_width * 4, from + y * from_width * 4, (size_t)size->width * 4);
 }
 
-/* Uploads the mean of the samples as half floats (the format of frame_color), and tone-maps it. */
-static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
+/* Uploads a rectangle of the mean of the samples as half floats (the format of frame_color), and
+ * tone-maps it. */
+static enum status resolve_tile(struct renderer *r, const struct image *image,
+                                const struct tile *tile, uint8_t *rgba)
 {
     const uint32_t width = r->resolve.frame->plan->view.width;
+    const size_t first = (size_t)tile->y * image->width + tile->x;
     uint32_t slot;
     enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     uint16_t *texels =
         status == STATUS_OK ? rg_exec_mapped(r->resolve.exec, &frame_samples, slot) : NULL;
-    size_t count = (size_t)image->width * image->height;
     for (size_t p = 0; p < 4 && texels; p++) {
-        const float *plane = image_find(image, frame_beauty.planes[p]);
-        for (size_t i = 0; i < count; i++) {
-            const size_t to = i / image->width * width + i % image->width;
-            texels[to * 4 + p] = half_from_float(plane[i]);
+        const float *plane = image_find(image, frame_beauty.planes[p]) + first;
+        for (size_t y = 0; y < tile->height; y++) {
+            for (size_t x = 0; x < tile->width; x++)
+                texels[(y * width + x) * 4 + p] = half_from_float(plane[y * image->width + x]);
         }
     }
     const struct rg_frame frame = { .settings = r->params.settings };
@@ -304,9 +301,26 @@ static enum status resolve_display(struct renderer *r, const struct image *image
         status = gpu_status(rg_exec_submit(r->resolve.exec, &frame));
     if (status == STATUS_OK)
         status = gpu_status(rg_exec_wait(r->resolve.exec, slot));
-    if (status == STATUS_OK) {
-        *rgba = copy_display(r, &r->resolve, slot, width);
-        status = *rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+    if (status == STATUS_OK)
+        copy_pixels(renderer_read_back(&r->resolve, &frame_display, slot), width, rgba + first * 4,
+                    image->width, tile);
+    return status;
+}
+
+/* Tone-maps an image tile by tile, since the view of the plan has the size of a tile. */
+static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
+{
+    const VkExtent2D size = r->resolve.frame->plan->view;
+    enum status status = STATUS_OK;
+    *rgba = malloc((size_t)image->width * image->height * 4);
+    if (!*rgba)
+        return log_out_of_memory(NULL);
+    for (uint32_t y = 0; y < image->height; y += size.height) {
+        const uint32_t height = image->height - y < size.height ? image->height - y : size.height;
+        for (uint32_t x = 0; x < image->width && status == STATUS_OK; x += size.width) {
+            const uint32_t width = image->width - x < size.width ? image->width - x : size.width;
+            status = resolve_tile(r, image, &(struct tile){ x, y, width, height }, *rgba);
+        }
     }
     return status;
 }
@@ -346,6 +360,16 @@ static enum status divide_sums(struct renderer *r, struct render_result *result)
     return renderer_denoise_end(r, result);
 }
 
+enum status renderer_finish_display(struct renderer *r, struct render_result *result)
+{
+    const struct settings *settings = r->params.settings;
+    if (result->display.planes && weighted_mean_is_filtered(settings) &&
+        !weighted_mean_filter(&result->display, weighted_mean_scale(settings)))
+        return log_out_of_memory(NULL);
+    return r->resolve.exec ? resolve_display(r, render_result_display(result), &result->rgba)
+                           : STATUS_OK;
+}
+
 enum status renderer_render(struct renderer *r, const struct renderer_shot *shot,
                             struct render_result *result, renderer_progress_fn *progress,
                             void *user)
@@ -363,11 +387,16 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         status = draw_samples(r, shot, result, progress, user);
     if (status == STATUS_OK)
         status = divide_sums(r, result);
-    if (status == STATUS_OK && r->resolve.exec) {
-        status = resolve_display(r, render_result_display(result), &result->rgba);
+    if (status == STATUS_OK && (r->resolve.exec || result->display.planes)) {
+        if (r->params.columns * r->params.rows == 1)
+            status = renderer_finish_display(r, result);
     } else if (status == STATUS_OK && r->params.display) {
-        result->rgba = copy_display(r, &r->image, r->last_slot, r->tile.width);
-        status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
+        result->rgba = malloc((size_t)r->tile.width * r->tile.height * 4);
+        if (result->rgba)
+            copy_pixels(renderer_read_back(&r->image, &frame_display, r->last_slot), r->tile.width,
+                        result->rgba, r->tile.width, &r->tile);
+        else
+            status = log_out_of_memory(NULL);
     }
     if (status != STATUS_OK)
         render_result_finish(result);

@@ -69,6 +69,11 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
+/* Filters the mean of an image that was assembled from tiles, and tone-maps it if params ask for
+ * display. Images of a single tile are finished by renderer_render(). */
+MUST_USE enum status renderer_finish_display(struct renderer *renderer,
+                                             struct render_result *result);
+
 /* Submits sample 0 of the shot without waiting for its completion. If two frames are in flight,
  * waits for one of them. The renderer must have been created with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);

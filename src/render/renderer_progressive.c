@@ -33,6 +33,7 @@ static bool clear_sums(struct renderer *r)
 {
     image_finish(&r->sums);
     image_finish(&r->display_sums);
+    image_finish(&r->shown);
     image_init(&r->sums, r->params.width, r->params.height);
     image_init(&r->display_sums, r->params.width, r->params.height);
     return accumulate_add_planes(&r->sums, &frame_beauty) &&
@@ -86,7 +87,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     return STATUS_OK;
 }
 
-/* Returns pixel `i` of the mean for display. Keeps the sums. */
+/* Returns pixel `i` of the mean for display, unfiltered. Keeps the sums. */
 static void find_display(const struct renderer *r, size_t i, uint32_t sample_count, float rgba[4])
 {
     if (r->display_sums.planes && sample_count > 1) {
@@ -99,28 +100,42 @@ static void find_display(const struct renderer *r, size_t i, uint32_t sample_cou
 
 void renderer_display_pixel(const struct renderer *r, size_t i, float rgba[static 4])
 {
-    find_display(r, i, r->sum_count, rgba);
+    for (size_t p = 0; p < 4; p++)
+        rgba[p] = r->shown.planes ? r->shown.planes[p].texels[i] : 0.0f;
 }
 
-/* Writes the mean of the samples for display as half floats. */
-static void write_mean(const struct renderer *r, uint32_t sample_count, uint16_t *texels)
+/* Computes the mean of the samples for display. */
+static enum status find_shown(struct renderer *r, uint32_t sample_count)
 {
+    const bool is_filtered =
+        r->display_sums.planes && sample_count > 1 && weighted_mean_is_filtered(r->params.settings);
+    if (!r->shown.planes && !image_init_like(&r->shown, &r->sums, r->sums.height))
+        return log_out_of_memory(NULL);
     for (size_t i = 0; i < (size_t)r->sums.width * r->sums.height; i++) {
         float rgba[4];
         find_display(r, i, sample_count, rgba);
         for (size_t p = 0; p < 4; p++)
-            texels[i * 4 + p] = half_from_float(rgba[p]);
+            r->shown.planes[p].texels[i] = rgba[p];
     }
+    return !is_filtered || weighted_mean_filter(&r->shown, weighted_mean_scale(r->params.settings))
+               ? STATUS_OK
+               : log_out_of_memory(NULL);
 }
 
 enum status renderer_resolve(struct renderer *r, uint32_t sample_count)
 {
     uint32_t slot;
     const struct rg_frame frame = { .settings = r->params.settings };
-    enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
+    enum status status = find_shown(r, sample_count);
+    if (status == STATUS_OK)
+        status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
     if (status != STATUS_OK)
         return status;
-    write_mean(r, sample_count, rg_exec_mapped(r->resolve.exec, &frame_samples, slot));
+    uint16_t *texels = rg_exec_mapped(r->resolve.exec, &frame_samples, slot);
+    for (size_t i = 0; i < (size_t)r->sums.width * r->sums.height; i++) {
+        for (size_t p = 0; p < 4; p++)
+            texels[i * 4 + p] = half_from_float(r->shown.planes[p].texels[i]);
+    }
     return gpu_status(rg_exec_submit(r->resolve.exec, &frame));
 }
 

@@ -1,20 +1,36 @@
 /* weighted_mean.c: luminance-weighted mean of a pixel's samples, for PNG files and windows. */
 #include "src/render/weighted_mean.h"
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 #include "src/file/half_float.h"
+#include "src/settings/scene_settings.h"
 
 enum {
     WEIGHT = 4, /* plane after those of frame_beauty */
     PLANE_COUNT,
 };
 
+/* Weight of a neighbour in the separable filter: a Gaussian of sigma 0.6 pixels. */
+static const float neighbour_share = 0.166f;
+
 const struct frame_layer weighted_mean_alpha = { .planes = { "A" }, .mean = true };
+
+static enum tonemap_resolve resolve_of(const struct settings *settings)
+{
+    return (enum tonemap_resolve)settings_get(settings, settings_find("tonemap.resolve"));
+}
 
 float weighted_mean_scale(const struct settings *settings)
 {
-    const bool is_linear = settings_get(settings, settings_find("tonemap.resolve")) > 0.0;
-    return is_linear ? 0.0f
-                     : exp2f((float)settings_get(settings, settings_find("tonemap.exposure")));
+    return resolve_of(settings) == TONEMAP_RESOLVE_LINEAR
+               ? 0.0f
+               : exp2f((float)settings_get(settings, settings_find("tonemap.exposure")));
+}
+
+bool weighted_mean_is_filtered(const struct settings *settings)
+{
+    return resolve_of(settings) == TONEMAP_RESOLVE_FILTERED;
 }
 
 float weighted_mean_weight(const float rgba[static 4], float scale)
@@ -97,4 +113,71 @@ void weighted_mean_divide(struct image *sums, uint32_t samples)
         for (uint32_t c = 0; c < 4; c++)
             planes[c][i] = rgba[c];
     }
+}
+
+/* ---- reconstruction filter ---- */
+
+/* Weighted radiance, weighted alpha and alpha of a pixel. */
+struct pixel {
+    float values[5];
+};
+
+static void weigh_row(const struct image *mean, uint32_t y, float scale, struct pixel *row)
+{
+    float *planes[4];
+    for (uint32_t c = 0; c < 4; c++)
+        planes[c] = image_find(mean, plane_name(c)) + (size_t)y * mean->width;
+    for (uint32_t x = 0; x < mean->width; x++) {
+        const float rgba[4] = { planes[0][x], planes[1][x], planes[2][x], planes[3][x] };
+        const float weight = weighted_mean_weight(rgba, scale);
+        for (uint32_t c = 0; c < 4; c++)
+            row[x].values[c] = weight * rgba[c];
+        row[x].values[4] = rgba[3];
+    }
+}
+
+/* Adds the filtered pixels of a row to `sums`. `share` is the row's weight in the filter. */
+static void add_row(const struct pixel *row, uint32_t width, float share, struct pixel *sums)
+{
+    for (uint32_t x = 0; x < width; x++) {
+        const struct pixel *left = &row[x ? x - 1 : 0], *right = &row[x + 1 < width ? x + 1 : x];
+        for (uint32_t c = 0; c < 5; c++)
+            sums[x].values[c] += share * ((1.0f - 2.0f * neighbour_share) * row[x].values[c] +
+                                          neighbour_share * (left->values[c] + right->values[c]));
+    }
+}
+
+static void write_row(struct image *mean, uint32_t y, const struct pixel *sums)
+{
+    float *planes[4];
+    for (uint32_t c = 0; c < 4; c++)
+        planes[c] = image_find(mean, plane_name(c)) + (size_t)y * mean->width;
+    for (uint32_t x = 0; x < mean->width; x++) {
+        const float *v = sums[x].values;
+        for (uint32_t c = 0; c < 3; c++)
+            planes[c][x] = v[3] > 0.0f ? v[c] * v[4] / v[3] : v[c];
+        planes[3][x] = v[4];
+    }
+}
+
+bool weighted_mean_filter(struct image *mean, float scale)
+{
+    const uint32_t width = mean->width, height = mean->height;
+    struct pixel *rows = calloc(4 * (size_t)width, sizeof(*rows)); /* three rows and their sums */
+    if (!rows)
+        return false;
+    struct pixel *sums = rows + 3 * (size_t)width;
+    weigh_row(mean, 0, scale, rows);
+    for (uint32_t y = 0; y < height; y++) {
+        const uint32_t above = y ? y - 1 : 0, below = y + 1 < height ? y + 1 : y;
+        if (below > y)
+            weigh_row(mean, below, scale, rows + (size_t)(below % 3) * width);
+        memset(sums, 0, width * sizeof(*sums));
+        add_row(rows + (size_t)(above % 3) * width, width, neighbour_share, sums);
+        add_row(rows + (size_t)(y % 3) * width, width, 1.0f - 2.0f * neighbour_share, sums);
+        add_row(rows + (size_t)(below % 3) * width, width, neighbour_share, sums);
+        write_row(mean, y, sums);
+    }
+    free(rows);
+    return true;
 }

@@ -7,6 +7,9 @@
  * Supersampling), so that the pixel is between both sides of the edge after the curve. The weighted
  * mean is the linear mean where the samples of a pixel agree, and darker elsewhere.
  *
+ * A reconstruction filter that is wider than a pixel suppresses single bright pixels, which remain
+ * where light paths scatter widely.
+ *
  * Alpha is not weighted, because it is the coverage of the pixel. The radiance of samples is
  * premultiplied by alpha; its weights depend on the luminance without alpha.
  */
@@ -24,6 +27,9 @@ extern const struct frame_layer weighted_mean_alpha;
 /* Returns the scale of the weights: the gain of the exposure, so that they depend on displayed
  * luminance. Returns 0, for equal weights, if the setting tonemap.resolve is `linear`. */
 float weighted_mean_scale(const struct settings *settings);
+
+/* Returns true if the mean is also filtered: weighted_mean_filter(). */
+bool weighted_mean_is_filtered(const struct settings *settings);
 
 /* Returns a sample's weight. `scale` is weighted_mean_scale(). */
 float weighted_mean_weight(const float rgba[static 4], float scale);
@@ -46,5 +52,12 @@ void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples,
 
 /* Replaces the sums of all pixels by the means. */
 void weighted_mean_divide(struct image *sums, uint32_t samples);
+
+/*
+ * Applies a reconstruction filter to the means of a whole image: adds each sample to the pixels
+ * around its own, too. The mean weight of a pixel's samples is the weight of their mean, so that
+ * the samples are not needed. Returns false when out of memory.
+ */
+MUST_USE bool weighted_mean_filter(struct image *mean, float scale);
 
 #endif

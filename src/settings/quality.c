@@ -29,6 +29,7 @@ const struct quality_row quality_rows[] = {
     { "ground.light", { [HIGH] = "traced" } },
     { "ground.denoise", { [HIGH] = "on" } },
     { "tonemap.dither", { [HIGH] = "on" } },
+    { "tonemap.resolve", { [HIGH] = "filtered" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
     { 0 },
 };

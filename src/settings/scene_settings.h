@@ -100,4 +100,11 @@ extern const struct setting_group object_settings, ice_settings, landscape_setti
     env_settings, texture_settings, motion_settings, light_settings, env_cube_settings,
     ground_settings, lens_settings, inclusions_settings;
 
+/* Values of tonemap.resolve. */
+enum tonemap_resolve {
+    TONEMAP_RESOLVE_WEIGHTED, /* bright samples have smaller weights */
+    TONEMAP_RESOLVE_LINEAR,   /* mean of linear radiance, as in EXR files */
+    TONEMAP_RESOLVE_FILTERED, /* as weighted; pixels also contain samples of their neighbours */
+};
+
 #endif

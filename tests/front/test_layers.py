@@ -104,6 +104,19 @@ class Layers(Case):
             self.assertEqual(max(found), 11)
             self.assertEqual(names['11'], 'moving objects')
 
+    def test_blended_surfaces_skip_independent_samples(self):
+        """Six of one material: both sides of three boxes."""
+        scene = json.loads(boxes(*((matt('veil', 0, 0, 0, 0.3, alphaMode='BLEND'), [0, 0, z], 0.5)
+                                   for z in (2, -1, -4))))
+        for mesh in scene['meshes']:
+            mesh['primitives'][0]['material'] = 0
+        (self.folder / 'a.gltf').write_text(json.dumps(scene))
+        self.succeed('render', 'a.gltf', *BARE, '--background', '1,1,1', '--eye', '0,0,20',
+                     '--target', '0,0,0', '--fov', '3', '--samples', '16', '-o', 'a.exr')
+        plane = Exr((self.folder / 'a.exr').read_bytes()).read_planes('R')['R']
+        middle = [plane[64 * y + x] for y in range(14, 34) for x in range(22, 42)]
+        self.assertAlmostEqual(sum(middle) / len(middle), 0.7 ** 6, delta=0.03)
+
     def test_objects_around(self):
         """A file of surroundings: its refractive objects, then its opaque ones."""
         (self.folder / 'b.gltf').write_text(boxes(

@@ -235,6 +235,26 @@ class Resolve(Pixels):
                     self.assertGreaterEqual(sum(a for a, _ in pairs), sum(b for _, b in pairs))
 
 
+    @unsanitized
+    def test_filter_is_of_the_level(self):
+        def draw(*words):
+            self.succeed('render', 'sphere', '--size', '32x24', '-q', '--quality', 'high',
+                         '--samples', '2', *words, '-o', 'a.exr', '-o', 'a.png')
+            return (self.folder / 'a.exr').read_bytes(), (self.folder / 'a.png').read_bytes()
+        for words in [()] + [('-r', 'reference')] * HAS_REFERENCE:
+            for more, value in (((), 'filtered'), (('--plain',), 'weighted'),
+                                (('--pixel-filter', 'box'), 'weighted')):
+                with self.subTest(words=words, more=more):
+                    exr, png = draw(*words, *more)
+                    self.assertEqual((exr, png), draw(
+                        *words, *more, '--set', f'tonemap.resolve={value}'))
+                    others = [draw(*words, *more, '--set', f'tonemap.resolve={name}')
+                              for name in {'filtered', 'weighted', 'linear'} - {value}]
+                    for other in others:
+                        self.assertEqual(Exr(exr).pixels, Exr(other[0]).pixels)
+                        self.assertNotEqual(Png(png).values, Png(other[1]).values)
+
+
 class PngBits(Pixels):
     def draw_png(self, *arguments):
         self.succeed('render', *TINY, *arguments, '-o', 'a.png')

@@ -39,6 +39,8 @@ class Tiles(Tiled):
         for tiles, count, more in (
                 ('2x2', 4, ('--set', 'cracks.refract=normals', '--set', 'bump.strength=0.5')),
                 ('3x1', 3, ('--size', '97x63', '-r', 'paper')),
+                ('3x2', 6, ('--size', '97x63', '-r', 'paper', '--samples', '2', '--set',
+                            'tonemap.resolve=filtered')),
                 ('1x2', 2, ('--samples', '2', '--aov', 'all', '-r', 'wyman', '--set',
                             'inclusions.scale=0.5', '--set', 'tonemap.dither=on'))):
             with self.subTest(tiles=tiles, more=more):

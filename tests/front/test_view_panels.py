@@ -442,7 +442,8 @@ class Panels(PanelsCase):
                               act=lambda: self.click(window, 'reset tonemap.exposure'))
         valley = self.open_other(window, 'valley')
         self.assertEqual(set(re.findall(r'--set (\S+)', valley)),
-                         {*cheap, 'motion.count=2', 'tonemap.dither=off'})
+                         {*cheap, 'motion.count=2', 'tonemap.dither=off',
+                          'tonemap.resolve=filtered'})
         self.assertIn(' --quality high ', valley)
         self.assertNotIn('--env ', valley)
         mine = self.wait_for_command(window, 'tonemap.exposure=0.5 ',

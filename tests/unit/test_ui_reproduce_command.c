@@ -112,6 +112,9 @@ static void test_levels(void **state)
     check("sphere --quality high --pixel-filter box --set refract.steps=3",
           "firn render sphere --size 320x240 --samples 1 --quality high --pixel-filter box "
           "--set refract.steps=3 --set tonemap.dither=off -o firn.png");
+    check("sphere --quality high --pixel-filter box --set tonemap.resolve=filtered",
+          "firn render sphere --size 320x240 --samples 1 --quality high --pixel-filter box "
+          "--set tonemap.dither=off --set tonemap.resolve=filtered -o firn.png");
     check("sphere --set tonemap.dither=on",
           "firn render sphere --size 320x240 --samples 1 --set tonemap.dither=on -o firn.png");
 }

@@ -76,6 +76,35 @@ static void alpha_is_coverage(void **state)
     CHECK_NEAR(rgba[3], 0.0f, 0.0);
 }
 
+/* Returns pixel `at` of an image of 3 x 3 pixels with another grey in the middle, filtered. */
+static float filtered_grey(float grey, float middle, size_t at)
+{
+    struct image image;
+    image_init(&image, 3, 3);
+    assert_true(weighted_mean_add_planes(&image));
+    for (size_t p = 0; p < 4; p++) {
+        float *plane = image_find(&image, frame_beauty.planes[p]);
+        for (size_t i = 0; i < 9; i++)
+            plane[i] = p == 3 ? 1.0f : i == 4 ? middle : grey;
+    }
+    assert_true(weighted_mean_filter(&image, 1.0f));
+    const float shown = image_find(&image, "G")[at];
+    image_finish(&image);
+    return shown;
+}
+
+static void filter_reaches_the_neighbours(void **state)
+{
+    const double centre = 0.668 * 0.668, side = 0.668 * 0.166, corner = 0.166 * 0.166;
+    (void)state;
+    for (size_t i = 0; i < 9; i++)
+        CHECK_NEAR(filtered_grey(3.0f, 3.0f, i), 3.0, 1e-5);
+    /* weights 1 / 10 of the middle, 1 of the others */
+    CHECK_NEAR(filtered_grey(0.0f, 9.0f, 4), 0.9 * centre / (0.1 * centre + 1.0 - centre), 1e-5);
+    CHECK_NEAR(filtered_grey(0.0f, 9.0f, 3), 0.9 * side / (0.1 * side + 1.0 - side), 1e-5);
+    CHECK_NEAR(filtered_grey(0.0f, 9.0f, 8), 0.9 * corner / (0.1 * corner + 1.0 - corner), 1e-5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -83,6 +112,7 @@ int main(void)
         cmocka_unit_test(equal_samples_are_unchanged),
         cmocka_unit_test(weights_depend_on_exposure),
         cmocka_unit_test(alpha_is_coverage),
+        cmocka_unit_test(filter_reaches_the_neighbours),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

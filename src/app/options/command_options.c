@@ -173,6 +173,16 @@ enum status option_quality(const struct option *option, void *at, const char *va
     return STATUS_OK;
 }
 
+/* Leaves samples out of neighbouring pixels with --plain and the filters without overlap. */
+static void choose_resolve(struct setup_image *image)
+{
+    struct settings *settings = &image->scene.settings;
+    const struct setting *row = settings_find("tonemap.resolve");
+    const bool is_narrow = image->is_filter_named && image->filter != PIXEL_FILTER_BLACKMAN_HARRIS;
+    if ((image->scene.plain || is_narrow) && settings_source(settings, row) == SETTING_QUALITY)
+        settings_put(settings, row, TONEMAP_RESOLVE_WEIGHTED, SETTING_QUALITY);
+}
+
 void option_default_quality(struct app_options *o, enum app_command command)
 {
     const struct setup_image *image = &o->image;
@@ -180,6 +190,7 @@ void option_default_quality(struct app_options *o, enum app_command command)
     const bool has_samples = image->samples && command != APP_VIEW; /* a window has a target */
     if (!image->level_samples && !has_samples && !image->scene.preset && !has_limit)
         apply_level(&o->image, QUALITY_RENDER_DEFAULT);
+    choose_resolve(&o->image);
 }
 
 /* ---- the path-traced reference ---- */

@@ -547,7 +547,10 @@ enum status reference_continue(struct reference *r, const struct renderer_shot *
     bool has_memory = job && add_layers(job, result);
     if (has_memory)
         status = trace(job, shot);
-    if (status == STATUS_OK && r->request.display) {
+    if (status == STATUS_OK && result->display.planes &&
+        weighted_mean_is_filtered(r->request.settings))
+        has_memory = weighted_mean_filter(&result->display, job->sums.weight_scale);
+    if (status == STATUS_OK && has_memory && r->request.display) {
         result->rgba = make_display(job, render_result_display(result));
         has_memory = result->rgba != NULL;
     }

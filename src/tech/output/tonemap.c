@@ -10,6 +10,7 @@
 #include <string.h>
 #include "shaders/embedded.h"
 #include "shaders/specialization_constants.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/frame_resources.h"
 
 static rg_record_fn record_screen;
@@ -39,7 +40,10 @@ static const char *const curves[] = {
 };
 
 static const char *const resolves[] = {
-    [TONEMAP_RESOLVE_WEIGHTED] = "weighted", [TONEMAP_RESOLVE_LINEAR] = "linear", NULL
+    [TONEMAP_RESOLVE_WEIGHTED] = "weighted",
+    [TONEMAP_RESOLVE_LINEAR] = "linear",
+    [TONEMAP_RESOLVE_FILTERED] = "filtered",
+    NULL,
 };
 
 static const struct setting rows[] = {
@@ -69,10 +73,11 @@ static const struct setting rows[] = {
     {
         SETTING_FIELD("tonemap.resolve", CHOICE, struct tonemap_values, resolve),
         .label = "Sample mean",
-        .max = TONEMAP_RESOLVE_LINEAR,
+        .max = TONEMAP_RESOLVE_FILTERED,
         .choices = resolves,
-        .help = "mean of a pixel's samples in PNG files and windows: weighted (by 1/(1+luminance), "
-                "which antialiases edges of highlights) or linear; EXR files are always linear",
+        .help = "mean of samples in PNG files and windows: weighted (by 1/(1+luminance), which "
+                "antialiases edges of highlights), filtered (weighted, over pixels and their "
+                "neighbours) or linear; EXR files are always linear",
     },
 };
 

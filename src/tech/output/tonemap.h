@@ -4,11 +4,6 @@
 #include "shaders/output/tonemap.h"
 #include "src/tech/technique.h"
 
-enum tonemap_resolve {
-    TONEMAP_RESOLVE_WEIGHTED, /* bright samples have smaller weights */
-    TONEMAP_RESOLVE_LINEAR,   /* mean of linear radiance, as in EXR files */
-};
-
 struct tonemap_values {
     float exposure;   /* stops */
     uint32_t curve;   /* TONEMAP_NEUTRAL, ... */

@@ -12,10 +12,11 @@
  * ice are refracted there by the refraction model.
  *
  * Limits: a reflection without refraction shows the camera's view of the object, with sun glints
- * clamped. Hidden sides repeat the colours of the edges in front of them; what is off screen has no
- * reflection. Reflections are drawn only around and below the objects' base. The lobe is isotropic,
- * and ends at the outline of a perfectly sharp one. Opaque surroundings do not reflect each
- * other, and surroundings visible in or through the objects have no reflections of them.
+ * clamped. Hidden sides close behind an edge repeat its colours; what is farther behind, or off
+ * screen, has no reflection. Reflections are drawn only around and below the objects' base. The
+ * lobe is isotropic, and ends at the outline of a perfectly sharp one. Opaque surroundings do not
+ * reflect each other, and surroundings visible in or through the objects have no reflections of
+ * them.
  */
 #include "src/tech/surroundings/ssr.h"
 #include <cglm/struct.h>

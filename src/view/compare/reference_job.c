@@ -8,7 +8,7 @@
 #include "src/render/weighted_mean.h"
 #include "src/view/window/window.h"
 
-static const char *const names[] = { "R", "G", "B" };
+static const char *const names[] = { "R", "G", "B", "A" };
 
 /* Returns the sums of a value of reference_sample_sums.h; NULL if there are none. */
 static const double *find_sum(const struct reference_sums *sums, size_t value)
@@ -22,16 +22,18 @@ static const double *find_sum(const struct reference_sums *sums, size_t value)
 
 /* Writes the image to display: the weighted mean of the samples if it is summed, else the linear
  * mean. Returns false when out of memory. */
-static bool make_mean(const struct reference_sums *sums, struct image *mean)
+static bool make_mean(const struct reference_sums *sums, const struct settings *settings,
+                      struct image *mean)
 {
     const size_t size = (size_t)sums->width * sums->height;
     const double *alpha = find_sum(sums, reference_layers_find("A"));
     const double *weight = find_sum(sums, REFERENCE_SUM_WEIGHT);
     const bool is_weighted = alpha && weight;
     image_init(mean, sums->width, sums->height);
-    for (size_t c = 0; c < 3; c++) {
-        const double *sum = find_sum(sums, is_weighted ? REFERENCE_SUM_DISPLAY + c
-                                                       : reference_layers_find(names[c]));
+    for (size_t c = 0; c < 4; c++) {
+        const bool is_weighed = is_weighted && c < 3; /* alpha is not */
+        const double *sum = find_sum(sums, is_weighed ? REFERENCE_SUM_DISPLAY + c
+                                                      : reference_layers_find(names[c]));
         float *texels = sum ? image_add_plane(mean, names[c], false) : NULL;
         if (!texels) {
             image_finish(mean);
@@ -39,13 +41,14 @@ static bool make_mean(const struct reference_sums *sums, struct image *mean)
         }
         for (size_t i = 0; i < size; i++) {
             const size_t at = i * sums->count;
-            const double factor = is_weighted
+            const double factor = is_weighed
                                       ? weighted_mean_factor(alpha[at], weight[at], sums->samples)
                                       : 1.0 / sums->samples;
             texels[i] = (float)(sum[at] * factor);
         }
     }
-    return true;
+    return !is_weighted || sums->samples < 2 || !weighted_mean_is_filtered(settings) ||
+           weighted_mean_filter(mean, sums->weight_scale);
 }
 
 static double noise_of(const struct reference_sums *sums)
@@ -62,7 +65,7 @@ static enum status save(void *user, const struct reference_sums *sums, bool is_l
     struct reference_job *t = user;
     struct image mean;
     (void)is_last;
-    if (!make_mean(sums, &mean))
+    if (!make_mean(sums, &t->settings, &mean))
         return log_out_of_memory("reference");
     const double noise = noise_of(sums);
     pthread_mutex_lock(&t->lock);

@@ -10,6 +10,7 @@
 #include "src/scene/scene.h"
 #include "src/scene/world_position.h"
 #include "src/settings/quality.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
 
@@ -151,6 +152,7 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
     const struct settings defaults = settings_default();
     const struct settings scene_settings = setup_scene_settings(&c->image->scene, c->scene);
     const struct setting *dither = settings_find("tonemap.dither");
+    const struct setting *resolve = settings_find("tonemap.resolve");
     struct settings settings = frame_settings(&c->image->scene.settings, c->scene);
     struct settings of_level = defaults;
     const uint32_t level = quality_nearest(&settings);
@@ -158,6 +160,8 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
     const bool has_level = level != quality_nearest(&defaults);
     const struct setting *metered =
         scene_find_builtin(c->image->scene.name) ? NULL : settings_find("tonemap.exposure");
+    if (c->image->filter != PIXEL_FILTER_BLACKMAN_HARRIS && settings_get(&of_level, resolve) > 0.0)
+        settings_set_value(&of_level, resolve, TONEMAP_RESOLVE_WEIGHTED);
     if (has_level)
         print_name(out, "quality", qualities[level].name);
     if (c->image->filter != PIXEL_FILTER_BOX || (has_level && qualities[level].is_smooth))
