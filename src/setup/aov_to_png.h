@@ -13,7 +13,7 @@
 const struct frame_layer *layer_image_find(const char *name);
 
 /* Returns the layer's bit in renderer_params.layers, or 0 for NULL. */
-uint32_t layer_image_bit(const struct frame_layer *layer);
+uint64_t layer_image_bit(const struct frame_layer *layer);
 
 /* Converts a layer, or the tone-mapped beauty if `layer` is NULL, to RGBA pixels: *rgba has 8 bits
  * per channel, *rgba_16 has 16; either may be NULL. The caller frees them. `image` must have the
