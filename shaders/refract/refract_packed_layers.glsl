@@ -1,5 +1,5 @@
-/* refract_packed_layers.glsl: AOVs of a refracted path, packed into three colour targets of the pass
- * that draws the image. refract_unpack_layers.frag writes them to the layers' own images. */
+/* refract_packed_layers.glsl: AOVs of a refracted path, packed into three colour targets of the
+ * pass that draws the image. refract_unpack_layers.frag writes them to the layers' own images. */
 #ifndef REFRACT_PACKED_LAYERS_GLSL
 #define REFRACT_PACKED_LAYERS_GLSL
 #include "refract/refract.h"
@@ -39,21 +39,34 @@ void refract_write_layers(refract_layers layers)
         uvec4(floatBitsToUint(layers.path), refract_pack_counts(layers), layers.last, 0u);
 }
 #else
-refract_layers refract_unpack(uvec4 path, uvec4 light, uvec4 counts)
+float refract_packed_depth(uvec4 path)
 {
-    vec2 mixed = unpackHalf2x16(light.y);
-    refract_layers layers;
-    layers.exit = uintBitsToFloat(path.xyz);
-    layers.depth = uintBitsToFloat(path.w);
-    layers.refraction = vec3(unpackHalf2x16(light.x), mixed.x);
-    layers.reflection = vec3(mixed.y, unpackHalf2x16(light.z));
-    layers.fresnel = uintBitsToFloat(light.w);
-    layers.path = uintBitsToFloat(counts.x);
-    layers.bounces = counts.y & 0xfffu;
-    layers.segments = counts.y >> 12 & 0xfffu;
-    layers.tir = counts.y >> 24;
-    layers.last = counts.z;
-    return layers;
+    return uintBitsToFloat(path.w);
+}
+
+vec3 refract_packed_refraction(uvec4 light)
+{
+    return vec3(unpackHalf2x16(light.x), unpackHalf2x16(light.y).x);
+}
+
+vec3 refract_packed_reflection(uvec4 light)
+{
+    return vec3(unpackHalf2x16(light.y).y, unpackHalf2x16(light.z));
+}
+
+float refract_packed_bounces(uvec4 counts)
+{
+    return float(counts.y & 0xfffu);
+}
+
+float refract_packed_segments(uvec4 counts)
+{
+    return float(counts.y >> 12 & 0xfffu);
+}
+
+float refract_packed_tir(uvec4 counts)
+{
+    return float(counts.y >> 24);
 }
 #endif
 

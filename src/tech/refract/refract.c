@@ -74,8 +74,6 @@ static const struct rg_use pixel_uses[] = {
 
 #define UNPACK_USES \
     FRAME_SAMPLE(refract_packed_path, REFRACT_PACKED_PATH, .same_texel = true), \
-        FRAME_SAMPLE(refract_packed_light, REFRACT_PACKED_LIGHT, .same_texel = true), \
-        FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_COUNTS, .same_texel = true), \
         FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true)
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
@@ -105,24 +103,46 @@ static const struct rg_pass layer_pass = {
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
 };
 
+/* Unpack groups of layers; the last pass is for models that trace rays. */
 static const struct rg_pass unpack_passes[] = {
     {
-        .name = "refract.layers",
-        .color = layer_targets,
-        .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+        .name = "refract.unpack_exit",
+        .color = RG_TARGETS({ &refract_exit, RG_LOAD_DISCARD }),
         .uses = RG_USES(UNPACK_USES),
         .vert = &fullscreen_vert,
         .frag = &refract_unpack_layers_frag,
         .record = frame_draw_screen,
     },
     {
-        .name = "refract.traced_layers",
-        .color = RG_TARGETS([REFRACT_OUT_MEDIA] = { &refract_media, RG_LOAD_DISCARD },
-                            [REFRACT_OUT_LAST] = { &refract_last_object, RG_LOAD_DISCARD }),
-        .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT,
+        .name = "refract.unpack_light",
+        .color = RG_TARGETS({ &refract_refraction, RG_LOAD_DISCARD },
+                            { &refract_reflection, RG_LOAD_DISCARD },
+                            { &refract_fresnel, RG_LOAD_DISCARD }),
+        .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(refract_packed_light, REFRACT_PACKED_MORE,
                                                   .same_texel = true)),
         .vert = &fullscreen_vert,
-        .frag = &refract_unpack_traced_layers_frag,
+        .frag = &refract_unpack_light_frag,
+        .record = frame_draw_screen,
+    },
+    {
+        .name = "refract.unpack_counts",
+        .color = RG_TARGETS({ &refract_path, RG_LOAD_DISCARD }),
+        .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE,
+                                                  .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &refract_unpack_counts_frag,
+        .record = frame_draw_screen,
+    },
+    {
+        .name = "refract.unpack_traced",
+        .color = RG_TARGETS({ &refract_media, RG_LOAD_DISCARD },
+                            { &refract_last_object, RG_LOAD_DISCARD }),
+        .uses =
+            RG_USES(UNPACK_USES,
+                    FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .same_texel = true),
+                    FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &refract_unpack_traced_frag,
         .record = frame_draw_screen,
     },
 };
@@ -251,7 +271,8 @@ struct rg_technique refract_unpack_passes(const struct technique_config *config,
     (void)builder;
     if (!refract_wants_layers(config))
         return (struct rg_technique){ 0 };
-    return (struct rg_technique){ "refract", unpack_passes, traces ? 2 : 1 };
+    const size_t count = sizeof(unpack_passes) / sizeof(unpack_passes[0]);
+    return (struct rg_technique){ "refract", unpack_passes, traces ? count : count - 1 };
 }
 
 static const char *const fresnels[] = {
