@@ -1,6 +1,7 @@
 /* refract_main.glsl: main() of the raster refraction models, which define refract_follow(). Shades
  * the ice by environment lookup, absorption, dispersion and reflection (Seipel and Nivfors 2006,
- * eq. 6). With REFRACT_LAYERS, writes AOVs instead of the image; with REFRACT_PACKED_LAYERS, both. */
+ * eq. 6). With REFRACT_LAYERS, writes AOVs instead of the image; with REFRACT_PACKED_LAYERS, both.
+ */
 #ifndef REFRACT_MAIN_GLSL
 #define REFRACT_MAIN_GLSL
 #include "lib/specialization_constants.glsl"

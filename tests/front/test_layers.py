@@ -1,4 +1,4 @@
-"""test_layers.py: layers of the first surface: object, albedo, motion and geometry. Usage: see case.py."""
+"""test_layers.py: layers of the first surface: object, albedo, motion, geometry. See case.py."""
 import json
 import math
 import struct

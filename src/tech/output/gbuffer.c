@@ -1,6 +1,6 @@
 /*
- * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z, and the
- * layers distance and N.camera, which follow from them).
+ * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z; layers
+ * distance and N.camera follow from them).
  *
  * Both passes draw into the same targets and have a depth buffer of their own, so that these layers
  * can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with alpha below
