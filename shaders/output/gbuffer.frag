@@ -7,13 +7,13 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) flat in uint material;
-layout(location = 0) out vec4 out_normal;
+layout(location = 0) out vec4 out_normal;   /* w: distance from the camera */
 layout(location = 1) out vec4 out_position; /* w: distance along the view axis */
 
 void main()
 {
     if (material_is_hole(material, material_base_color(material, uv).a))
         discard;
-    out_normal = vec4(normalize(normal), 0.0);
+    out_normal = vec4(normalize(normal), distance(position, frame.eye));
     out_position = vec4(position, dot(position - frame.eye, frame.forward));
 }

@@ -3,7 +3,10 @@
 #define SHADERS_OUTPUT_GBUFFER_H
 #include "abi.h"
 
-/* Value of gbuffer_position.w in pixels without a surface: finite, but beyond all surfaces. */
+#define GBUFFER_NORMAL 1 /* binding of the normals in gbuffer_camera_normal.frag */
+
+/* Value of gbuffer_normal.w and gbuffer_position.w in pixels without a surface: finite, but beyond
+ * all surfaces. */
 #define GBUFFER_NOTHING 1e10f
 
 struct gbuffer_push {

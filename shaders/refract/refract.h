@@ -53,6 +53,15 @@
 #define REFRACT_OUT_FRESNEL    3
 #define REFRACT_OUT_PATH       4
 
+/* First of three colour targets with packed AOVs, in the pass of the image with
+ * REFRACT_PACKED_LAYERS. The second value is for passes that also write denoiser inputs. */
+#define REFRACT_OUT_PACKED         2
+#define REFRACT_OUT_PACKED_DENOISE 5
+/* Bindings of refract_unpack_layers.frag, in addition to REFRACT_DEPTH_SCENE. */
+#define REFRACT_PACKED_PATH  1
+#define REFRACT_PACKED_MORE  2 /* the second or third target */
+#define REFRACT_FIRST_OBJECT 3 /* layer `object` */
+
 /* values of the specialisation constant CONSTANT_REFRACT_FRESNEL */
 #define REFRACT_FRESNEL_PAPER     0 /* paper's approximation, eq. 4, per vertex */
 #define REFRACT_FRESNEL_EXACT     1 /* exact Fresnel equations per pixel */

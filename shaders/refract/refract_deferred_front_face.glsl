@@ -10,13 +10,11 @@
 
 layout(set = 0, binding = REFRACT_SHADING) uniform sampler2D shading;
 layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
-#ifdef REFRACT_LAYERS
-layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
-#endif
 
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 vec3 eye_to_point;
+float front_depth; /* depth-buffer value; 0 without ice */
 vec3 normal; /* unit length, bump mapped */
 float fresnel_paper;
 
@@ -25,22 +23,17 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* Reads the pixel's front face. Discards pixels without ice, or with ice behind other objects. */
+/* Reads the pixel's front face. Discards pixels without ice. */
 void refract_front_read()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float depth = texelFetch(depth_front, pixel, 0).r;
+    front_depth = texelFetch(depth_front, pixel, 0).r;
     vec4 texel = texelFetch(shading, pixel, 0);
-    eye_to_point = primary_ray_at(ray, view_depth(refract_frame.clip_from_world, depth));
+    eye_to_point = primary_ray_at(ray, view_depth(refract_frame.clip_from_world, front_depth));
     normal = texel.xyz;
     fresnel_paper = texel.w;
-#ifdef REFRACT_LAYERS
-    if (depth == 0.0 || depth < texelFetch(depth_scene, pixel, 0).r)
+    if (constant_objects == 1u && front_depth == 0.0)
         discard;
-#else
-    if (constant_objects == 1u && depth == 0.0)
-        discard;
-#endif
 }
 
 #endif

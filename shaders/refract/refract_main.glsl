@@ -1,6 +1,7 @@
 /* refract_main.glsl: main() of the raster refraction models, which define refract_follow(). Shades
  * the ice by environment lookup, absorption, dispersion and reflection (Seipel and Nivfors 2006,
- * eq. 6). With REFRACT_LAYERS, writes AOVs instead of the image. */
+ * eq. 6). With REFRACT_LAYERS, writes AOVs instead of the image; with REFRACT_PACKED_LAYERS, both.
+ */
 #ifndef REFRACT_MAIN_GLSL
 #define REFRACT_MAIN_GLSL
 #include "lib/specialization_constants.glsl"
@@ -13,6 +14,9 @@
 #include "refract/refract_medium.glsl"
 #endif
 #include "lighting/highlight.glsl"
+#ifdef REFRACT_PACKED_LAYERS
+#include "refract/refract_packed_layers.glsl"
+#endif
 
 struct refract_result {
     refract_path path;
@@ -119,6 +123,20 @@ void main()
     refract_result r = refract_shade(e, n_f);
     color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);
     highlight = highlight_radiance(e, eye_to_point, n_f);
+#ifdef REFRACT_PACKED_LAYERS
+    refract_layers layers;
+    layers.depth = front_depth;
+    layers.exit = normalize(r.path.dir);
+    layers.refraction = r.refraction;
+    layers.reflection = r.reflection;
+    layers.fresnel = r.fresnel;
+    layers.path = r.path.path;
+    layers.bounces = uint(r.path.bounces);
+    layers.tir = uint(r.path.tir);
+    layers.segments = 0u;
+    layers.last = 0u;
+    refract_write_layers(layers);
+#endif
 }
 #endif
 

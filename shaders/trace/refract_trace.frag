@@ -547,9 +547,6 @@ bool trace_end_path(trace_hit hit)
     int iterations = is_first && !trace_camera_is_inside() ? 0 : int(trace.one);
     bool has_holes = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && path.left > 0;
     bool is_shaded = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
-#ifdef REFRACT_LAYERS
-    is_shaded = is_shaded && !is_first;
-#endif
     if (has_holes || is_shaded)
         iterations = int(trace.one);
     while (iterations > 0) {
@@ -676,9 +673,7 @@ float trace_depth(vec3 point)
     return clamp(clip.z / clip.w, 0.0, 1.0);
 }
 
-#if defined(REFRACT_LAYERS)
-#include "trace/trace_aov_outputs.glsl"
-#elif defined(TRACE_PHOTONS)
+#ifdef TRACE_PHOTONS
 #include "trace/trace_photons.glsl"
 #else
 #include "trace/trace_image_outputs.glsl"

@@ -11,17 +11,12 @@
 #define TRACE_NODES        13 /* BVH nodes, texel buffer (bvh_layout.h) */
 #define TRACE_TRIANGLES    14
 #define TRACE_CORNERS      15
-#define TRACE_FIRST_OBJECT 21 /* layer `object`, in the AOV pass */
 #define TRACE_CUBE_POINTS  22 /* the environment cube with nearest filtering */
 /* Bindings of the BVH's storage buffers, used with TRACE_HAS_STORAGE_BUFFERS. */
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
 #define TRACE_STORED_CORNERS   20
 #define TRACE_STRUCTURE        23 /* acceleration structure, with TRACE_QUERY */
-
-/* Colour targets of the AOV pass, in addition to those of refract.h. */
-#define TRACE_OUT_MEDIA 5
-#define TRACE_OUT_LAST  6
 
 /* Colour targets of the image pass with TRACE_DENOISE, in addition to those of refract.h. */
 #define TRACE_OUT_LIGHT      2

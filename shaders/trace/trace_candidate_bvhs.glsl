@@ -18,12 +18,10 @@ uint trace_bvh_mask(trace_path path)
 #else
     uint surroundings = 0u;
 #endif
-#ifndef REFRACT_LAYERS
     /* primary rays skip surroundings, which rasterisation composites in front of objects */
     if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && is_first &&
         !trace_camera_is_inside())
         surroundings = 0u;
-#endif
     bool has_left = trace_has(TRACE_IS_CONVEX) && path.side < 0.0 && !is_first;
     uint objects = has_left ? 0u : 1u << BVH_OBJECTS;
     return objects | surroundings | (hits_inclusions ? 1u << BVH_INCLUSIONS : 0u);

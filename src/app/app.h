@@ -77,7 +77,7 @@ struct app_diff {
 
 /* Options of firn ladder. */
 struct app_ladder {
-    uint32_t refraction_models; /* bit i: techniques_refraction(i); 0: all */
+    uint64_t refraction_models; /* bit i: techniques_refraction(i); 0: all */
     uint32_t run_count;         /* timed frames per refraction model */
     bool furnace;
     bool whole;                  /* with the inclusions of ice */

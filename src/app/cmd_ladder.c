@@ -143,7 +143,7 @@ static enum status measure(struct job *job)
         .height = p->height,
         .samples = p->samples,
         .filter = p->filter,
-        .refraction_models = o->ladder.refraction_models,
+        .refraction_models = (uint32_t)o->ladder.refraction_models,
         .is_whole = o->ladder.whole,
         .run_count = o->ladder.run_count,
         .truth = job->reference.plane_count ? &job->reference : NULL,

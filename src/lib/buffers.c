@@ -148,7 +148,7 @@ static enum status make_display(const firn_renderer *r, struct render_result *re
         free(result->rgba);
         result->rgba = NULL;
     }
-    return layer_image_show(render_result_display(result), NULL, settings,
+    return layer_image_show(render_result_display(result), NULL, settings, NULL,
                             is_16 ? NULL : &result->rgba, is_16 ? &result->rgba_16 : NULL)
                ? STATUS_OK
                : STATUS_TRY_AGAIN;

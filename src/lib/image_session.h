@@ -19,7 +19,7 @@ struct image_session {
     struct session_scene *scene;
     struct gpu *gpu;                     /* opened when needed if gpu->device is NULL */
     const struct gpu_params *gpu_params; /* of the device to open */
-    uint32_t layers;                     /* returned layers, as in renderer_params */
+    uint64_t layers;                     /* returned layers, as in renderer_params */
     bool linear, display, resolved;      /* returned images, as in renderer_params */
     bool prefers_start;                  /* few pixels are drawn by the process */
     bool quiet;                          /* log no warnings about what is not drawn */

@@ -86,7 +86,7 @@ struct firn_renderer {
     struct firn_renderer *next;
     uint32_t width, height, samples;
     bool has_beauty, has_display;
-    uint32_t layers;          /* bits of the other layers */
+    uint64_t layers;          /* bits of the other layers */
     struct setup_image image; /* options of the scene with the choices for this renderer */
     struct image_session session;
     uint32_t version; /* firn_scene.version of `image`; 0 before the first */

@@ -42,7 +42,7 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
     r->tile = whole;
     adaptive_rescale(&adaptive, &result->image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (r->params.layers & 1u << i)
+        if (r->params.layers & UINT64_C(1) << i)
             adaptive_rescale(&adaptive, &result->image, techniques_layer(i));
     }
     adaptive_rescale(&adaptive, &result->display, &weighted_mean_alpha);

@@ -27,7 +27,7 @@ struct renderer_params {
     uint32_t samples; /* per pixel; 0 means 1 */
     bool is_adaptive; /* adaptive sampling, up to ADAPTIVE_SAMPLES: adaptive_sampling.h */
     enum pixel_filter filter;
-    uint32_t layers;         /* bit i: return techniques_layer(i), if enabled */
+    uint64_t layers;         /* bit i: return techniques_layer(i), if enabled */
     bool linear;             /* return the beauty in render_result.image */
     bool display;            /* return the tone-mapped image in render_result.rgba */
     bool resolved;           /* return the mean for display: render_result_display() */

@@ -171,7 +171,7 @@ const void *renderer_read_back(struct compiled_frame *compiled_frame, const stru
 
 bool renderer_wants_layer(const struct renderer *r, uint32_t layer)
 {
-    return r->params.layers & 1u << layer;
+    return r->params.layers & UINT64_C(1) << layer;
 }
 
 enum status renderer_read_sample(struct renderer *r, struct render_result *result,

@@ -26,11 +26,11 @@ const struct frame_layer *layer_image_find(const char *name)
     return NULL;
 }
 
-uint32_t layer_image_bit(const struct frame_layer *layer)
+uint64_t layer_image_bit(const struct frame_layer *layer)
 {
     for (size_t i = 0; layer && techniques_layer(i); i++) {
         if (techniques_layer(i) == layer)
-            return 1u << i;
+            return UINT64_C(1) << i;
     }
     return 0;
 }

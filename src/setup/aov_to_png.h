@@ -13,7 +13,7 @@
 const struct frame_layer *layer_image_find(const char *name);
 
 /* Returns the layer's bit in renderer_params.layers, or 0 for NULL. */
-uint32_t layer_image_bit(const struct frame_layer *layer);
+uint64_t layer_image_bit(const struct frame_layer *layer);
 
 struct ocio_view;
 

@@ -311,7 +311,7 @@ static bool exr_is_current(const struct output *output, const struct image_heade
 
     add_layer(&image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (p->layers & 1u << i)
+        if (p->layers & UINT64_C(1) << i)
             add_layer(&image, techniques_layer(i));
     }
     return exr_matches(head, &image, &header);

@@ -97,7 +97,7 @@ struct setup_image {
     uint32_t tile;                  /* number from 1; 0 for all */
     bool interleaved;               /* tiles are interleaved: renderer.h */
     bool all_layers;                /* --aov all: app_parse() sets `layers` */
-    uint32_t layers;                /* bit i: techniques_layer(i) */
+    uint64_t layers;                /* bit i: techniques_layer(i) */
     const char *ocio;               /* CONFIG,VIEW for PNG files, or NULL */
     uint32_t png_bits;              /* bits per channel; 0 means 8 */
     const struct frame_layer *show; /* PNG layer; NULL: tone-mapped image */

@@ -20,6 +20,10 @@ struct pass_arena;
 struct scene;
 struct technique;
 
+enum {
+    TECHNIQUE_LAYER_MAX = 64 /* maximum number of layers of all techniques */
+};
+
 /* The image that a compiled plan renders. */
 enum technique_purpose {
     TECHNIQUE_IMAGE,   /* one sample of an image */
@@ -38,6 +42,8 @@ struct technique_config {
     bool is_limited;       /* draw only the pixels rays read */
     bool may_exceed_image; /* the object may exceed the image */
     bool has_fast_queries; /* the device's ray queries are not emulated */
+    /* images of layers that are requested or that techniques read; the list ends at NULL */
+    const struct rg_image *wanted[2 * TECHNIQUE_LAYER_MAX + 1];
     /* Set or changed by refraction_model.choose: */
     uint32_t object_count; /* number of refractive objects with own passes; 0 counts as 1 */
     bool is_wide;          /* maps extend beyond the image (ice_gbuffer.h) */
@@ -45,6 +51,9 @@ struct technique_config {
     bool denoises_light;   /* traced lighting is denoised; before: the request allows it */
     bool uses_queries;     /* rays use ray queries; before: the device has them */
 };
+
+/* Returns true if an image belongs to a requested layer, or to one that a technique reads. */
+bool technique_wants(const struct technique_config *config, const struct rg_image *image);
 
 /* Order of the pass groups in a frame. Groups of one phase follow the order of techniques.h. */
 enum technique_phase {
@@ -57,8 +66,9 @@ enum technique_phase {
     PHASE_INCLUSIONS,  /* inclusions, each in its own image */
     PHASE_COMPOSITE,   /* composites the inclusions over the image */
     PHASE_BACKGROUND,  /* surroundings and sky behind the object */
-    PHASE_LAYERS,      /* the refraction model's layers */
+    PHASE_LAYERS,      /* layers of models that do not pack them */
     PHASE_FACES,       /* face layers of several objects */
+    PHASE_UNPACK,      /* layers that the refraction's passes have packed */
     PHASE_FINISH,      /* drawn last: frost, unclipped cracks */
     PHASE_DISPLAY,     /* tone mapping */
     PHASE_COUNT,
@@ -94,7 +104,8 @@ struct refraction_model {
     /* True if the model shades a full-screen triangle instead of front faces
      * (shaders/refract/refract_deferred_front_face.glsl), for slow fragment shaders. */
     bool shades_fullscreen;
-    bool traces_bvh; /* traces rays through scene->bvh; one pass draws all objects */
+    bool packs_layers; /* the pass that draws the image also writes the model's layers, packed */
+    bool traces_bvh;   /* traces rays through scene->bvh; one pass draws all objects */
     /* Optional, for traces_bvh. Returns false if rays that leave the objects look up the
      * environment cube instead of hitting the surroundings. */
     bool (*hits_surroundings)(const struct technique_config *config);
@@ -159,7 +170,8 @@ struct technique {
     const char *title; /* display name; NULL: `name` */
     struct technique_pass_group pass_groups[TECHNIQUE_PASS_GROUP_COUNT];
     struct refraction_model refraction;
-    const struct frame_layer *layers;       /* ends at {0}; may be NULL */
+    const struct rg_image *reads_layer; /* layer image that passes read while is_on(), or NULL */
+    const struct frame_layer *layers;   /* ends at {0}; may be NULL */
     const struct technique_upload *uploads; /* may be NULL */
     const struct technique_import *imports; /* may be NULL */
     /* Optional. Returns the mesh that frame_draw_mesh() draws. */

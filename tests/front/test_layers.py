@@ -1,6 +1,7 @@
-"""test_layers.py: layers of the first surface: object, albedo and motion. Usage: see case.py."""
+"""test_layers.py: layers of the first surface: object, albedo, motion, geometry. See case.py."""
 import json
 import math
+import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -17,6 +18,11 @@ BLUE = (0.1, 0.2, 0.8)
 def matt(name, *color, **more):
     return {'name': name, 'pbrMetallicRoughness': {'baseColorFactor': color, 'metallicFactor': 0},
             **more}
+
+
+def transform(matrix, *vector):
+    """A row vector times a matrix of an EXR attribute."""
+    return [sum(v * matrix[4 * i + k] for i, v in enumerate(vector)) for k in range(4)]
 
 
 class Layers(Case):
@@ -55,6 +61,32 @@ class Layers(Case):
                 self.assertEqual(names[str(int(pixel[0]))], name)
                 for found, wanted in zip(pixel[1:], (*color, 0, 0, z)):
                     self.assertAlmostEqual(found, wanted, delta=0.001)
+
+    def test_geometry_follows_from_the_camera(self):
+        """P is projected to its pixel; distance and N.camera are P and N in the camera's axes."""
+        self.succeed('render', 'teapot', *BARE, '--size', '64x48', '--samples', '1', '-r', 'bounce',
+                     '--aov', 'P,N,Z,distance,N.camera', '-o', 'b.exr')
+        exr = Exr((self.folder / 'b.exr').read_bytes())
+        names = [f'{n}.{axis}' for n in ('P', 'N', 'N.camera') for axis in 'XYZ']
+        planes = exr.read_planes((*names, 'Z', 'distance.Z'))
+        camera, ndc = (struct.unpack('<16f', exr.attributes[name][1])
+                       for name in ('worldToCamera', 'worldToNDC'))
+        rows = list(zip(*(planes[name] for name in (*names, 'Z', 'distance.Z'))))
+        self.assertGreater(sum(row[9] < 1e9 for row in rows), 200)
+        for i, (*values, z, distance) in enumerate(rows):
+            point, n, seen = values[:3], values[3:6], values[6:]
+            if z > 1e9:
+                self.assertEqual((*seen, distance), (0, 0, 0, z))
+                continue
+            x, y, back, _ = transform(camera, *point, 1)
+            self.assertAlmostEqual(distance / math.hypot(x, y, back), 1, delta=1e-5)
+            self.assertAlmostEqual(z / -back, 1, delta=1e-5)
+            right, up, behind, _ = transform(camera, *n, 0)
+            for found, wanted in zip(seen, (right, -up, -behind)):
+                self.assertAlmostEqual(found, wanted, delta=1e-5)
+            x, y, _, w = transform(ndc, *point, 1)
+            self.assertAlmostEqual(32 + 32 * x / w, i % 64 + 0.5, delta=1e-3)
+            self.assertAlmostEqual(24 + 24 * y / w, i // 64 + 0.5, delta=1e-3)
 
     @unsanitized
     def test_last_objects(self):

@@ -54,7 +54,7 @@ static char *describe_plan(const struct settings *settings, bool has_pool)
                     .refraction = techniques_find_refraction("paper"),
                     .scene = &scene },
         .view = { 64, 64 },
-        .layers = UINT32_MAX,
+        .layers = UINT64_MAX,
         .beauty = true,
         .display = true,
     };

@@ -102,7 +102,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
 }
 
 enum status option_parse_names(const struct option *option, enum option_names names,
-                               const char *value, uint32_t *bits, bool *all)
+                               const char *value, uint64_t *bits, bool *all)
 {
     for (const char *word = value;; word++) {
         const size_t length = strcspn(word, ",");
@@ -112,7 +112,7 @@ enum status option_parse_names(const struct option *option, enum option_names na
                (strlen(name) != length || strncmp(name, word, length) != 0))
             i++;
         if (name)
-            *bits |= 1u << i;
+            *bits |= UINT64_C(1) << i;
         else if (all && length == 3 && !strncmp(word, "all", 3))
             *all = true;
         else

@@ -38,7 +38,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
 /* Parses names separated by commas. Sets bit i of *bits for the i-th known name, and *all for the
  * name "all"; NULL if that is no name. */
 enum status option_parse_names(const struct option *option, enum option_names names,
-                               const char *value, uint32_t *bits, bool *all);
+                               const char *value, uint64_t *bits, bool *all);
 
 /* Returns the index of `value` in the array of words, or -1 if the array does not contain it. */
 int option_find_word(const char *const *names, int count, const char *value);

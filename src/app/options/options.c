@@ -417,15 +417,15 @@ static enum status refuse_traced(const struct setup_image *image)
 /* Checks that the refraction model draws all requested layers. Call it after option parsing. */
 static enum status check_layers(struct setup_image *image)
 {
-    uint32_t made = 0;
+    uint64_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
         const bool is_made = image->refraction == &cpu_reference_settings
                                  ? reference_has_layer(layer)
                                  : layer->image != NULL;
         const bool is_shown = image->show == layer;
-        made |= is_made ? 1u << i : 0;
-        if (is_made || !(image->layers & 1u << i || is_shown))
+        made |= is_made ? UINT64_C(1) << i : 0;
+        if (is_made || !(image->layers & UINT64_C(1) << i || is_shown))
             continue;
         log_error("--%s: layer '%s' is not available with --refraction %s (firn list layers)",
                   is_shown ? "show" : "aov", layer->name, image->refraction->refraction.name);
@@ -619,8 +619,8 @@ void option_init_render(struct setup_image *image)
 /* Options that a renderer of the library sets, or that describe files. */
 static bool is_of_files(const struct option *option)
 {
-    static const char *const names[] = { "size", "aov",         "show",     "tiles",
-                                         "tile", "interleaved", "png-bits", NULL };
+    static const char *const names[] = { "size",        "aov",      "show", "tiles", "tile",
+                                         "interleaved", "png-bits", "ocio", NULL };
     return option_find_word(names, sizeof(names) / sizeof(names[0]) - 1, option->name) >= 0;
 }
 

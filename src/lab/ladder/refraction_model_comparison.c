@@ -51,16 +51,16 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
 }
 
 /* Returns a bit mask of the layers to render, either by the reference or by a model. */
-static uint32_t find_layers(bool of_reference)
+static uint64_t find_layers(bool of_reference)
 {
     static const char *const names[] = {
         "exit", "path", "bounces", "tir", "remaining", "inclusions"
     };
     const size_t count = sizeof(names) / sizeof(names[0]) - (of_reference ? 0 : 2);
-    uint32_t bits = 0;
+    uint64_t bits = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         for (size_t k = 0; k < count; k++)
-            bits |= !strcmp(techniques_layer(i)->name, names[k]) ? 1u << i : 0u;
+            bits |= !strcmp(techniques_layer(i)->name, names[k]) ? UINT64_C(1) << i : 0;
     }
     return bits;
 }

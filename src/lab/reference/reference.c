@@ -370,7 +370,7 @@ static bool add_layers(struct job *job, struct render_result *result)
     if (request->linear || (is_shown && !is_weighted))
         done = done && add_layer(job, image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (request->layers & 1u << i && reference_has_layer(techniques_layer(i)))
+        if (request->layers & UINT64_C(1) << i && reference_has_layer(techniques_layer(i)))
             done = done && add_layer(job, image, techniques_layer(i));
     }
     job->tile_columns = (request->width + TILE - 1) / TILE;

@@ -32,7 +32,7 @@ struct reference_request {
     double noise;           /* noise limit; 0 for none */
     double seconds;         /* time limit; 0 for none */
     enum pixel_filter filter;
-    uint32_t layers;  /* bit i requests techniques_layer(i) */
+    uint64_t layers;  /* bit i requests techniques_layer(i) */
     bool linear;      /* return linear radiance in render_result.image */
     bool display;     /* return tone-mapped image in render_result.rgba */
     bool resolved;    /* return the mean for display: render_result_display() */

@@ -181,10 +181,27 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
     return p->plan->fault_count ? report_faults(p->plan) : STATUS_OK;
 }
 
+/* Lists the images of the requested layers, and of those that techniques read. */
+static void want_layers(struct technique_config *config, uint64_t layers)
+{
+    const struct frame_layer *layer;
+    size_t count = 0;
+    for (size_t i = 0; i < FRAME_LAYER_MAX && (layer = techniques_layer(i)); i++) {
+        if (layers & UINT64_C(1) << i && layer->image)
+            config->wanted[count++] = layer->image;
+    }
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->reads_layer && (*t)->is_on(config->settings))
+            config->wanted[count++] = (*t)->reads_layer;
+    }
+}
+
 enum status frame_plan_init(struct frame_plan *p, const struct frame_request *request)
 {
+    struct technique_config config = request->config;
     *p = (struct frame_plan){ 0 };
-    enum status status = frame_list_init(&p->list, &request->config);
+    want_layers(&config, request->layers);
+    enum status status = frame_list_init(&p->list, &config);
     if (status != STATUS_OK)
         return status;
     if (!list_techniques(p))

@@ -17,7 +17,7 @@ struct frame_request {
     uint32_t face_size;    /* cube face width, texels; 0: automatic */
     VkExtent2D max_view;   /* limit of frame_plan_change_view(); 0: `view` */
     VkExtent2D max_region; /* largest tile, pixels; 0: whole view */
-    uint32_t layers;       /* bit i: read back techniques_layer(i) */
+    uint64_t layers;       /* bit i: read back techniques_layer(i) */
     bool beauty, display;  /* read back linear; 8-bit image */
     bool keep_cube;        /* keep frame_env_cube for other frames */
     bool keep_display;     /* keep the 8-bit image */

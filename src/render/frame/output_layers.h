@@ -8,7 +8,7 @@ extern const struct frame_layer frame_beauty; /* present in every image */
 
 /* Maximum number of layers. Bit i of a layer mask stands for techniques_layer(i). */
 enum {
-    FRAME_LAYER_MAX = 32
+    FRAME_LAYER_MAX = TECHNIQUE_LAYER_MAX
 };
 
 #endif

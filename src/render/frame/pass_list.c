@@ -276,6 +276,8 @@ static bool add_all(struct frame_list *list, const struct technique_config *conf
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;
         const bool is_before = phase == PHASE_DEPTHS || phase == PHASE_NORMALS;
+        if (are_many && phase == PHASE_LAYERS && config->refraction->refraction.packs_layers)
+            continue;
         if (are_many &&
             (phase == PHASE_REFRACTION || phase == PHASE_LAYERS || phase == PHASE_FACES))
             done = add_objects(list, config, phase);

@@ -114,6 +114,7 @@ const struct technique frost = {
     .help = "frost on the ice's surface",
     .settings = &frost_settings,
     .is_on = is_on,
+    .reads_layer = &refract_exit,
     .is_traced = true,
     .is_ice_only = true,
     .pass_groups = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },

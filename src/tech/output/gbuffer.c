@@ -1,5 +1,6 @@
 /*
- * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z).
+ * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z; layers
+ * distance and N.camera follow from them).
  *
  * Both passes draw into the same targets and have a depth buffer of their own, so that these layers
  * can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with alpha below
@@ -21,6 +22,11 @@ const struct rg_image gbuffer_position = {
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
+static const struct rg_image camera_normal = {
+    .name = "gbuffer.camera_normal",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
 const struct rg_image gbuffer_depth = {
     .name = "gbuffer.depth",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -36,7 +42,9 @@ static const struct rg_use uses[] = {
 static const struct rg_pass passes[] = {
     {
         .name = "gbuffer.surroundings",
-        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &gbuffer_normal,
+                              RG_LOAD_CLEAR,
+                              { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } },
                             { &gbuffer_position,
                               RG_LOAD_CLEAR,
                               { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } }),
@@ -61,6 +69,19 @@ static const struct rg_pass passes[] = {
         .cull = VK_CULL_MODE_BACK_BIT,
         .push_size = sizeof(struct gbuffer_push),
         .record = record_object,
+    },
+};
+
+/* Drawn after the water's passes, which share the G-buffer. */
+static const struct rg_pass camera_passes[] = {
+    {
+        .name = "gbuffer.camera_normal",
+        .color = RG_TARGETS({ &camera_normal, RG_LOAD_DISCARD }),
+        .uses = RG_USES(FRAME_USE_GLOBALS,
+                        FRAME_SAMPLE(gbuffer_normal, GBUFFER_NORMAL, .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &gbuffer_camera_normal_frag,
+        .record = frame_draw_screen,
     },
 };
 
@@ -101,6 +122,22 @@ static const struct frame_layer layers[] = {
         .help = "position of the visible surface, metres (of models far from 0,0,0: from "
                 "firn/origin)",
     },
+    {
+        .name = "distance",
+        .image = &gbuffer_normal,
+        .planes = { "distance.Z" },
+        .first_channel = 3,
+        .shown = FRAME_SHOWN_DISTANCE,
+        .help = "distance of the visible surface from the camera, metres; 1e10 if there is none",
+    },
+    {
+        .name = "N.camera",
+        .image = &camera_normal,
+        .planes = { "N.camera.X", "N.camera.Y", "N.camera.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
+        .help = "normal of the visible surface along the camera's axes: right, down, forward; 0 if "
+                "there is none",
+    },
     { 0 },
 };
 
@@ -108,5 +145,7 @@ const struct technique gbuffer = {
     .name = "gbuffer",
     .help = "normal, position and depth of the nearest surface",
     .layers = layers,
-    .pass_groups = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) } },
+    .pass_groups = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) },
+                     { PHASE_UNPACK, SCENE_OF_ANY,
+                       .graph = RG_TECHNIQUE("gbuffer", camera_passes) } },
 };

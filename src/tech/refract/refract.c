@@ -8,6 +8,7 @@
 #include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/lighting/highlight.h"
+#include "src/tech/output/first_surface.h"
 #include "src/tech/pass_arena.h"
 
 const struct rg_image refract_exit = {
@@ -30,12 +31,35 @@ const struct rg_image refract_fresnel = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
+const struct rg_image refract_media = {
+    .name = "refract.media",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+const struct rg_image refract_last_object = {
+    .name = "refract.last",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
 const struct rg_image refract_path = {
     .name = "refract.path",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
+#define PACKED(title) \
+    { \
+        .name = (title), .format = VK_FORMAT_R32G32B32A32_UINT \
+    }
+const struct rg_image refract_packed_path = PACKED("refract.packed_path");
+const struct rg_image refract_packed_light = PACKED("refract.packed_light");
+const struct rg_image refract_packed_counts = PACKED("refract.packed_counts");
+
 static const struct rg_target color_targets[] = { REFRACT_COLOR_TARGETS };
+
+static const struct rg_target packed_targets[] = {
+    REFRACT_COLOR_TARGETS,
+    REFRACT_PACKED_TARGETS(REFRACT_OUT_PACKED),
+};
 
 static const struct rg_target layer_targets[] = { REFRACT_LAYER_TARGETS };
 
@@ -48,15 +72,14 @@ static const struct rg_use pixel_uses[] = {
     { 0 },
 };
 
-static const struct rg_use scene_uses[] = {
-    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
-    { 0 },
-};
+#define UNPACK_USES \
+    FRAME_SAMPLE(refract_packed_path, REFRACT_PACKED_PATH, .same_texel = true), \
+        FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true)
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
 /* Passes that shade the object. color_pass and layer_pass draw its front faces with a depth test.
- * pixel_color_pass and pixel_layer_pass draw a full-screen triangle and read ice_normal.front. */
+ * pixel_color_pass draws a full-screen triangle and reads ice_normal.front. */
 static const struct rg_pass color_pass = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
@@ -80,9 +103,48 @@ static const struct rg_pass layer_pass = {
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
 };
 
-static const struct rg_pass pixel_layer_pass = {
-    .color = layer_targets,
-    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+/* Unpack groups of layers; the last pass is for models that trace rays. */
+static const struct rg_pass unpack_passes[] = {
+    {
+        .name = "refract.unpack_exit",
+        .color = RG_TARGETS({ &refract_exit, RG_LOAD_DISCARD }),
+        .uses = RG_USES(UNPACK_USES),
+        .vert = &fullscreen_vert,
+        .frag = &refract_unpack_layers_frag,
+        .record = frame_draw_screen,
+    },
+    {
+        .name = "refract.unpack_light",
+        .color = RG_TARGETS({ &refract_refraction, RG_LOAD_DISCARD },
+                            { &refract_reflection, RG_LOAD_DISCARD },
+                            { &refract_fresnel, RG_LOAD_DISCARD }),
+        .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(refract_packed_light, REFRACT_PACKED_MORE,
+                                                  .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &refract_unpack_light_frag,
+        .record = frame_draw_screen,
+    },
+    {
+        .name = "refract.unpack_counts",
+        .color = RG_TARGETS({ &refract_path, RG_LOAD_DISCARD }),
+        .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE,
+                                                  .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &refract_unpack_counts_frag,
+        .record = frame_draw_screen,
+    },
+    {
+        .name = "refract.unpack_traced",
+        .color = RG_TARGETS({ &refract_media, RG_LOAD_DISCARD },
+                            { &refract_last_object, RG_LOAD_DISCARD }),
+        .uses =
+            RG_USES(UNPACK_USES,
+                    FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .same_texel = true),
+                    FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &refract_unpack_traced_frag,
+        .record = frame_draw_screen,
+    },
 };
 
 const struct rg_use refract_material_uses[] = {
@@ -147,9 +209,10 @@ static struct rg_technique make_pass(const struct technique_config *config,
     const struct technique *technique = config->refraction;
     const struct refract_shaders *refraction = technique->refraction.shaders;
     const bool bumped = has_bumps(config);
+    const bool packs =
+        !is_layers && technique->refraction.packs_layers && refract_wants_layers(config);
     const struct rg_use *const uses[] = {
         technique->refraction.shades_fullscreen ? pixel_uses : face_uses,
-        technique->refraction.shades_fullscreen && is_layers ? scene_uses : NULL,
         config->is_nested && config->is_wide ? refraction->nested_wide_uses
         : config->is_nested                  ? refraction->nested_uses
         : config->is_wide                    ? refraction->wide_uses
@@ -167,7 +230,11 @@ static struct rg_technique make_pass(const struct technique_config *config,
         pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
         draw_faces(pass, refraction, bumped);
-    pass->frag = frag_of(config, bumped, is_layers);
+    pass->frag = frag_of(config, bumped, is_layers || packs);
+    if (packs) {
+        pass->color = packed_targets;
+        pass->color_count = sizeof(packed_targets) / sizeof(packed_targets[0]);
+    }
     pass->push_size = refraction->push_size;
     pass->record = refraction->record ? refraction->record : frame_draw_object;
     return (struct rg_technique){ technique->name, pass, 1 };
@@ -183,8 +250,29 @@ struct rg_technique refract_image_passes(const struct technique_config *config,
 struct rg_technique refract_layer_passes(const struct technique_config *config,
                                          struct pass_arena *builder)
 {
-    const bool shades_fullscreen = config->refraction->refraction.shades_fullscreen;
-    return make_pass(config, builder, shades_fullscreen ? &pixel_layer_pass : &layer_pass, true);
+    return make_pass(config, builder, &layer_pass, true);
+}
+
+bool refract_wants_layers(const struct technique_config *config)
+{
+    bool wants = false;
+    for (size_t p = 0; p < sizeof(unpack_passes) / sizeof(unpack_passes[0]); p++) {
+        const struct rg_pass *pass = &unpack_passes[p];
+        for (uint32_t i = 0; i < pass->color_count; i++)
+            wants = wants || technique_wants(config, pass->color[i].image);
+    }
+    return wants;
+}
+
+struct rg_technique refract_unpack_passes(const struct technique_config *config,
+                                          struct pass_arena *builder)
+{
+    const bool traces = config->refraction->refraction.traces_bvh;
+    (void)builder;
+    if (!refract_wants_layers(config))
+        return (struct rg_technique){ 0 };
+    const size_t count = sizeof(unpack_passes) / sizeof(unpack_passes[0]);
+    return (struct rg_technique){ "refract", unpack_passes, traces ? count : count - 1 };
 }
 
 static const char *const fresnels[] = {
@@ -376,6 +464,21 @@ static const struct frame_layer layers[] = {
         .first_channel = 2,
         .shown = FRAME_SHOWN_AMOUNT,
         .help = "1 if the first inner surface on the refracted path reflects totally, else 0",
+    },
+    {
+        .name = "media",
+        .image = &refract_media,
+        .planes = { "media.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of segments of the refracted path inside objects; 0 without object",
+    },
+    {
+        .name = "object.last",
+        .image = &refract_last_object,
+        .planes = { "object.last.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of the object that the refracted path hits last (models trace, reference); "
+                "0 if there is none",
     },
     { 0 },
 };

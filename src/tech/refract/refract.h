@@ -17,11 +17,23 @@ extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
  * it; y: number of total internal reflections; z: 1 if the first inner surface reflects totally */
 extern const struct rg_image refract_path;
 
+/* Written only by models that trace rays. */
+extern const struct rg_image refract_media;       /* number of segments inside objects */
+extern const struct rg_image refract_last_object; /* number of the last object hit */
+
 /* Render targets of image and AOV layers. Negative highlights mark pixels without ice. */
 #define REFRACT_COLOR_TARGETS \
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD }, [REFRACT_OUT_HIGHLIGHT] = { \
         &highlight_radiance, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } \
     }
+
+/* Packed layers, which models that draw a full-screen triangle write together with the image. */
+extern const struct rg_image refract_packed_path, refract_packed_light, refract_packed_counts;
+#define REFRACT_PACKED_TARGETS(first) \
+    [(first)] = { &refract_packed_path, RG_LOAD_CLEAR }, \
+    [(first) + 1] = { &refract_packed_light, RG_LOAD_CLEAR }, \
+    [(first) + 2] = { &refract_packed_counts, RG_LOAD_CLEAR }
+
 #define REFRACT_LAYER_TARGETS \
     [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
     [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR }, \
@@ -53,8 +65,9 @@ float refract_outside(const struct scene *scene, const struct settings *settings
 
 /* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
-    /* Fragment shaders of the image (`frag`) and of the AOV layers (`layers_frag`), and variants
-     * with bump mapping. If the model has no bump mapping, `bump_frag` is NULL. */
+    /* Fragment shaders of the image (`frag`) and of the AOV layers (`layers_frag`; of both if the
+     * model packs layers), and variants with bump mapping. If the model has no bump mapping,
+     * `bump_frag` is NULL. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* Variants for textured or tinted objects (ice_normal's material images). */
     const struct rg_shader *material_frag, *material_layers_frag;
@@ -97,6 +110,12 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
                  .stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT)
 
+/* Returns true if layers that can be packed are wanted. */
+bool refract_wants_layers(const struct technique_config *config);
+
+/* Makes the passes that write packed layers to the layers' images. */
+technique_passes_fn refract_unpack_passes;
+
 /* Make a refraction model's passes. The image is drawn before the background, because hidden
  * background then fails the depth test. Layers follow, as the background may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
@@ -104,6 +123,11 @@ technique_passes_fn refract_image_passes, refract_layer_passes;
     { \
         { PHASE_REFRACTION, .make_passes = refract_image_passes }, \
             { PHASE_LAYERS, .make_passes = refract_layer_passes }, \
+    }
+#define REFRACT_PACKED_PASS_GROUPS \
+    { \
+        { PHASE_REFRACTION, .make_passes = refract_image_passes }, \
+            { PHASE_UNPACK, .make_passes = refract_unpack_passes }, \
     }
 
 #endif

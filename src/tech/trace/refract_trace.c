@@ -28,23 +28,12 @@
 #include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/lighting/highlight.h"
 #include "src/tech/lighting/ice_caustics.h"
-#include "src/tech/output/first_surface.h"
 #include "src/tech/pass_arena.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/trace/trace_settings.h"
 
 static rg_record_fn record_objects;
 static technique_passes_fn make_color_passes, make_layer_passes;
-
-const struct rg_image trace_media = {
-    .name = "refract_trace.media",
-    .format = VK_FORMAT_R32_SFLOAT,
-};
-
-const struct rg_image trace_last_object = {
-    .name = "refract_trace.last",
-    .format = VK_FORMAT_R32_SFLOAT,
-};
 
 static const struct rg_image denoise_images[FRAME_DENOISE_COUNT] = {
     { .name = "refract_trace.diffuse_light", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
@@ -214,10 +203,30 @@ static const struct rg_target denoise_targets[] = {
     [TRACE_OUT_POSITION] = { &denoise_images[2], RG_LOAD_CLEAR },
 };
 
+/* Targets with layers: of the image, with denoiser inputs, and without the image. */
+static const struct rg_target packed_targets[] = {
+    REFRACT_COLOR_TARGETS,
+    REFRACT_PACKED_TARGETS(REFRACT_OUT_PACKED),
+};
+
+static const struct rg_target packed_denoise_targets[] = {
+    REFRACT_COLOR_TARGETS,
+    [TRACE_OUT_LIGHT] = { &denoise_images[0], RG_LOAD_CLEAR },
+    [TRACE_OUT_THROUGHPUT] = { &denoise_images[1], RG_LOAD_CLEAR },
+    [TRACE_OUT_POSITION] = { &denoise_images[2], RG_LOAD_CLEAR },
+    REFRACT_PACKED_TARGETS(REFRACT_OUT_PACKED_DENOISE),
+};
+
+/* Image that only the pass of the layers writes, in place of the frame's. */
+static const struct rg_image unused_color = { .name = "refract_trace.unused_color",
+                                              .format = VK_FORMAT_R16G16B16A16_SFLOAT };
+static const struct rg_image unused_highlight = { .name = "refract_trace.unused_highlight",
+                                                  .format = VK_FORMAT_R32_SFLOAT };
+
 static const struct rg_target layer_targets[] = {
-    REFRACT_LAYER_TARGETS,
-    [TRACE_OUT_MEDIA] = { &trace_media, RG_LOAD_CLEAR },
-    [TRACE_OUT_LAST] = { &trace_last_object, RG_LOAD_CLEAR },
+    [REFRACT_OUT_COLOR] = { &unused_color, RG_LOAD_DISCARD },
+    [REFRACT_OUT_HIGHLIGHT] = { &unused_highlight, RG_LOAD_DISCARD },
+    REFRACT_PACKED_TARGETS(REFRACT_OUT_PACKED),
 };
 
 static const struct rg_use bvh_uses[] = {
@@ -242,16 +251,6 @@ static const struct rg_use cube_uses[] = {
     FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
     REFRACT_USE_FULLSCREEN_CUBE,
     FRAME_READ(frame_env_cube, TRACE_CUBE_POINTS),
-    { 0 },
-};
-
-static const struct rg_use scene_uses[] = {
-    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
-    { 0 },
-};
-
-static const struct rg_use layer_uses[] = {
-    FRAME_SAMPLE(first_surface_object, TRACE_FIRST_OBJECT, .same_texel = true),
     { 0 },
 };
 
@@ -315,6 +314,14 @@ static bool has_diffuse_light(const struct technique_config *config)
            trace_has_diffuse_light(config->scene, config->settings);
 }
 
+/* Returns true if layers need a pass of their own: without denoising, because the image's pass
+ * traces the light of surfaces only in some samples of a denoised image. */
+static bool draws_layers_apart(const struct technique_config *config)
+{
+    return config->denoises_light && (technique_wants(config, &refract_refraction) ||
+                                      technique_wants(config, &refract_reflection));
+}
+
 static struct rg_technique make_pass(const struct technique_config *config,
                                      struct pass_arena *builder, bool is_layers)
 {
@@ -329,21 +336,22 @@ static struct rg_technique make_pass(const struct technique_config *config,
             { &refract_trace_rays_query_dispersion_frag,
               &refract_trace_rays_query_dispersion_aov_frag } } },
     };
-    static const struct rg_shader *const denoise_frags[2][2] = {
-        { &refract_trace_rays_denoise_frag, &refract_trace_rays_denoise_dispersion_frag },
-        { &refract_trace_rays_query_denoise_frag,
-          &refract_trace_rays_query_denoise_dispersion_frag },
+    static const struct rg_shader *const denoise_frags[2][2][2] = {
+        { { &refract_trace_rays_denoise_frag, &refract_trace_rays_denoise_aov_frag },
+          { &refract_trace_rays_denoise_dispersion_frag,
+            &refract_trace_rays_denoise_dispersion_aov_frag } },
+        { { &refract_trace_rays_query_denoise_frag, &refract_trace_rays_query_denoise_aov_frag },
+          { &refract_trace_rays_query_denoise_dispersion_frag,
+            &refract_trace_rays_query_denoise_dispersion_aov_frag } },
     };
     const bool hits = trace_hits_surroundings(config->scene, config->settings);
     const bool disperses = frame_media_disperse(config->scene, config->settings);
+    const bool packs = !is_layers && refract_wants_layers(config) && !draws_layers_apart(config);
     const struct rg_use *const uses[] = {
         bvh_uses,
         hits ? surface_uses : cube_uses,
         hits ? light_uses : NULL,
-        hits        ? sun_uses
-        : is_layers ? scene_uses
-                    : NULL,
-        is_layers ? layer_uses : NULL,
+        hits ? sun_uses : NULL,
         config->uses_queries ? query_uses : NULL,
     };
     struct rg_pass *pass =
@@ -353,11 +361,17 @@ static struct rg_technique make_pass(const struct technique_config *config,
     pass->name = pass_arena_name(builder, refract_trace.name, is_layers ? "layers" : "color");
     pass->uses = pass_arena_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     pass->vert = hits ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
-    pass->frag = frags[config->uses_queries][hits][disperses][is_layers];
+    pass->frag = frags[config->uses_queries][hits][disperses][is_layers || packs];
+    if (packs) {
+        pass->color = packed_targets;
+        pass->color_count = sizeof(packed_targets) / sizeof(packed_targets[0]);
+    }
     if (config->denoises_light && !is_layers) {
-        pass->color = denoise_targets;
-        pass->color_count = sizeof(denoise_targets) / sizeof(denoise_targets[0]);
-        pass->frag = denoise_frags[config->uses_queries][disperses];
+        pass->color = packs ? packed_denoise_targets : denoise_targets;
+        pass->color_count = packs
+                                ? sizeof(packed_denoise_targets) / sizeof(packed_denoise_targets[0])
+                                : sizeof(denoise_targets) / sizeof(denoise_targets[0]);
+        pass->frag = denoise_frags[config->uses_queries][disperses][packs];
     }
     pass->record = has_diffuse_light(config) || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, pass, 1 };
@@ -387,7 +401,8 @@ static struct rg_technique make_color_passes(const struct technique_config *conf
 static struct rg_technique make_layer_passes(const struct technique_config *config,
                                              struct pass_arena *builder)
 {
-    return make_pass(config, builder, true);
+    return draws_layers_apart(config) ? make_pass(config, builder, true)
+                                      : (struct rg_technique){ 0 };
 }
 
 static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -410,39 +425,21 @@ static void write_constants(const struct technique_config *config, uint32_t *val
     values[CONSTANT_TRACE] = trace_features(config->scene, config->settings);
 }
 
-static const struct frame_layer layers[] = {
-    {
-        .name = "media",
-        .image = &trace_media,
-        .planes = { "media.Z" },
-        .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of segments of the refracted path inside objects; 0 without object",
-    },
-    {
-        .name = "object.last",
-        .image = &trace_last_object,
-        .planes = { "object.last.Z" },
-        .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of the object that the refracted path hits last (models trace, reference); "
-                "0 if there is none",
-    },
-    { 0 },
-};
-
 const struct technique refract_trace = {
     .name = "refract_trace",
     .help = "ray-traced refraction and reflection among the triangles of all objects",
     .settings = &trace_settings,
     .pass_groups = { { PHASE_REFRACTION, .make_passes = make_color_passes },
-                     { PHASE_LAYERS, .make_passes = make_layer_passes } },
+                     { PHASE_LAYERS, .make_passes = make_layer_passes },
+                     { PHASE_UNPACK, .make_passes = refract_unpack_passes } },
     .refraction = { .name = "trace",
                     .shaders = &refraction,
                     .shades_fullscreen = true,
+                    .packs_layers = true,
                     .traces_bvh = true,
                     .hits_surroundings = hits_surroundings,
                     .choose = choose,
                     .trace_photons = trace_photons },
-    .layers = layers,
     .uploads = uploads,
     .imports = imports,
     .write_constants = write_constants,

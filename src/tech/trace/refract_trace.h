@@ -4,12 +4,6 @@
 #include "src/tech/technique.h"
 #include "src/tech/trace/trace_settings.h"
 
-/* Number of segments of the refracted path inside objects, per pixel. */
-extern const struct rg_image trace_media;
-
-/* Number of the object that the refracted path hits last, per pixel. */
-extern const struct rg_image trace_last_object;
-
 extern const struct technique refract_trace;
 
 #endif
