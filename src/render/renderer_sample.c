@@ -21,8 +21,16 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
+/* Returns true if any photons of the light maps are ray traced, which takes most of the time of a
+ * small image. */
+static bool traces_photons(const struct renderer *r)
+{
+    const struct technique *refraction = r->params.refraction;
+    return refraction && refraction->refraction.trace_photons;
+}
+
 /* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, they are
- * redrawn for a third of the samples: photons would take most of the time of a small image. */
+ * redrawn for fewer samples. */
 static uint32_t light_sample(const struct renderer *r, uint32_t sample)
 {
     const uint32_t shared = 3;
@@ -30,7 +38,7 @@ static uint32_t light_sample(const struct renderer *r, uint32_t sample)
         return adaptive_light_sample(sample);
     if (box_diagonal(r->params.scene->stage_box) > 0.0f)
         return shared * adaptive_light_sample(sample / shared);
-    return sample;
+    return traces_photons(r) ? even_light_sample(sample) : sample;
 }
 
 /* Fills the globals buffer and those upload buffers of techniques that the plan contains. */
