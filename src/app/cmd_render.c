@@ -490,26 +490,21 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/* Renders all frames. If a file cannot be created, continues with the next frame. Stops at other
- * failures, such as a full disk, because they would recur. If files could be created for some
- * frames only, returns STATUS_FAILED. */
+/* Renders all frames. Stops at the first failure, such as a full disk or a folder that is gone,
+ * because it would recur. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
-    enum status first = STATUS_OK, status = STATUS_OK;
+    enum status status = STATUS_OK;
     progress_begin(&job->progress, count,
                    job->o.image.refraction == &cpu_reference_settings ? "tiles" : "samples",
                    job->o.run.quiet);
-    for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
+    for (uint32_t i = 0; i < count && status == STATUS_OK; i++) {
         job->progress.frame = i;
         status = run_frame(job, i);
-        if (first == STATUS_OK)
-            first = status;
     }
     warn_of_remaining(job);
-    if (status != STATUS_OK && status != STATUS_CANT_CREATE)
-        return status;
-    return first != STATUS_OK && render_report_is_mixed(&job->report) ? STATUS_FAILED : first;
+    return status;
 }
 
 static enum status write_report(const struct job *job, int code)
