@@ -1,7 +1,7 @@
 /*
  * Bytes become all that a reader process does: its data, its messages, and how it ends. Whatever it
- * is, what the parent takes is sound, what it refuses leaves nothing, and its status is one of those
- * of reader_process.h. No process is started: the linker puts stand-ins in place of its calls
+ * is, what the parent takes is sound, what it refuses leaves nothing, and its status is one of
+ * those of reader_process.h. No process is started: the linker puts stand-ins in place of its calls
  * (--wrap, tests/fuzz/meson.build).
  */
 #include <signal.h>
