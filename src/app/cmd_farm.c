@@ -13,6 +13,7 @@
 #include "src/app/sequence_frame_list.h"
 #include "src/base/log.h"
 #include "src/base/program.h"
+#include "src/base/shell_quote.h"
 
 enum {
     NAME_SIZE = 64,
@@ -20,6 +21,18 @@ enum {
 };
 
 /* ---- checks of the arguments ---- */
+
+/* Refuses control characters, which names from elsewhere may have, in words of scripts. */
+static enum status check_words(const struct app_options *o)
+{
+    for (char *const *word = o->run.args; *word; word++) {
+        if (shell_has_control(*word)) {
+            log_error("farm: '%s' contains control characters: rename the file", *word);
+            return STATUS_USAGE;
+        }
+    }
+    return STATUS_OK;
+}
 
 static enum status check_files(const struct app_options *o)
 {
@@ -108,6 +121,10 @@ static enum status make_script(const struct app_options *o, const struct sequenc
     size_t size;
     enum status status = STATUS_OK;
 
+    if (shell_has_control(script.program)) {
+        log_error("farm: the path of firn contains control characters: install it elsewhere");
+        return STATUS_USAGE;
+    }
     name_job(name, o->run.outputs.paths[0]);
     FILE *out = open_memstream(&text, &size);
     if (out)
@@ -167,6 +184,8 @@ enum status app_farm(const struct app_options *options)
     }
     o.image.scene.name = o.positionals[1];
     enum status status = setup_require_scene(&o.image.scene);
+    if (status == STATUS_OK)
+        status = check_words(&o);
     if (status == STATUS_OK)
         status = check_files(&o);
     if (status == STATUS_OK)

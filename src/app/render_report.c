@@ -45,15 +45,6 @@ void render_report_hash(const char *settings, char hash[static 17])
              (unsigned long long)add_text(add_text(start, FIRN_VERSION), settings));
 }
 
-bool render_report_is_mixed(const struct report *report)
-{
-    uint32_t counts[RENDER_REPORT_STATE_COUNT] = { 0 };
-    for (uint32_t i = 0; i < report->count; i++)
-        counts[report->frames[i].state]++;
-    return counts[RENDER_REPORT_FAILED] > 0 &&
-           counts[RENDER_REPORT_DRAWN] + counts[RENDER_REPORT_CURRENT] > 0;
-}
-
 static json_t *files_of(const struct sequence *sequence, uint32_t output_count, int32_t frame)
 {
     json_t *files = json_array();

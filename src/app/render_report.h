@@ -43,9 +43,6 @@ void render_report_finish(struct report *report); /* {0} is fine */
  * machines compute the same hash. If a frame's hash has changed, --resume draws the frame again. */
 void render_report_hash(const char *settings, char hash[static 17]);
 
-/* Returns true if some frames have failed and others are complete. */
-bool render_report_is_mixed(const struct report *report);
-
 /* Returns the report as JSON text, which the caller frees. If out of memory, returns NULL. `code`
  * is the exit code of the program. */
 char *render_report_json(const struct report *report, const struct sequence *sequence,

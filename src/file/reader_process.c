@@ -24,6 +24,9 @@ enum {
     NO_PROGRAM = 127,      /* dynamic loader's exit code: missing library */
 };
 
+/* Bytes for which the parent waits as long as for a second of the child's CPU time. */
+#define PATIENCE_SIZE 0x1p26
+
 struct reader {
     struct reader_params params;
     const char *path;
@@ -31,7 +34,10 @@ struct reader {
     int data, messages;      /* child's stdout and stderr; or -1 */
     double deadline;         /* monotonic clock, seconds; extended on progress */
     double cpu_seconds;      /* child's CPU time at `deadline`'s update */
+    double waited;           /* seconds spent waiting for data */
+    double received;         /* bytes */
     bool is_idle;            /* deadline missed without progress */
+    bool is_slow;            /* waited too long in all */
     char log_text[LOG_SIZE]; /* child's stderr, terminated by '\0' */
     size_t log_size;
     int exit_status; /* from waitpid(), if has_ended */
@@ -180,6 +186,19 @@ static int start(struct reader *reader, enum reader_kind kind)
     return failed;
 }
 
+/* Logs why the child could not be started. A lack of memory, processes or descriptors may pass. */
+static enum status report_no_start(const struct reader *reader, int failed)
+{
+    const bool is_temporary = failed == EAGAIN || failed == ENOMEM || failed == EMFILE ||
+                              failed == ENFILE || failed == EINTR;
+    const char *advice = failed == ENOENT ? ": mount /proc, or install firn again"
+                         : is_temporary   ? ""
+                                          : ": the system must allow to start processes";
+    log_error("%s: cannot start the reader process %s: %s%s", reader->path, reader->params.program,
+              strerror(failed), advice);
+    return is_temporary ? STATUS_TRY_AGAIN : STATUS_NO_DEVICE;
+}
+
 enum status reader_start(struct reader **started, const struct reader_params *params,
                          enum reader_kind kind, const char *path)
 {
@@ -197,14 +216,13 @@ enum status reader_start(struct reader **started, const struct reader_params *pa
         *started = reader;
         return STATUS_OK;
     }
-    log_error("%s: cannot start the reader process %s: %s", path, params->program,
-              strerror(failed));
+    const enum status status = report_no_start(reader, failed);
     if (!params->stays_dumpable)
         count_readers(-1);
     close_end(&reader->data);
     close_end(&reader->messages);
     free(reader);
-    return STATUS_TRY_AGAIN;
+    return status;
 }
 
 static void receive_stderr(struct reader *reader)
@@ -223,21 +241,37 @@ static void receive_stderr(struct reader *reader)
     }
 }
 
-/* Returns true if the child missed its deadline. A child that used CPU time gets a new deadline. */
-static bool is_idle(struct reader *reader)
+/* Returns the child's CPU time, or the last known one if it has ended. */
+static double child_cpu_seconds(const struct reader *reader)
 {
     clockid_t clock;
     struct timespec used;
+    if (clock_getcpuclockid(reader->process, &clock) != 0 || clock_gettime(clock, &used) != 0)
+        return reader->cpu_seconds;
+    return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+}
+
+/* Returns true if the child missed its deadline. A child that used CPU time gets a new deadline. */
+static bool is_idle(struct reader *reader)
+{
     if (clock_seconds() < reader->deadline)
         return false;
-    if (clock_getcpuclockid(reader->process, &clock) != 0 || clock_gettime(clock, &used) != 0)
-        return true;
-    const double cpu_seconds = (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+    const double cpu_seconds = child_cpu_seconds(reader);
     if (cpu_seconds <= reader->cpu_seconds)
         return true;
     reader->cpu_seconds = cpu_seconds;
     reader->deadline = clock_seconds() + reader->params.idle_seconds;
     return false;
+}
+
+/* Returns true if the child takes too long in all for the CPU time that it uses and the data that
+ * it sends. A child that sends single bytes is never idle. */
+static bool is_slow(const struct reader *reader)
+{
+    const double idle_seconds = reader->params.idle_seconds;
+    return reader->waited > idle_seconds &&
+           reader->waited >
+               idle_seconds * (1.0 + child_cpu_seconds(reader) + reader->received / PATIENCE_SIZE);
 }
 
 /* Waits for data or end of file. Returns false if the child makes no progress in time. */
@@ -249,13 +283,15 @@ static bool wait_for_data(struct reader *reader)
             { .fd = reader->messages, .events = POLLIN },
         };
         reader->is_idle = reader->is_idle || is_idle(reader);
-        if (reader->is_idle)
+        reader->is_slow = reader->is_slow || is_slow(reader);
+        if (reader->is_idle || reader->is_slow)
             return false;
-        const double remaining = reader->deadline - clock_seconds();
+        const double begin = clock_seconds(), remaining = reader->deadline - begin;
         const int count = poll(ends, 2,
                                remaining > 1000 ? 1000000
                                : remaining > 0  ? (int)(remaining * 1e3) + 1
                                                 : 0);
+        reader->waited += clock_seconds() - begin;
         if (count < 0 && errno != EINTR)
             return false;
         if (count > 0 && ends[1].revents)
@@ -281,6 +317,7 @@ static bool read_data(void *user, void *bytes, size_t size)
         }
         next += count;
         size -= (size_t)count;
+        reader->received += (double)count;
         reader->deadline = clock_seconds() + reader->params.idle_seconds;
     }
     return size == 0;
@@ -373,6 +410,12 @@ static enum status report_failure(const struct reader *reader)
                   reader->path, reader->params.idle_seconds);
         return STATUS_DATA;
     }
+    if (reader->is_slow) {
+        log_error("%s: the data arrives too slowly (%.0f bytes in %.0f s): expected a regular file "
+                  "on a disk that answers",
+                  reader->path, reader->received, reader->waited);
+        return STATUS_DATA;
+    }
     if (signal == SIGXCPU)
         return report_limit(reader, true);
     if (code == NO_PROGRAM || code == STATUS_USAGE) {
@@ -383,7 +426,8 @@ static enum status report_failure(const struct reader *reader)
     }
     if (code == STATUS_TRY_AGAIN || strstr(reader->log_text, "bad_alloc"))
         return report_limit(reader, false);
-    if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat_log(reader))
+    if ((code == STATUS_DATA || code == STATUS_NO_INPUT || code == STATUS_NO_DEVICE) &&
+        repeat_log(reader))
         return (enum status)code;
     log_error("%s: the reader crashed (%s %d): the file is damaged or unsupported; export it again",
               reader->path, signal ? "signal" : "exit code", signal ? signal : code);

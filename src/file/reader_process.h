@@ -13,8 +13,8 @@
  *
  * Thread-safety: any thread; one reader is used by one thread at a time. Errors: one line is
  * logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the file; STATUS_TRY_AGAIN if
- * the parent lacks memory or processes, if the child cannot start, or if it reaches a limit that
- * the program was started with.
+ * the parent lacks memory or processes, or if the child reaches a limit that the program was
+ * started with; STATUS_NO_DEVICE if the system refuses to start the child or its sandbox.
  */
 #ifndef FIRN_FILE_READER_PROCESS_H
 #define FIRN_FILE_READER_PROCESS_H
@@ -56,7 +56,9 @@ struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
     /* Idle limit in seconds; 0 for READER_IDLE_SECONDS. A child that uses no CPU time and sends
-     * nothing for longer is stopped. For example, it may wait for a FIFO or a file server. */
+     * nothing for longer is stopped. For example, it may wait for a FIFO or a file server. So is a
+     * child for which the parent waits longer in all than this limit, plus this limit for each
+     * second of CPU time and each 64 MiB of data. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */

@@ -1,6 +1,7 @@
 /* reader_process_child.c: child side of a reader process: arguments, resource limits, output pipe.
  */
 #define _GNU_SOURCE /* for names of prctl.h and resource.h */
+#include <errno.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -75,7 +76,9 @@ bool reader_enter(int argc, char **argv, struct reader_job *job)
     };
 
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    bool done = !is_orphan() && set_limit(RLIMIT_CORE, 0, 0) && set_limit(RLIMIT_FSIZE, 0, 0) &&
+    if (is_orphan())
+        return false;
+    bool done = set_limit(RLIMIT_CORE, 0, 0) && set_limit(RLIMIT_FSIZE, 0, 0) &&
                 set_limit(RLIMIT_NOFILE, OPEN_FILE_MAX, OPEN_FILE_MAX) &&
                 set_limit(RLIMIT_CPU, seconds, seconds + 1);
 #ifndef READER_MAPS_SHADOWS
@@ -83,7 +86,13 @@ bool reader_enter(int argc, char **argv, struct reader_job *job)
     done = done && set_limit(RLIMIT_AS, size, size);
 #endif
     const bool with_folder = kind <= READER_OCIO;
-    return done && (job->no_sandbox || sandbox_enter(job->path, with_folder));
+    if (done && (job->no_sandbox || sandbox_enter(job->path, with_folder)))
+        return true;
+    log_error("%s: the system refuses %s: %s: allow it in the container%s", job->path,
+              done ? "the sandbox of readers (prctl, Landlock or seccomp)"
+                   : "limits of readers (setrlimit)",
+              strerror(errno), done ? ", or use --sandbox off for files that you trust" : "");
+    _exit(STATUS_NO_DEVICE);
 }
 
 static bool write_all(void *user, const void *bytes, size_t size)

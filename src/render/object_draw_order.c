@@ -24,7 +24,8 @@ enum status frame_objects_init(struct frame_objects *objects, const struct frame
         return STATUS_OK;
     objects->all = calloc(objects->count, sizeof(*objects->all));
     objects->order = calloc(scene->model.object_count, sizeof(*objects->order));
-    if (objects->all && objects->order)
+    objects->is_taken = malloc(objects->count + 2);
+    if (objects->all && objects->order && objects->is_taken)
         return STATUS_OK;
     frame_objects_finish(objects);
     return log_out_of_memory("objects");
@@ -34,6 +35,7 @@ void frame_objects_finish(struct frame_objects *objects)
 {
     free(objects->all);
     free(objects->order);
+    free(objects->is_taken);
     *objects = (struct frame_objects){ 0 };
 }
 
@@ -99,31 +101,31 @@ static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
 
 /* Returns the lowest possible layer for an object. The layer must be above all farther objects that
  * overlap the object on screen. lookups_overlap() must be false for all objects in the layer. */
-static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
+static uint32_t layer_of(const struct frame_objects *objects, uint32_t index)
 {
-    const struct frame_object *object = &objects[index];
+    const struct frame_object *all = objects->all, *object = &all[index];
     uint32_t layer = 1;
+    memset(objects->is_taken, 0, objects->count + 2);
     for (uint32_t i = 1; i < index; i++) {
-        if (objects[i].layer >= layer && overlap(objects[i].area, object->area))
-            layer = objects[i].layer + 1;
+        if (all[i].layer >= layer && overlap(all[i].area, object->area))
+            layer = all[i].layer + 1;
+        if (lookups_overlap(&all[i], object))
+            objects->is_taken[all[i].layer] = true;
     }
-    for (uint32_t i = 1; i < index; i++) {
-        if (objects[i].layer == layer && lookups_overlap(&objects[i], object)) {
-            layer++;
-            i = 0;
-        }
-    }
+    while (objects->is_taken[layer])
+        layer++;
     return layer;
 }
 
 /* Assigns the objects, sorted back to front, to layers. The passes of a layer's first object draw
  * the whole layer, because this saves barriers. The farthest object is alone in layer 0, because
  * its passes also clear the G-buffer. */
-static void assign_layers(struct frame_object *objects, uint32_t count)
+static void assign_layers(const struct frame_objects *placed, uint32_t count)
 {
+    struct frame_object *objects = placed->all;
     for (uint32_t i = 1; i < count; i++) {
         struct frame_object *first = NULL, *last = NULL;
-        objects[i].layer = layer_of(objects, i);
+        objects[i].layer = layer_of(placed, i);
         for (uint32_t k = 1; k < i; k++) {
             if (objects[k].layer != objects[i].layer)
                 continue;
@@ -174,5 +176,5 @@ void frame_objects_place(struct frame_objects *objects, const struct compiled_fr
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_MARGIN);
     }
     if (list->is_local_to_objects)
-        assign_layers(objects->all, count);
+        assign_layers(objects, count);
 }

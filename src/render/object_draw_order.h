@@ -11,6 +11,7 @@ struct frame_objects {
     struct frame_object *all; /* one per object of the plan */
     size_t count;
     struct frame_object_distance *order; /* the scene's objects, back to front */
+    bool *is_taken;                      /* of each layer, while a layer is searched */
 };
 
 /* Allocates memory for the plan's objects. Logs and returns STATUS_TRY_AGAIN when out of memory. */

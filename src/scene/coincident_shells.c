@@ -18,8 +18,8 @@ enum {
     MORTON_BITS = 10,    /* per axis */
     RADIX_BITS = 10,     /* of a counting sort pass */
     POLYGON_MAX = 6,     /* vertices of a triangle that is clipped by three half-planes */
-    TESTS_MIN = 1 << 20, /* see tests_max() */
-    TESTS_PER_TRIANGLE = 64,
+    TESTS_MIN = 1 << 19, /* see tests_max() */
+    TESTS_PER_TRIANGLE = 16,
 };
 
 /* Distances within which surfaces coincide: relative to the smaller object's radius, and to the
@@ -279,6 +279,20 @@ static void mark(struct join *join, uint32_t at)
     join->shells->triangles[join->order[at] / 32] |= 1u << join->order[at] % 32;
 }
 
+static bool is_marked(const struct join *join, uint32_t at)
+{
+    return join->shells->triangles[join->order[at] / 32] >> join->order[at] % 32 & 1;
+}
+
+/* Returns true if a contact of two triangles would add nothing to the result. */
+static bool is_known(const struct join *join, uint32_t at_a, uint32_t at_b, float epsilon)
+{
+    const struct coincident_shells *shells = join->shells;
+    const bool is_own = join->faces[at_a].object == join->faces[at_b].object;
+    return (is_own || shells->has_more_pairs) && shells->epsilon > 0.0f &&
+           shells->epsilon <= epsilon && is_marked(join, at_a) && is_marked(join, at_b);
+}
+
 /* Marks two triangles if they are in contact. Triangles of one object must face each other, so that
  * both sides of a thin sheet are not in contact. */
 static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
@@ -289,7 +303,8 @@ static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
     const float cosine = glms_vec3_dot(a->normal, b->normal);
     const bool is_parallel = fabsf(cosine) > PARALLEL_COSINE;
     if (!(is_own ? is_parallel && cosine < 0.0f : fabsf(cosine) > CONTACT_COSINE) ||
-        are_apart(&a->box, &b->box, epsilon) || is_beside(a, b, epsilon))
+        are_apart(&a->box, &b->box, epsilon) || is_known(join, at_a, at_b, epsilon) ||
+        is_beside(a, b, epsilon))
         return;
     struct plane_point polygon[POLYGON_MAX];
     const uint32_t count = overlap(a, b, polygon);

@@ -51,9 +51,10 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
     return done;
 }
 
-/* Maximum number of point-in-mesh tests of object_assign_ranks(). Objects that overlap densely,
- * such as thousands of copies at one place, need a number that is quadratic or worse. */
-#define TESTS_MAX (1u << 24)
+/* Maximum cost of the point-in-mesh tests of object_assign_ranks(), in triangles and boxes. Objects
+ * that overlap densely, such as thousands of copies at one place, cost a number that is quadratic
+ * or worse. */
+#define COST_MAX (3u << 23)
 
 /* Search for the objects that one object encloses. */
 struct enclosure {
@@ -62,18 +63,30 @@ struct enclosure {
     const struct mesh *mesh;
     struct closed_mesh container; /* empty until the first candidate */
     uint32_t index;               /* of the enclosing object */
-    uint32_t test_count;          /* in all searches */
+    uint64_t cost;                /* of all searches */
+    uint32_t *tested_by;          /* of each vertex: number of the last call of surrounds_all() */
+    uint32_t call_count;          /* of surrounds_all() */
     bool is_out_of_memory;
 };
 
-/* Returns true if all corners of `part` satisfy `contains` for the container. */
-static bool all_inside(struct enclosure *enclosure, const struct mesh *part,
-                       bool (*contains)(const struct closed_mesh *container, vec3s point))
+/* Returns true if the container surrounds all corners of `part`, and sets *is_contained to whether
+ * it contains them. Ends early, with an arbitrary result, when the cost reaches COST_MAX. */
+static bool surrounds_all(struct enclosure *enclosure, const struct mesh *part, bool *is_contained)
 {
-    for (uint32_t i = 0; i < part->index_count; i++) {
-        enclosure->test_count++;
-        if (!contains(&enclosure->container, part->vertices[part->indices[i]].position))
+    const struct closed_mesh *container = &enclosure->container;
+    const uint32_t call = ++enclosure->call_count;
+    *is_contained = true;
+    for (uint32_t i = 0; i < part->index_count && enclosure->cost < COST_MAX; i++) {
+        const uint32_t v = part->indices[i];
+        const vec3s point = part->vertices[v].position;
+        enclosure->cost++;
+        if (enclosure->tested_by[v] == call)
+            continue;
+        enclosure->tested_by[v] = call;
+        enclosure->cost += closed_mesh_cost(container, point);
+        if (!closed_mesh_surrounds(container, point))
             return false;
+        *is_contained = *is_contained && closed_mesh_contains(container, point);
     }
     return true;
 }
@@ -91,9 +104,9 @@ static bool visit_candidate(void *user, uint32_t i)
     struct enclosure *enclosure = user;
     const struct object *objects = enclosure->objects;
     const uint32_t k = enclosure->index;
-    enclosure->test_count++;
+    enclosure->cost++;
     if (i == k || !box_contains(&objects[k].box, &objects[i].box))
-        return enclosure->test_count < TESTS_MAX;
+        return enclosure->cost < COST_MAX;
     const struct mesh container = object_mesh(&objects[k], enclosure->mesh);
     if (!enclosure->container.first && !closed_mesh_init(&enclosure->container, &container)) {
         enclosure->is_out_of_memory = true;
@@ -101,14 +114,15 @@ static bool visit_candidate(void *user, uint32_t i)
     }
     const struct mesh part = object_mesh(&objects[i], enclosure->mesh);
     enclosure->container.mesh = &container;
-    if (all_inside(enclosure, &part, closed_mesh_surrounds)) {
+    bool is_contained;
+    if (surrounds_all(enclosure, &part, &is_contained)) {
         update_innermost(objects, k, &enclosure->ranking[i].enclosing_object);
-        if (all_inside(enclosure, &part, closed_mesh_contains)) {
+        if (is_contained) {
             enclosure->ranking[i].depth++;
             update_innermost(objects, k, &enclosure->ranking[i].container_rank);
         }
     }
-    return enclosure->test_count < TESTS_MAX;
+    return enclosure->cost < COST_MAX;
 }
 
 /* Records which objects enclose which. Returns false when out of memory. */
@@ -119,14 +133,17 @@ static bool record_enclosed(struct ranked *ranking, const struct object *objects
     struct box_tree tree;
     if (!object_boxes_init(&tree, objects, count))
         return false;
-    for (uint32_t k = 0; k < count && enclosure.test_count < TESTS_MAX; k++) {
+    enclosure.tested_by = calloc(mesh->vertex_count + (size_t)1, sizeof(*enclosure.tested_by));
+    enclosure.is_out_of_memory = !enclosure.tested_by;
+    for (uint32_t k = 0; k < count && enclosure.cost < COST_MAX && enclosure.tested_by; k++) {
         enclosure.index = k;
         box_tree_visit(&tree, &objects[k].box, &enclosure, visit_candidate);
         closed_mesh_finish(&enclosure.container);
     }
-    if (enclosure.test_count >= TESTS_MAX)
+    if (enclosure.cost >= COST_MAX)
         log_warning("objects overlap too densely to find out which are inside which; of "
                     "overlapping objects, the last one in the file applies");
+    free(enclosure.tested_by);
     box_tree_finish(&tree);
     return !enclosure.is_out_of_memory;
 }

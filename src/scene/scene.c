@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "shaders/ice/ice_nested.h"
+#include "shaders/trace/bvh_layout.h"
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/scene/bundled_assets.h"
@@ -429,13 +431,15 @@ static enum status sort_surroundings(struct scene *scene)
                : log_out_of_memory("surroundings");
 }
 
-/* Tests whether the objects are convex, and measures their depth complexity. */
+/* Tests whether the objects are convex, and measures the depth complexity of few objects: scenes of
+ * more objects are drawn without it. */
 static void measure_shape(struct scene *scene)
 {
     const struct model *model = &scene->model;
     scene->is_convex = mesh_is_convex(&model->object);
     scene->depth_complexity = 0.0f;
-    for (uint32_t i = 0; i < model->object_count; i++) {
+    for (uint32_t i = 0; i < model->object_count && model->object_count < ICE_NESTED_MEDIA_MAX;
+         i++) {
         const struct mesh part = object_mesh(&model->objects[i], &model->object);
         scene->depth_complexity = fmaxf(scene->depth_complexity, mesh_depth_complexity(&part));
     }
@@ -499,6 +503,17 @@ static enum status add_derived(struct scene *scene, const struct scene_params *p
     return status;
 }
 
+/* Limits the work of all that compares objects. */
+static enum status check_object_count(const struct scene_params *params, const struct model *model)
+{
+    if (model->object_count <= BVH_OBJECTS_MAX)
+        return STATUS_OK;
+    log_error("%s: the scene has %u refractive objects, but at most %d can be drawn: join some, or "
+              "make some opaque",
+              params->name, model->object_count, BVH_OBJECTS_MAX);
+    return STATUS_DATA;
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params copy = *given;
@@ -509,6 +524,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         copy.on_object_loaded(copy.user, scene, &copy);
     if (status == STATUS_OK)
         status = load_background(scene, params);
+    if (status == STATUS_OK)
+        status = check_object_count(params, &scene->model);
     if (status == STATUS_OK)
         status = object_assign_ranks(scene->model.objects, scene->model.object_count,
                                      &scene->model.object, scene->model.materials);

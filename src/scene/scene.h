@@ -87,7 +87,7 @@ struct scene {
     bool has_pool;            /* the scene is a pool, which may contain an object */
     bool is_animated;         /* geometry changes with time: the model is animated, or ice melts */
     bool is_convex;           /* object is convex (mesh_is_convex()) */
-    float depth_complexity;   /* mesh_depth_complexity() of the most complex object */
+    float depth_complexity;   /* mesh_depth_complexity() of the most complex of few objects, or 0 */
 };
 
 /* Cracks inside the object. */

@@ -56,7 +56,7 @@ struct view {
     double elapsed;                 /* scene time since motion.time, seconds */
     float drawn_time;               /* scene time last drawn, seconds */
     bool paused, changed, quit;
-    bool recovered;             /* the lost device was already reopened */
+    double recovered_at;        /* time at which a lost device was reopened, seconds; or 0 */
     uint32_t message_count;     /* validation messages of a lost device */
     bool redrawn;               /* the last frame changed the image */
     VkExtent2D initial_size;    /* window size at startup, pixels */

@@ -10,6 +10,9 @@
 #include "src/view/view_internal.h"
 #include "src/view/window/worker_thread.h"
 
+/* Minimum time between two lost devices, seconds; a device that is lost sooner is not reopened. */
+#define RECOVERY_SECONDS 60.0
+
 /* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;
 static const double busy_seconds = 0.2; /* delay before a job shows a spinner, seconds */
@@ -434,14 +437,17 @@ static enum status begin(struct view *v)
     return status == STATUS_OK ? begin_device(v) : status;
 }
 
-/* After a lost device, reopens the device once. Returns other errors unchanged. */
+/* After a lost device, reopens the device, unless it was lost less than RECOVERY_SECONDS ago. The
+ * window keeps its last image meanwhile. Returns other errors unchanged. */
 static enum status recover(struct view *v, enum status status)
 {
     const bool has_ui = v->ui;
     const bool shown = v->presenter.font;
-    if (status != STATUS_TRY_AGAIN || v->recovered || !gpu_is_lost(&v->gpu))
+    const bool is_recent =
+        v->recovered_at > 0.0 && clock_seconds() - v->recovered_at < RECOVERY_SECONDS;
+    if (status != STATUS_TRY_AGAIN || is_recent || !gpu_is_lost(&v->gpu))
         return status;
-    v->recovered = true;
+    v->recovered_at = clock_seconds();
     log_warning("the device was lost: reopening it once");
     leave_device(v);
     status = begin_device(v);
@@ -449,6 +455,8 @@ static enum status recover(struct view *v, enum status status)
         view_show_ui(v, shown);
     if (status == STATUS_OK)
         view_show_name(v);
+    if (status == STATUS_OK && v->ui)
+        view_fail(v, "the device was reopened");
     v->now = clock_seconds();
     return status;
 }

@@ -163,6 +163,17 @@ class Words(Farm):
             text = self.script('slurm', 'sphere', '--frames', '1-2', f'--output={output}')
             self.assertIn(f'#SBATCH --job-name={name}\n', text)
 
+    def test_names_that_are_no_words(self):
+        """A shell takes none for a comment, an assignment or the end of its text."""
+        text = self.script('slurm', 'sphere', '--frames', '1-2', '-o', '#.exr')
+        self.assertIn(" -o '#.exr'\n", text)
+        for what in ('slurm', 'parallel'):
+            for words in (('m\nEND\n)\ntouch pwned\nexit\n.gltf', '-o', '#.exr'),
+                          ('sphere', '-o', 'a\x7f#.exr')):
+                self.refuse(USAGE, 'farm', what, *words, '--frames', '1-2', names=['control'])
+        self.refuse(USAGE, 'farm', 'slurm', 'sphere', '-o', '#.exr', '--frames', '1-2', '--sbatch',
+                    '-n1\ntouch pwned', names=['--sbatch'])
+
     def test_a_script_that_fails(self):
         done = self.firn('farm', 'slurm', 'sphere', '--frames', '1-2', '--submit',
                          env={'PATH': '/nonexistent'})

@@ -1,15 +1,17 @@
 """test_reader.py: tests what the processes that read files can do, and cannot.
 
 Usage: see case.py. TAKEN_OVER: path of the stand-in for a parser that a file has taken over.
+REFUSE_PRCTL: path of that for a container without prctl().
 """
 import ctypes
+import json
 import os
 import pathlib
 import sys
 import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, SMALL, Case, main  # noqa: E402
+from case import DATA, NO_DEVICE, NO_DRIVER, SMALL, Case, main  # noqa: E402
 
 TENT = 'v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n'
 MAPPED_TENT = ('v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\n'
@@ -79,6 +81,31 @@ class Reader(Case):
         self.refuse(2, 'graph', 'tent.obj', '--sandbox', 'some', names=['on or off'])
         listed = self.succeed('list', 'sandbox').stdout.decode()
         self.assertEqual('Landlock       version' in listed, has_landlock())
+
+    def test_a_container_without_prctl(self):
+        """It will refuse the next try, too; the line names the way to do without."""
+        (self.folder / 'tent.obj').write_text(TENT)
+        env = {'LD_PRELOAD': os.environ['REFUSE_PRCTL'], **NO_DRIVER}
+        self.refuse(NO_DEVICE, 'graph', 'tent.obj', env=env, names=['prctl', '--sandbox off'])
+        self.succeed('graph', 'tent.obj', '--sandbox', 'off', env=env)
+
+    def test_buffers_that_are_no_files(self):
+        (self.folder / 'a.gltf').write_text(json.dumps({
+            'asset': {'version': '2.0'}, 'buffers': [{'byteLength': 4, 'uri': 'a.bin'}],
+            'bufferViews': [{'buffer': 0, 'byteLength': 4}],
+            'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 1, 'type': 'SCALAR'}]}))
+        buffer = self.folder / 'a.bin'
+        self.refuse(DATA, 'graph', 'a.gltf', names=['a.bin', 'file not found'])
+        os.mkfifo(buffer)
+        self.refuse(DATA, 'graph', 'a.gltf', names=['a.bin', 'expected a regular file'])
+        buffer.unlink()
+        buffer.symlink_to('/etc/passwd')
+        if has_landlock():
+            self.refuse(DATA, 'graph', 'a.gltf', names=['a.bin', 'expected a link'])
+
+    def test_many_libraries(self):
+        (self.folder / 'a.obj').write_text(TENT + 'mtllib a.obj\n' * 257)
+        self.refuse(DATA, 'graph', 'a.obj', names=['at most 256'])
 
     def test_what_a_model_may_name(self):
         """Its folder, and not what a link there leads to."""

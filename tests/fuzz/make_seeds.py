@@ -66,6 +66,9 @@ def seeds():
     for entry in corpus():
         if len(entry.content) <= SIZE_MAX and entry.kind not in SLOW:
             yield READERS[entry.name.rsplit('.', 1)[1]], entry.content
+    for kind in range(8):
+        yield 'reader_protocol', bytes([kind, 3, 20]) + b'firn: warning: x\nfirn'
+    yield 'shell_quote', b"#it's a=b $(c)"
     yield 'bvh', bytes((*range(20), 8, 4, 0, 0, 3, 0, 0, 4, 0, 0))
     yield 'profile_json', profile()
     yield 'exr', tile(b'1 of 1x1 interleaved')

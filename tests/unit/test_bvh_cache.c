@@ -239,6 +239,13 @@ static void test_key(void **state)
     *x += 1e-3f;
     assert_true(key != bvh_cache_key(&sample.part));
     *x = before;
+    for (uint32_t k = 0; k < 3; k++) { /* each corner of a triangle, whose vertices stay */
+        uint32_t *corner = &mesh->indices[3 * (TRIANGLES / 2) + k];
+        const uint32_t vertex = *corner;
+        *corner = mesh->indices[0];
+        assert_true(key != bvh_cache_key(&sample.part));
+        *corner = vertex;
+    }
     sample.firsts[1]++;
     assert_true(key != bvh_cache_key(&sample.part));
     sample.firsts[1]--;

@@ -99,14 +99,12 @@ static void test_basis(void **state)
     }
 }
 
-static void test_jitter_is_in_pixels(void **state)
+static void check_jitter(const struct camera *camera)
 {
-    (void)state;
     const float width = 320, height = 200;
-    struct camera camera = camera_orbit(30, 20, 5, (vec3s){ { 0, 1, 0 } }, 50);
     vec2s jitter = { { 0.375F, -0.25F } };
-    mat4s plain = camera_clip_from_world(&camera, 320, 200, 0.1F, still);
-    mat4s moved = camera_clip_from_world(&camera, 320, 200, 0.1F, jitter);
+    mat4s plain = camera_clip_from_world(camera, 320, 200, 0.1F, still);
+    mat4s moved = camera_clip_from_world(camera, 320, 200, 0.1F, jitter);
     uint32_t random = 2;
     for (int i = 0; i < 50; i++) {
         vec3s p = { { random_float(&random), random_float(&random), random_float(&random) } };
@@ -117,6 +115,16 @@ static void test_jitter_is_in_pixels(void **state)
         CHECK_NEAR((after.y - before.y) * height / 2, 0.25, 1e-4);
         CHECK_NEAR(after.z, before.z, 1e-7);
     }
+}
+
+static void test_jitter_is_in_pixels(void **state)
+{
+    (void)state;
+    struct camera camera = camera_orbit(30, 20, 5, (vec3s){ { 0, 1, 0 } }, 50);
+    check_jitter(&camera);
+    camera.height = 4;
+    camera.depth = 20;
+    check_jitter(&camera);
 }
 
 static void test_view_looks_down_minus_z(void **state)

@@ -61,15 +61,17 @@ static void nodes_move(void **state)
     check_corner("0", 9, 0, 4, 8, 0);
     /* half of a quarter turn about +Z */
     check_corner("1", 2, 1, sqrtf(0.5F), sqrtf(0.5F), 7);
+    /* a quarter of it: an angle, not a straight line between the quaternions */
+    check_corner("1", 1.5F, 1, cosf(GLM_PIf / 8), sinf(GLM_PIf / 8), 7);
     check_corner("2", 2, 1, 3, 0, 7); /* scaled by 3 and 4 */
     check_corner("2", 2, 2, 0, 4, 7);
     write_moving("STEP", ends, 2);
     check_corner("slide", 2.9F, 0, 2, 0, 0);
     check_corner("slide", 3, 0, 4, 8, 0);
-    /* tangents of 1 at the first key and 0 at the second; half way: (2 + 4) / 2 + 2 s / 8 */
-    const float cubic[18] = { 0, 0, 0, 2, 0, 0, 1, 0, 0, 0, 0, 0, 4, 8, 0, 0, 0, 0 };
+    /* tangents of 1 and -3; half way: (2 + 4) / 2 + 2 s (1 + 3) / 8 */
+    const float cubic[18] = { 0, 0, 0, 2, 0, 0, 1, 0, 0, -3, 0, 0, 4, 8, 0, 0, 0, 0 };
     write_moving("CUBICSPLINE", cubic, 6);
-    check_corner("slide", 2, 0, 3.25F, 4, 0);
+    check_corner("slide", 2, 0, 4, 4, 0);
     check_corner("slide", 3, 0, 4, 8, 0);
 }
 

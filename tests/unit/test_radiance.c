@@ -1,10 +1,13 @@
 /* test_radiance.c: textures and environment pictures of the traced reference, between texels. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "tests/support/assertions.h"
 
 #include "src/file/half_float.h"
 #include "src/lab/reference/surroundings_radiance.h"
+#include "src/scene/environment/image_based_lighting.h"
 
 /* Two layers of 2 x 2; the first is black. Red: 0 1 / 0 0, alpha: 1 1 / 1 0; green: sRGB 188. */
 static uint8_t texels[2 * 2 * 2 * 4] = {
@@ -85,11 +88,57 @@ static void test_environment(void **state)
     }
 }
 
+/* Returns the shading normal of a surface that faces +Z, whose u is along +X and v along -Y. */
+static vec3s normal_of(const uint8_t texel[static 4], float side)
+{
+    uint8_t numbers[4];
+    struct material material = material_make("mapped");
+    const struct mesh_vertex vertex = { .normal = { { 0, 0, 1 } },
+                                        .material = 1u << MESH_SURFACE_SHIFT };
+    const struct mesh_extra extra = { .tangent = { { 1, 0, 0 } }, .side = side };
+    const vec3s dp_du[2] = { { { 1, 0, 0 } }, { { 1, 0, 0 } } };
+    const vec3s dp_dv[2] = { { { 0, -1, 0 } }, { { 0, -1, 0 } } };
+    const struct radiance_point point = {
+        .vertex = &vertex,
+        .extra = &extra,
+        .dp_du = dp_du,
+        .dp_dv = dp_dv,
+        .dir = { { 0, 0, -1 } },
+    };
+    const struct globals globals = { 0 };
+    struct radiance_reflectance reflectance;
+    struct scene scene = { .model = { .materials = &material, .material_count = 1 } };
+    memcpy(numbers, texel, sizeof(numbers));
+    material.textures[MATERIAL_NORMAL].layer = 1;
+    scene.model.numbers = (struct texture_layers){ numbers, 1, 1 };
+    scene.tables.brdf = image_based_lighting_brdf_table();
+    assert_non_null(scene.tables.brdf);
+    const struct radiance radiance = radiance_of(&scene, &globals);
+    assert_true(radiance_reflectance_at(&radiance, &point, &reflectance));
+    free(scene.tables.brdf);
+    return reflectance.normal;
+}
+
+/* Red is along u; green is against v, or on the side that the file's tangent states. */
+static void test_normal_map(void **state)
+{
+    (void)state;
+    const uint8_t right[4] = { 217, 128, 218, 255 }, up[4] = { 128, 217, 218, 255 };
+    for (float side = -1; side <= 1; side++) {
+        const vec3s n = normal_of(right, side), m = normal_of(up, side);
+        CHECK_NEAR(n.x, 0.7, 0.01);
+        CHECK_NEAR(n.y, 0, 0.01);
+        CHECK_NEAR(m.x, 0, 0.01);
+        CHECK_NEAR(m.y, side < 0 ? -0.7 : 0.7, 0.01);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_textures),
         cmocka_unit_test(test_environment),
+        cmocka_unit_test(test_normal_map),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -243,6 +243,32 @@ static void test_reads_after_reads_are_merged(void **state)
     rg_plan_destroy(plan);
 }
 
+/* One barrier serves both reads: it names the stages and the accesses of both. */
+static void test_different_reads_are_merged(void **state)
+{
+    (void)state;
+    const struct rg_pass passes[] = {
+        COMPUTE("sum", { .buffer = &bytes, .access = RG_STORAGE_WRITE }),
+        DRAW("draw", .color = RG_TARGETS({ CLEARED(a) }),
+             .uses = RG_USES({ .buffer = &bytes, .access = RG_VERTEX })),
+        COMPUTE("read", { .buffer = &bytes, .access = RG_STORAGE_READ },
+                { .image = &d, .access = RG_STORAGE_WRITE, .binding = 1 }),
+    };
+    struct rg_plan *plan = small_graph_compile(&(struct small_graph){
+        PASSES(passes),
+        .outputs = { { .image = &a, .access = RG_SAMPLED },
+                     { .image = &d, .access = RG_STORAGE_READ } },
+    });
+    CHECK_BARRIERS(
+        plan, 1,
+        { BYTES_FROM(COMPUTE_STAGE, STORAGE_WRITE),
+          BYTES_TO(VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT | COMPUTE_STAGE,
+                   VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT) },
+        MOVE(a, FROM(ANY_SHADER, 0, NEW), TO(COLOR_STAGE, COLOR_WRITE, AS_COLOR)),
+        MOVE(d, FROM(ANY_SHADER, 0, NEW), TO(COMPUTE_STAGE, STORAGE_WRITE, AS_STORAGE)));
+    rg_plan_destroy(plan);
+}
+
 /* Who reads it before the frame writes it is served by the frame before, where somebody else reads
  * it anyway. */
 static void test_barriers_of_history(void **state)
@@ -336,6 +362,7 @@ int main(void)
         cmocka_unit_test(test_barriers_of_shared_memory),
         cmocka_unit_test(test_fewest_batches_or_least_memory),
         cmocka_unit_test(test_reads_after_reads_are_merged),
+        cmocka_unit_test(test_different_reads_are_merged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

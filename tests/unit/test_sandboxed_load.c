@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/scene/import/model_pipe.h"
@@ -121,6 +122,24 @@ static void send_and_hang(void)
     hang();
 }
 
+/* Sends a byte now and then, and computes nothing. */
+static void drip(void)
+{
+    sem_t never;
+    sem_init(&never, 0, 0);
+    for (;;) {
+        struct timespec end;
+        clock_gettime(CLOCK_REALTIME, &end);
+        end.tv_nsec += 400000000;
+        end.tv_sec += end.tv_nsec / 1000000000;
+        end.tv_nsec %= 1000000000;
+        while (sem_timedwait(&never, &end) != 0 && errno == EINTR)
+            continue;
+        if (write(STDOUT_FILENO, "F", 1) != 1)
+            return;
+    }
+}
+
 static void babble(void)
 {
     for (int i = 0; i < 100000; i++)
@@ -177,6 +196,7 @@ static const struct {
     { "send-lies", send_lies }, { "send-nan", send_nan },
     { "babble", babble },       { "send-and-hang", send_and_hang },
     { "look", look },           { "look-by-default", look_by_default },
+    { "drip", drip },
 };
 
 static int read_badly(int argc, char **argv)
@@ -261,6 +281,7 @@ static void however_long_it_takes(void **state)
                   "limit of 1 s of CPU time (raise it with --load-sec");
     const struct reader_params impatient = { .program = usual.program, .idle_seconds = 1 };
     check_refused(&impatient, "hang", STATUS_DATA, "no data arrived for 1 s");
+    check_refused(&impatient, "drip", STATUS_DATA, "the data arrives too slowly (");
 }
 
 static void models_come_back(void **state)
@@ -336,7 +357,7 @@ static void without_a_program(void **state)
 {
     (void)state;
     const struct reader_params none = { .program = "/nonexistent/firn" };
-    check_refused(&none, tent, STATUS_TRY_AGAIN, "/nonexistent/firn");
+    check_refused(&none, tent, STATUS_NO_DEVICE, "/nonexistent/firn");
 }
 
 int main(int argc, char **argv)

@@ -21,6 +21,10 @@ enum {
     FACE_SIZE_MAX = 2048,
 };
 
+enum {
+    OBJECTS_MAX = 4096, /* objects drawn one after the other; placing them is quadratic */
+};
+
 static bool is_applicable(const struct technique *technique,
                           const struct technique_pass_group *group,
                           const struct technique_config *config)
@@ -77,10 +81,8 @@ static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t dept
 {
     char number[16];
     snprintf(number, sizeof(number), "%u", depth_index);
-    for (size_t i = 0; i < list->object_count; i++) {
-        if (list->objects[i].depth_index == depth_index)
-            return list->objects[i].globals;
-    }
+    if (depth_index < list->object_count) /* of an earlier phase */
+        return list->objects[depth_index].globals;
     struct rg_buffer *buffer = pass_arena_alloc(&list->builder, sizeof(*buffer));
     if (!buffer)
         return NULL;
@@ -128,6 +130,7 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
         memcpy(passes, group->passes, group->pass_count * sizeof(*passes));
         group->passes = passes;
         count += group->pass_count;
+        list->is_of_object[i] = true;
     }
     for (size_t r = 0; r < count; r++) {
         struct rg_pass *pass = &object.passes[r];
@@ -160,18 +163,6 @@ static bool add_objects(struct frame_list *list, const struct technique_config *
     return done;
 }
 
-/* Returns the object that owns the pass, or NULL. */
-static const struct frame_list_object *owner(const struct frame_list *list,
-                                             const struct rg_pass *pass)
-{
-    for (size_t i = 0; i < list->object_count; i++) {
-        const struct frame_list_object *object = &list->objects[i];
-        if (pass >= object->passes && pass < object->passes + object->pass_count)
-            return object;
-    }
-    return NULL;
-}
-
 static bool uses_image(const struct rg_pass *pass, const struct rg_image *image)
 {
     bool found = pass->depth.image == image;
@@ -185,9 +176,9 @@ static bool uses_image(const struct rg_pass *pass, const struct rg_image *image)
 /* Returns true if passes that belong to no object use the image. */
 static bool is_used_elsewhere(const struct frame_list *list, const struct rg_image *image)
 {
-    for (size_t i = 0; i < list->count; i++) {
-        const struct rg_technique *group = &list->pass_groups[i];
-        for (size_t p = 0; p < group->pass_count && !owner(list, group->passes); p++) {
+    for (size_t i = 0; i < list->other_count; i++) {
+        const struct rg_technique *group = &list->pass_groups[list->others[i]];
+        for (size_t p = 0; p < group->pass_count; p++) {
             if (uses_image(&group->passes[p], image))
                 return true;
         }
@@ -256,9 +247,22 @@ static void keep_shared_in_pass(struct frame_list *list, const struct frame_list
     pass->more = frame_object_next_pass;
 }
 
+/* Lists the pass groups that belong to no object. */
+static bool list_others(struct frame_list *list)
+{
+    list->others = pass_arena_alloc(&list->builder, (list->count + 1) * sizeof(*list->others));
+    for (size_t i = 0; list->others && i < list->count; i++) {
+        if (!list->is_of_object[i])
+            list->others[list->other_count++] = i;
+    }
+    return list->others;
+}
+
 /* Makes the passes of all objects except the first keep the content of shared targets. */
 static bool keep_shared(struct frame_list *list)
 {
+    if (!list_others(list))
+        return false;
     list->is_local_to_objects = true;
     for (size_t i = 0; i < list->object_count; i++) {
         const struct frame_list_object *object = &list->objects[i];
@@ -268,10 +272,16 @@ static bool keep_shared(struct frame_list *list)
     return !list->builder.failed;
 }
 
+/* Returns true if objects are drawn one after the other, by rasterisation. */
+static bool draws_objects(const struct technique_config *config)
+{
+    return (config->object_count > 1 || config->is_nested) && config->refraction &&
+           !config->refraction->refraction.traces_bvh;
+}
+
 static bool add_all(struct frame_list *list, const struct technique_config *config)
 {
-    const bool are_many = (config->object_count > 1 || config->is_nested) && config->refraction &&
-                          !config->refraction->refraction.traces_bvh;
+    const bool are_many = draws_objects(config);
     bool done = true;
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;
@@ -292,11 +302,18 @@ enum status frame_list_init(struct frame_list *list, const struct technique_conf
     const size_t object_count =
         config->object_count > 1 || config->is_nested ? 3 * (size_t)config->object_count : 1;
     *list = (struct frame_list){ .small.builder = &list->builder, .is_nested = config->is_nested };
+    if (draws_objects(config) && config->object_count > OBJECTS_MAX) {
+        log_error("--refraction %s: the scene has %u refractive objects, but at most %d can be "
+                  "rasterised: use --refraction trace",
+                  config->refraction->refraction.name, config->object_count, OBJECTS_MAX);
+        return STATUS_DATA;
+    }
     /* inclusions.scale at most doubles the number of pass groups */
-    list->pass_groups = calloc(2 * techniques_count * TECHNIQUE_PASS_GROUP_COUNT * object_count + 1,
-                               sizeof(*list->pass_groups));
+    const size_t group_max = 2 * techniques_count * TECHNIQUE_PASS_GROUP_COUNT * object_count + 1;
+    list->pass_groups = calloc(group_max, sizeof(*list->pass_groups));
+    list->is_of_object = calloc(group_max, sizeof(*list->is_of_object));
     list->objects = calloc(object_count, sizeof(*list->objects));
-    if (list->pass_groups && list->objects && add_all(list, config))
+    if (list->pass_groups && list->is_of_object && list->objects && add_all(list, config))
         return STATUS_OK;
     frame_list_finish(list);
     return log_out_of_memory(NULL);
@@ -306,6 +323,7 @@ void frame_list_finish(struct frame_list *list)
 {
     pass_arena_finish(&list->builder);
     free(list->pass_groups);
+    free(list->is_of_object);
     free(list->objects);
     *list = (struct frame_list){ 0 };
 }
@@ -350,6 +368,18 @@ struct settings frame_resolve_settings(const struct settings *settings, const st
                        settings_row(&env_cube_settings, offsetof(struct env_cube_params, size)),
                        frame_face_size(settings, height));
     return copy;
+}
+
+/* Returns the object that owns the pass, or NULL. */
+static const struct frame_list_object *owner(const struct frame_list *list,
+                                             const struct rg_pass *pass)
+{
+    for (size_t i = 0; i < list->object_count; i++) {
+        const struct frame_list_object *object = &list->objects[i];
+        if (pass >= object->passes && pass < object->passes + object->pass_count)
+            return object;
+    }
+    return NULL;
 }
 
 const char *frame_list_pass_name(const struct frame_list *list, const struct rg_pass *pass)

@@ -20,7 +20,9 @@ struct frame_list_object {
 /* Passes of a frame. Groups and objects point to memory of the `builder` below. */
 struct frame_list {
     struct rg_technique *pass_groups; /* in drawing order; owned */
-    size_t count;
+    bool *is_of_object;               /* of each group; owned */
+    size_t *others;                   /* indices of the groups that belong to no object */
+    size_t count, other_count;
     struct frame_list_object *objects; /* per object: image, layers, faces */
     size_t object_count;
     bool is_nested; /* nested objects are not listed separately */
@@ -30,7 +32,8 @@ struct frame_list {
     struct low_res_images small;
 };
 
-/* Collects a frame's passes. If out of memory, logs, zeroes *list and returns STATUS_TRY_AGAIN. */
+/* Collects a frame's passes. If out of memory, logs, zeroes *list and returns STATUS_TRY_AGAIN. If
+ * the scene has too many objects to rasterise, logs and returns STATUS_DATA. */
 MUST_USE enum status frame_list_init(struct frame_list *list,
                                      const struct technique_config *config);
 void frame_list_finish(struct frame_list *list); /* {0} is fine */

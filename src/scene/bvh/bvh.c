@@ -317,11 +317,7 @@ static bool is_too_large(const struct model *model)
         log_error("--refraction trace: the scene has %llu triangles, but at most %u can be traced: "
                   "choose a simpler model or another refraction model",
                   (unsigned long long)count, BVH_TRIANGLES_MAX);
-    else if (model->object_count > BVH_OBJECTS_MAX)
-        log_error("--refraction trace: the scene has %u refractive objects, but at most %d can be "
-                  "traced: make some opaque by --material, or use --refraction bounce",
-                  model->object_count, BVH_OBJECTS_MAX);
-    return count > BVH_TRIANGLES_MAX || model->object_count > BVH_OBJECTS_MAX;
+    return count > BVH_TRIANGLES_MAX;
 }
 
 /* Builds and encodes all BVHs. Returns false when out of memory. */

@@ -6,6 +6,7 @@
 
 enum {
     SIDE_MAX = 256,
+    ENTRIES_PER_TRIANGLE = 16, /* maximum mean number of columns that a triangle overlaps */
 };
 
 /* Range of columns along one axis. */
@@ -39,6 +40,18 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
+/* Returns the bounding box of a mesh's triangles. Other objects may use most of the vertices. */
+static struct box triangles_box(const struct mesh *mesh)
+{
+    struct box box = { 0 };
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const vec3s p = mesh->vertices[mesh->indices[i]].position;
+        box.min = i ? glms_vec3_minv(box.min, p) : p;
+        box.max = i ? glms_vec3_maxv(box.max, p) : p;
+    }
+    return box;
+}
+
 /* Counts the triangles that overlap each grid column. If s->triangles is allocated, stores the
  * triangles' indices instead. Each column is filled from its end. */
 static void enter_triangles(struct closed_mesh *s)
@@ -59,11 +72,33 @@ static void enter_triangles(struct closed_mesh *s)
     }
 }
 
+/* Returns the number of entries that enter_triangles() makes. */
+static uint64_t count_entries(const struct closed_mesh *s)
+{
+    uint64_t count = 0;
+    for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
+        const struct box box = triangle_box(s->mesh, i);
+        const struct span x = span_of(s, box, 0), z = span_of(s, box, 2);
+        count += (uint64_t)(x.to - x.from + 1) * (z.to - z.from + 1);
+    }
+    return count;
+}
+
+/* Chooses the number of columns per side: the square root of the number of triangles, or less if
+ * large triangles overlap many columns, so that the grid's size is linear in that number. */
+static void choose_side(struct closed_mesh *s)
+{
+    const uint32_t triangle_count = s->mesh->index_count / 3;
+    const float side = sqrtf((float)triangle_count);
+    s->side = side < 1.0F ? 1 : side < (float)SIDE_MAX ? (uint32_t)side : SIDE_MAX;
+    while (s->side > 1 && count_entries(s) > (uint64_t)ENTRIES_PER_TRIANGLE * triangle_count)
+        s->side /= 2;
+}
+
 bool closed_mesh_init(struct closed_mesh *closed_mesh, const struct mesh *mesh)
 {
-    float side = sqrtf((float)mesh->index_count / 3.0F);
-    *closed_mesh = (struct closed_mesh){ .mesh = mesh, .box = mesh_box(mesh) };
-    closed_mesh->side = side < 1.0F ? 1 : side < (float)SIDE_MAX ? (uint32_t)side : SIDE_MAX;
+    *closed_mesh = (struct closed_mesh){ .mesh = mesh, .box = triangles_box(mesh) };
+    choose_side(closed_mesh);
     size_t columns = (size_t)closed_mesh->side * closed_mesh->side;
     closed_mesh->first = calloc(columns + 1, sizeof(*closed_mesh->first));
     if (!closed_mesh->first)
@@ -138,6 +173,12 @@ static void count_sides(const struct closed_mesh *s, vec3s point, uint32_t count
         if (side)
             counts[side > 0]++;
     }
+}
+
+uint32_t closed_mesh_cost(const struct closed_mesh *s, vec3s point)
+{
+    const uint32_t at = column_of(s, point.z, 2) * s->side + column_of(s, point.x, 0);
+    return 1 + s->first[at + 1] - s->first[at];
 }
 
 bool closed_mesh_contains(const struct closed_mesh *s, vec3s point)

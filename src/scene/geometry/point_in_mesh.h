@@ -22,6 +22,9 @@ bool closed_mesh_init(struct closed_mesh *closed_mesh, const struct mesh *mesh);
 
 void closed_mesh_finish(struct closed_mesh *closed_mesh);
 
+/* Returns the cost of a test of a point, in triangles. */
+uint32_t closed_mesh_cost(const struct closed_mesh *s, vec3s point);
+
 /* Returns true if a point is inside the mesh: a ray upwards hits an odd number of triangles. If the
  * ray passes through a shared edge, it hits exactly one of the edge's two triangles. */
 bool closed_mesh_contains(const struct closed_mesh *s, vec3s point);

@@ -98,3 +98,15 @@ FILE *model_file_open(void *user, const char *path)
     const bool is_model = strcmp(path, import->path) == 0; /* the model file may be anywhere */
     return is_model || is_allowed(import, path) ? fopen(path, "rb") : NULL;
 }
+
+const char *model_file_fault(const char *path)
+{
+    struct stat info, link;
+    if (stat(path, &info) != 0)
+        return "file not found";
+    if (!S_ISREG(info.st_mode))
+        return "expected a regular file, not a folder, pipe or device";
+    return lstat(path, &link) == 0 && S_ISLNK(link.st_mode)
+               ? "cannot be opened: expected a link to a file within the model's folder"
+               : "cannot be opened: expected a readable file";
+}

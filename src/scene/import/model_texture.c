@@ -75,13 +75,13 @@ static enum status read_file(const struct model_texture *texture, struct encoded
     struct stat info;
     /* Opens only regular files, because opening a named pipe would block. */
     if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
-        return refuse(fault, "file not found");
+        return refuse(fault, model_file_fault(texture->file));
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
         return refuse(fault, "expected a file of 1 byte to 256 MiB");
     size_t size = (size_t)info.st_size;
     FILE *file = fopen(texture->file, "rb");
     if (!file)
-        return refuse(fault, "the file cannot be opened");
+        return refuse(fault, model_file_fault(texture->file));
     encoded->owned = malloc(size);
     bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
     fclose(file);
@@ -398,9 +398,10 @@ enum status model_texture_load(struct model_import *import, const struct model_t
     }
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);
-    if (layers->size < (uint32_t)side_max)
+    if (layers->size < (uint32_t)side_max && !import->has_large_texture)
         log_warning("%s: the largest of %u textures has %d texels a side and is downsampled to %u",
                     path, count, side_max, layers->size);
+    import->has_large_texture = import->has_large_texture || layers->size < (uint32_t)side_max;
     for (uint32_t i = 0; i < count; i++) {
         enum status status =
             decode_both(import, &textures[i], are_numbers, layer_at(layers, i), layers->size);

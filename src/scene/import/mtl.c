@@ -8,6 +8,10 @@
 #include "src/base/log.h"
 #include "src/scene/import/obj_ply.h"
 
+enum {
+    LIBRARY_MAX = 256 /* MTL files per model, with repetitions */
+};
+
 struct mtl;
 
 /* MTL statement and the function that reads it. On failure the function logs a line. */
@@ -346,6 +350,10 @@ static enum status read_file(struct obj_ply *obj_ply, const struct text_scan *na
     size_t size = 0;
     enum status status = STATUS_OK;
     const size_t length = (size_t)(name->end - name->at) + 1;
+    if (++obj_ply->library_count > LIBRARY_MAX) {
+        log_error("%s: expected at most %d files after mtllib", obj_ply->import->path, LIBRARY_MAX);
+        return STATUS_DATA;
+    }
     char *word = malloc(length);
     char *path = NULL;
     if (word) {

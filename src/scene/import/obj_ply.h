@@ -57,6 +57,7 @@ struct obj_ply {
     uint32_t part_count;
     struct mtl_material *materials;
     uint32_t material_count;
+    uint32_t library_count;                    /* number of MTL files read */
     char undrawn_materials[OBJ_PLY_LIST_SIZE]; /* undrawn features of MTL files: "disp\n-mm\n" */
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };

@@ -230,7 +230,9 @@ static bool is_floating(const struct model *model, uint32_t object)
 {
     const vec3s middle = box_center(model->objects[object].box);
     for (uint32_t i = 0; i < model->object_count; i++) {
-        if (has_ior(model, i, ICE_IOR_MAX, WATER_IOR_MAX) &&
+        const bool is_in_box =
+            box_contains(&model->objects[i].box, &(struct box){ middle, middle });
+        if (is_in_box && has_ior(model, i, ICE_IOR_MAX, WATER_IOR_MAX) &&
             object_contains(&model->objects[i], &model->object, middle))
             return true;
     }
@@ -275,18 +277,19 @@ static bool melt_object(struct model *model, const struct object *object, bool f
     return done;
 }
 
-/* Scales the roughness of ice materials, since a melting surface is wet and therefore smooth. */
-static void smooth_wet_ice(struct model *model, const struct melting *melting,
+/* Scales the roughness of ice materials, since a melting surface is wet and therefore smooth.
+ * Returns false when out of memory. */
+static bool smooth_wet_ice(struct model *model, const struct melting *melting,
                            const struct melted *melted)
 {
-    for (uint32_t k = 0; k < model->material_count; k++) {
-        bool is_ice_only = false;
-        for (uint32_t i = 0; i < model->object_count; i++)
-            is_ice_only =
-                is_ice_only || (model->objects[i].material == k && is_ice(model, i, melting));
-        if (is_ice_only)
-            model->materials[k].roughness *= melted_frost_factor(melted);
-    }
+    bool *is_of_ice = calloc(model->material_count + (size_t)1, sizeof(*is_of_ice));
+    for (uint32_t i = 0; is_of_ice && i < model->object_count; i++)
+        is_of_ice[model->objects[i].material] |= is_ice(model, i, melting);
+    for (uint32_t k = 0; is_of_ice && k < model->material_count; k++)
+        model->materials[k].roughness *= is_of_ice[k] ? melted_frost_factor(melted) : 1.0f;
+    const bool done = is_of_ice;
+    free(is_of_ice);
+    return done;
 }
 
 /* Melts all ice. Returns false when out of memory. */
@@ -305,8 +308,7 @@ static bool melt_all(struct model *model, const struct melting *melting, float t
     for (uint32_t i = 0; i < model->object_count; i++)
         model->objects[i].box = object_box(&model->objects[i], &model->object);
     melted->box = mesh_box(&melted->unmelted);
-    smooth_wet_ice(model, melting, melted);
-    return done;
+    return done && smooth_wet_ice(model, melting, melted);
 }
 
 enum status melt_model(struct model *model, const struct melting *melting, float time,

@@ -19,7 +19,7 @@ static enum status read_all(const struct gltf_object *object, const char *path,
     if (!file || fseek(file, 0, SEEK_END) != 0) {
         if (file)
             fclose(file);
-        return gltf_fault(object, "%s: file not found", path);
+        return gltf_fault(object, "%s: %s", path, model_file_fault(path));
     }
     const long size = ftell(file);
     rewind(file);

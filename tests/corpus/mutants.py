@@ -1,0 +1,181 @@
+"""mutants.py: runs firn on mutants of sound files of all formats.
+
+Usage: mutants.py FIRN COUNT SEED [--trace] FILE_OR_FOLDER...
+
+Each mutant goes to `firn info`; to `firn diff` and every fourth to `firn graph --env` if it is an
+image; with --trace also to a render of 48 x 36 pixels. Prints and keeps those that end in anything
+but success, or one error line with 65 or 66; that a sanitizer reports; or that need more than a
+minute of CPU time. Exits with 1 if there are any.
+"""
+import concurrent.futures
+import json
+import os
+import pathlib
+import random
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+
+MODELS = {'.gltf', '.glb', '.obj', '.ply', '.stl'}
+IMAGES = {'.exr', '.hdr', '.png'}
+WORDS = (0, 1, 2, 3, 4, 5, 0x7f, 0x80, 0xff, 0x100, 0x7fff, 0x8000, 0xffff, 0x10000, 0x7fffffff,
+         0x80000000, 0xfffffffe, 0xffffffff, 0x7f800000, 0xff800000, 0x7fc00000, 0x7149f2ca,
+         0x00000001, 0x3f800000)
+VALUES = (0, -1, 1, 2, 0.5, 1e30, 1e-38, -1e38, 4294967295, 4294967296, 9007199254740993, True,
+          None, '', 'data:,', [], {}, [0, 0, 0], [1e30] * 3, 5120, 5126, 'CUBICSPLINE', 'BLEND')
+SECONDS = 60
+
+
+def change_bytes(data, pick, other):
+    """Flips bits, sets words, cuts, repeats or splices; returns the bytes."""
+    data = bytearray(data)
+    for _ in range(pick.choice((1, 1, 2, 4, 16))):
+        if not data:
+            break
+        at = pick.randrange(len(data) if pick.random() < .6 else min(len(data), 512))
+        how = pick.randrange(7)
+        if how == 0:
+            data[at] ^= 1 << pick.randrange(8)
+        elif how == 1:
+            size = pick.choice((1, 2, 4, 8))
+            word = pick.choice(WORDS) & (1 << 8 * size) - 1
+            data[at:at + size] = word.to_bytes(size, pick.choice(('little', 'big')))
+        elif how == 2:
+            del data[at:at + pick.choice((1, 4, 64, len(data)))]
+        elif how == 3:
+            data[at:at] = data[at:at + pick.randrange(1, 65)] * pick.choice((1, 2, 100))
+        elif how == 4:
+            start = pick.randrange(max(1, len(other)))
+            data[at:at + 64] = other[start:start + pick.randrange(1, 65)]
+        elif how == 5:
+            data[at] = pick.randrange(256)
+        else:
+            data[at:at + 4] = bytes(4)
+    return bytes(data)
+
+
+def places(node):
+    """All (container, key) of a JSON document."""
+    rows = node.items() if isinstance(node, dict) else enumerate(node)
+    for key, value in rows:
+        yield node, key
+        if isinstance(value, (dict, list)):
+            yield from places(value)
+
+
+def change_json(document, pick):
+    """Replaces, removes, copies or exchanges parts of a document."""
+    for _ in range(pick.choice((1, 1, 2, 5))):
+        rows = list(places(document))
+        if not rows:
+            break
+        node, key = pick.choice(rows)
+        source, source_key = pick.choice(rows)
+        how = pick.randrange(5)
+        if how == 0:
+            node[key] = pick.choice(VALUES)
+        elif how == 1:
+            del node[key]
+        elif how == 2:
+            node[key] = json.loads(json.dumps(source[source_key]))
+        elif how == 3 and isinstance(node, list):
+            node.extend([node[key]] * pick.choice((1, 10, 1000)))
+        elif isinstance(node[key], (int, float)) and not isinstance(node[key], bool):
+            node[key] = pick.choice((node[key] + 1, node[key] - 1, -node[key], node[key] * 1000))
+    return json.dumps(document).encode()
+
+
+def mutate(path, pick, other):
+    data = path.read_bytes()
+    try:
+        if path.suffix == '.gltf' and pick.random() < .8:
+            return change_json(json.loads(data), pick)
+        if path.suffix == '.glb' and pick.random() < .6:
+            size = int.from_bytes(data[12:16], 'little')
+            text = change_json(json.loads(data[20:20 + size]), pick)
+            text += b' ' * (-len(text) % 4)
+            rest = data[20 + size:]
+            head = (b'glTF', 2, 20 + len(text) + len(rest), len(text))
+            return (head[0] + b''.join(n.to_bytes(4, 'little') for n in head[1:]) + b'JSON' + text +
+                    rest)
+    except (ValueError, RecursionError):
+        pass
+    return change_bytes(data, pick, other)
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 5))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def fault_of(command):
+    """How a run ended if it did not end well, else None; and its exit code."""
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False,
+                          preexec_fn=limit)
+    text = done.stderr.decode(errors='replace')
+    lines = [line for line in text.splitlines()
+             if not line.startswith(('firn: note:', 'firn: warning:'))]
+    wanted = 0 if done.returncode == 0 else 1
+    if done.returncode in (0, 65, 66) and len(lines) == wanted and 'Sanitizer' not in text:
+        return None, done.returncode
+    return f'{done.returncode}: {text[:2000]}', done.returncode
+
+
+def commands(firn, mutant, number, traces):
+    if mutant.suffix in MODELS:
+        yield [firn, 'info', mutant]
+        if traces:
+            yield [firn, 'render', mutant, '-q', '-r', 'trace', '--size', '48x36', '--samples', '1',
+                   '-o', mutant.parent / 'out.exr']
+    else:
+        yield [firn, 'diff', mutant, mutant]
+        if number % 4 == 0 and mutant.suffix != '.png':
+            yield [firn, 'graph', 'sphere', '--env', mutant]
+
+
+def run(firn, number, seed, files, traces, kept):
+    pick = random.Random(f'{seed} {number}')
+    path, other = pick.choice(files), pick.choice(files)
+    with tempfile.TemporaryDirectory() as folder:
+        for beside in path.parent.iterdir() if path.suffix in ('.gltf', '.obj') else ():
+            if beside.is_file() and beside.stat().st_size < 1 << 22:
+                (pathlib.Path(folder) / beside.name).symlink_to(beside)
+        mutant = pathlib.Path(folder) / f'mutant{path.suffix}'
+        mutant.write_bytes(mutate(path, pick, other.read_bytes()))
+        code = None
+        for command in commands(firn, mutant, number, traces):
+            fault, code = fault_of(command)
+            if fault:
+                shutil.copy(mutant, kept / f'{seed}-{number}{path.suffix}')
+                return f'{path.name} ({seed} {number}): {command[1]}: {fault}', code
+            if code:
+                break
+    return None, code
+
+
+def main():
+    words = [word for word in sys.argv[1:] if word != '--trace']
+    firn, count, seed = words[0], int(words[1]), words[2]
+    files = [path for word in map(pathlib.Path, words[3:])
+             for path in (sorted(word.rglob('*')) if word.is_dir() else [word])
+             if path.suffix in MODELS | IMAGES and 0 < path.stat().st_size < 1 << 20]
+    kept = pathlib.Path(f'mutants-{seed}')
+    kept.mkdir(exist_ok=True)
+    codes, faults = {}, 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = [pool.submit(run, firn, number, seed, files, '--trace' in sys.argv, kept)
+                for number in range(count)]
+        for job in concurrent.futures.as_completed(jobs):
+            fault, code = job.result()
+            codes[code] = codes.get(code, 0) + 1
+            if fault:
+                faults += 1
+                print(fault, flush=True)
+    print(f'{count} mutants of {len(files)} files; exit codes {codes}; {faults} faults')
+    return 1 if faults else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
