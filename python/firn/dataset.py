@@ -124,19 +124,6 @@ def visible_masks(frame: Frame) -> dict:
     return {int(number): layer == number for number in np.unique(layer) if number != NOTHING}
 
 
-def amodal_masks(frame: Frame) -> dict:
-    """
-    Masks of bool by object number with the parts that other objects hide: from the layers
-    `objects.0` to `objects.7`, the ordered surfaces along the straight ray.
-    """
-    layers = [frame[name] for name in frame if name.startswith('objects.')]
-    if not layers:
-        raise UsageError('amodal masks need the layers objects.0, objects.1, ... in the renderer')
-    numbers = np.unique(np.stack(layers))
-    return {int(number): np.any([layer == number for layer in layers], axis=0)
-            for number in numbers if number != NOTHING}
-
-
 def rle(mask) -> dict:
     """A mask (h, w) in COCO's compressed run-length encoding: {'size': [h, w], 'counts': text}."""
     mask = np.asarray(mask, dtype=bool)
@@ -203,22 +190,11 @@ def _write_png(folder, index, frame, _entry):
     return [path]
 
 
-def _objects(frame):
-    """Number, visible mask, amodal mask and visible fraction of each object of an image."""
-    visible = visible_masks(frame)
-    has_hidden = any(name.startswith('objects.') for name in frame)
-    amodal = amodal_masks(frame) if has_hidden else visible
-    for number in sorted(amodal):
-        mask = visible.get(number, np.zeros_like(amodal[number]))
-        yield number, mask, amodal[number], mask.sum() / max(amodal[number].sum(), 1)
-
-
 def _annotate_coco(folder, index, frame, entry):
     entry['annotations'] = [
         {'object': number, 'bbox': box_of(mask), 'area': int(mask.sum()), 'iscrowd': 0,
-         'segmentation': rle(mask), 'amodal_bbox': box_of(whole), 'amodal_segmentation': rle(whole),
-         'visible_fraction': float(fraction)}
-        for number, mask, whole, fraction in _objects(frame)]
+         'segmentation': rle(mask)}
+        for number, mask in visible_masks(frame).items()]
     return _write_png(folder, index, frame, entry)
 
 
@@ -241,20 +217,18 @@ def _finish_coco(folder, entries, names):
 
 def _write_bop(folder, index, frame, entry):
     scene = folder / 'bop' / '000001'
-    depth = np.nan_to_num(frame['Z'], posinf=0.0) * 10000  # units of .1 mm
+    depth = np.where(frame['Z'] < 1e9, frame['Z'], 0) * 10000  # units of .1 mm; 0 for nothing
     if depth.max() > 65535:
         raise UsageError('BOP: depths above 6.5 m do not fit into 16 bits')
     files = {_folder(scene / 'rgb') / f'{index:06}.png': frame.srgb(),
              _folder(scene / 'depth') / f'{index:06}.png': np.round(depth).astype(np.uint16)}
     entry['bop'] = []
-    for place, (number, mask, whole, fraction) in enumerate(_objects(frame)):
-        name = f'{index:06}_{place:06}.png'
-        files[_folder(scene / 'mask') / name] = np.uint8(255) * whole
-        files[_folder(scene / 'mask_visib') / name] = np.uint8(255) * mask
+    for place, (number, mask) in enumerate(visible_masks(frame).items()):
+        path = _folder(scene / 'mask_visib') / f'{index:06}_{place:06}.png'
+        files[path] = np.uint8(255) * mask
         entry['bop'].append({
-            'obj_id': number, 'bbox_obj': box_of(whole), 'bbox_visib': box_of(mask),
-            'px_count_all': int(whole.sum()), 'px_count_visib': int(mask.sum()),
-            'px_count_valid': int((mask & (depth > 0)).sum()), 'visib_fract': float(fraction)})
+            'obj_id': number, 'bbox_visib': box_of(mask), 'px_count_visib': int(mask.sum()),
+            'px_count_valid': int((mask & (depth > 0)).sum())})
     for path, pixels in files.items():
         write_file(path, png_bytes(pixels))
     return list(files)
@@ -310,13 +284,12 @@ class Writer:
     exr     exr/000000.exr with all layers
     npz     npz/000000.npz with all layers
     png     rgb/000000.png
-    coco    coco.json with visible and amodal masks, and rgb/; needs the layer `object`
-    bop     bop/000001/, lengths in millimetres; needs `object` and `Z`
+    coco    coco.json with boxes and visible masks, and rgb/; needs the layer `object`
+    bop     bop/000001/, lengths in millimetres, visible masks; needs `object` and `Z`
     colmap  colmap/*.txt with the cameras, and rgb/
 
     meta/000000.json keeps the camera, the variation and SHA-256 hashes of the files of each image,
-    and is written last: an image with it is complete. dataset.json lists the set. Hidden parts of
-    objects are known with the layers `objects.0` to `objects.7`.
+    and is written last: an image with it is complete. dataset.json lists the set.
     """
     def __init__(self, folder, formats=('exr',), seed: int = 0):
         unknown = [name for name in formats if name not in _FORMATS]

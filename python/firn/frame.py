@@ -90,6 +90,23 @@ class Frame(Mapping):
                          1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
         return np.round(255 * coded).astype(np.uint8)
 
+    def refractive_flow(self) -> np.ndarray:
+        """
+        Refractive flow (height, width, 2) in pixels (x, y), from the layer `exit`: from each pixel
+        to that at which the camera sees, without the object, what is infinitely far away in the
+        direction in which the refracted ray leaves. NaN where none leaves, or outside the image.
+        """
+        exit = self['exit'][..., :3]
+        leaves = np.abs(exit).sum(axis=-1) > 0
+        found = self.camera.project(self.camera.position + np.where(leaves[..., None], exit, np.nan))
+        width, height = self.size
+        x, y = found[..., 0], found[..., 1]
+        with np.errstate(invalid='ignore'):
+            inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
+        columns, rows = np.meshgrid(np.arange(width), np.arange(height))
+        flow = np.stack([x - columns, y - rows], axis=-1)
+        return np.where(inside[..., None], flow, np.nan).astype(np.float32)
+
     def save(self, path) -> None:
         """
         Writes an EXR file with all layers, or a PNG file of srgb(). The file appears under its name
