@@ -4,18 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns true if a shell would take a word without quotes for a comment or an assignment. */
-static bool is_special(const char *word)
-{
-    static const char name[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-    return *word == '#' || word[strspn(word, name)] == '=';
-}
-
 void shell_quote_word(const char *word, FILE *out)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                 "-_=+.,/:@%#";
-    const bool is_plain = *word && strspn(word, plain) == strlen(word) && !is_special(word);
+    const bool is_plain = *word && strspn(word, plain) == strlen(word) && *word != '#';
     fputs(is_plain ? "" : "'", out);
     for (const char *c = word; *c; c++)
         fputs(*c == '\'' ? "'\\''" : (const char[]){ *c, '\0' }, out);
