@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns true if a shell would take a word without quotes for a comment or an assignment. */
+/* Returns true if a shell would parse an unquoted word as a comment or an assignment. */
 static bool is_special(const char *word)
 {
     static const char name[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";

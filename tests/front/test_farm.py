@@ -164,7 +164,7 @@ class Words(Farm):
             self.assertIn(f'#SBATCH --job-name={name}\n', text)
 
     def test_names_that_are_no_words(self):
-        """A shell takes none for a comment, an assignment or the end of its text."""
+        """A shell parses no word as a comment, an assignment or the end of a here-document."""
         text = self.script('slurm', 'sphere', '--frames', '1-2', '-o', '#.exr')
         self.assertIn(" -o '#.exr'\n", text)
         for what in ('slurm', 'parallel'):
