@@ -165,8 +165,9 @@ struct rg_image {
     bool array;      /* array view even with one layer */
     bool persistent; /* keeps content; ignored for imports */
     /* read-only image with the content that `previous` had at the end of the last frame, and zero
-     * in the first: history without a copy, as two images swap places after each frame. `previous`
-     * has equal fields, is written completely in each frame, and is not imported. NULL if unused */
+     * in the first: a history image without a copy, because the two are swapped after each frame.
+     * `previous` has equal fields, is written completely in each frame, and is not imported. NULL
+     * if unused */
     const struct rg_image *previous;
 };
 

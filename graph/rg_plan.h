@@ -25,7 +25,7 @@ struct rg_plan_image {
     uint32_t samples;          /* per texel */
     bool imported, persistent; /* neither: transient */
     uint32_t import;           /* index into rg_compile_params.imports, or RG_NONE */
-    uint32_t partner;          /* swaps places with it after a frame (`previous`), or RG_NONE */
+    uint32_t partner; /* resource that it is swapped with after a frame (`previous`), or RG_NONE */
     uint32_t first, last;      /* lifetime; `last` is pass_count for outputs */
     uint32_t block;            /* index into blocks; RG_NONE unless transient */
     VkDeviceSize offset, size; /* bytes; `offset` is within the block */

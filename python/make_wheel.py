@@ -1,4 +1,4 @@
-"""make_wheel.py: makes firn-VERSION-py3-none-PLATFORM.whl, without a network.
+"""make_wheel.py: builds firn-VERSION-py3-none-PLATFORM.whl, offline.
 
 Usage: make_wheel.py VERSION LIBRARY READER FOLDER
 LIBRARY is libfirn.so.0, READER the program firn-reader; the wheel is written to FOLDER.
@@ -13,7 +13,7 @@ SOURCE = pathlib.Path(__file__).resolve().parent
 
 
 def main(version, library, reader, folder):
-    """Copies what the wheel holds into a temporary folder, and calls pip there."""
+    """Copies the files of the wheel into a temporary folder, and runs pip there."""
     with tempfile.TemporaryDirectory() as name:
         work = pathlib.Path(name)
         for file in ('pyproject.toml', 'setup.py'):

@@ -1,4 +1,4 @@
-"""setup.py: the wheel of firn. make_wheel.py calls it in a folder with libfirn and its reader."""
+"""setup.py: builds the wheel in a folder that make_wheel.py has filled with all files."""
 from pathlib import Path
 
 from setuptools import Distribution, setup
@@ -6,13 +6,13 @@ from wheel.bdist_wheel import bdist_wheel
 
 
 class BinaryDistribution(Distribution):
-    """Has a library, so that it is installed where platforms differ."""
+    """Marks the wheel as platform-specific, because it contains a shared library."""
     def has_ext_modules(self):
         return True
 
 
 class AnyPython(bdist_wheel):
-    """The library is loaded by ctypes: one wheel serves every Python 3."""
+    """Tags the wheel for all versions of Python 3, because ctypes loads the library."""
     def get_tag(self):
         return 'py3', 'none', super().get_tag()[2]
 

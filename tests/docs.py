@@ -1,4 +1,4 @@
-"""docs.py: checks links, lengths, images and figures of the pages.
+"""docs.py: checks links, lengths, images and figures of the documentation.
 
 Usage: docs.py ROOT   prints a line for each fault; the exit code is 1 if there is one
 """
@@ -50,7 +50,7 @@ def is_for_users(page):
 
 
 def count_words(text):
-    """Counts what has a letter or a digit: not the lines of tables."""
+    """Counts words with a letter or digit, so that rulers of tables do not count."""
     return sum(bool(re.search(r'\w', word)) for word in text.split())
 
 

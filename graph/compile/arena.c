@@ -1,5 +1,5 @@
-/* arena.c: arena allocator that uses the caller's memory first, then malloc(); a hash map in it,
- * keyed by address, also as a set of strings. */
+/* arena.c: arena allocator that uses the caller's memory first, then malloc(); arena-allocated hash
+ * map keyed by address, and string set. */
 #include "graph/compile/arena.h"
 #include <stdlib.h>
 #include <string.h>
@@ -141,7 +141,7 @@ bool rg_map_add_text(struct arena *arena, struct map *set, const char *text)
     uint64_t hash = UINT64_C(14695981039346656037); /* FNV-1a */
     for (const char *c = text; *c; c++)
         hash = (hash ^ (unsigned char)*c) * UINT64_C(1099511628211);
-    for (;; hash += 2) { /* the next one if another text has this hash */
+    for (;; hash += 2) { /* try the next hash if another string has this one */
         void **value = rg_map_value(arena, set, (const void *)(uintptr_t)(hash | 1));
         if (!value)
             return false;

@@ -1,5 +1,5 @@
-/* arena.h: allocates from the caller's memory, then by malloc(); a hash map in such memory. Private
- * to graph/compile/. */
+/* arena.h: arena allocator that uses the caller's memory first, then malloc(), and an
+ * arena-allocated hash map. Private to graph/compile/. */
 #ifndef RG_COMPILE_ARENA_H
 #define RG_COMPILE_ARENA_H
 
@@ -73,8 +73,8 @@ static inline void **rg_map_value(struct arena *arena, struct map *map, const vo
     return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
 }
 
-/* Adds a string to a set of strings, which is a map from hashes. Returns true if the set already
- * had it. The string is borrowed. */
+/* Adds a string to a string set, a map keyed by hashes. Returns true if the set already contained
+ * it. The string is borrowed. */
 bool rg_map_add_text(struct arena *arena, struct map *set, const char *text);
 
 #endif

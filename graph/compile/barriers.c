@@ -131,8 +131,8 @@ static void simulate_frame(struct compiler *c, bool only_pairs)
     }
 }
 
-/* Visits a read in the next frame of a subresource whose state at the end of this frame is `left`.
- * `next` has its resource in this frame and its range. */
+/* Handles a read, in the next frame, of a subresource whose state at the end of this frame is
+ * `left`. `next` gives the resource in this frame, and the range. */
 typedef void history_read_fn(struct compiler *c, struct cell *left, const struct rg_barrier *next,
                              const struct access *a);
 
@@ -175,7 +175,7 @@ static void expect_history_read(struct compiler *c, struct cell *left,
         left->visible |= a->visibility & RG_VISIBLE_TO_ALL;
 }
 
-/* Turns the states at the end of a frame into those at the start of the next one. */
+/* Converts the states at the end of a frame to those at the start of the next frame. */
 static void begin_next_frame(struct compiler *c)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
@@ -198,7 +198,7 @@ static void begin_next_frame(struct compiler *c)
 
 static void begin_persistent(struct compiler *c)
 {
-    for (int i = 0; i < 2; i++) { /* twice, since a history begins as its partner ends */
+    for (int i = 0; i < 2; i++) { /* twice, since a history starts as its partner ends */
         simulate_frame(c, i > 0);
         each_history_read(c, expect_history_read);
         begin_next_frame(c);

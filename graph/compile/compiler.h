@@ -73,13 +73,13 @@ struct resource {
     uint32_t import, output;             /* index into params->imports, outputs, or RG_NONE */
     uint32_t first, last;                /* lifetime in passes; RG_NONE if unused */
     VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
-    bool is_mutable;                     /* a use has another view_format */
+    bool is_mutable;                     /* some use has a view_format that differs */
     uint32_t plan_image, plan_buffer;    /* indices into the plan, or RG_NONE */
     uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_before;            /* pass before which memory is acquired */
     uint32_t last_barrier;               /* its newest barrier, or RG_NONE */
-    struct resource *partner;            /* swaps places with it after a frame; NULL if none */
-    struct cell cell[];                  /* storage for `cells` of single-cell resources */
+    struct resource *partner; /* resource that it is swapped with after a frame, or NULL */
+    struct cell cell[];       /* storage for `cells` of single-cell resources */
 };
 
 struct access {
@@ -133,7 +133,7 @@ struct compiler {
     uint32_t persistent_count;             /* number of persistent resources */
     struct map by_address;                 /* struct resource by rg_image or rg_buffer */
     struct map resource_names, pass_names; /* sets of strings */
-    struct map provided;                   /* images written or imported; for fallbacks */
+    struct map provided;                   /* images that are written or imported, for fallbacks */
 
     /* Current technique and index of its current pass declaration; NULL and RG_NONE if none. */
     const struct rg_technique *technique;

@@ -117,7 +117,7 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
 
-/* A constant, because compilers set single fields and clear the others much more slowly. */
+/* Copied as a constant, which compilers do much faster than clearing and setting fields. */
 static const struct resource unused = {
     .all = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1 },
     .depth = 1,
@@ -169,7 +169,8 @@ static bool is_alike(const struct resource *a, const struct resource *b)
            a->image->cube == b->image->cube;
 }
 
-/* Makes an image persistent whose subresources begin a frame filled or not. */
+/* Makes an image persistent. Its subresources have content at the start of a frame, or have
+ * none. */
 static void make_persistent(struct compiler *c, struct resource *r, bool filled)
 {
     r->persistent = true;
@@ -181,7 +182,7 @@ static void make_persistent(struct compiler *c, struct resource *r, bool filled)
     }
 }
 
-/* Joins a history image and the image whose previous content it has. */
+/* Makes a history image and the image whose previous content it has partners. */
 static void pair(struct compiler *c, struct resource *history)
 {
     const struct rg_image *image = history->image->previous;

@@ -199,7 +199,7 @@ static void add_memory(struct compiler *c, struct resource *r,
                     "make it smaller: the resources so far exceed any memory");
 }
 
-/* Returns true if an image, or its partner, is seen in several formats. */
+/* Returns true if an image, or its partner, has views of several formats. */
 static bool is_mutable(const struct resource *r)
 {
     return r->is_mutable || (r->partner && r->partner->is_mutable);

@@ -365,8 +365,8 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
     return result;
 }
 
-/* ---- blocks: each has images or buffers, so that bufferImageGranularity never applies, of one
- * set of memory types ---- */
+/* ---- blocks: each has either images or buffers, so that bufferImageGranularity never applies, and
+ * one set of memory types ---- */
 
 static bool fits_block(const struct pack_item *item, const struct rg_block *block)
 {
@@ -424,7 +424,7 @@ void rg_pack_blocks(struct compiler *c)
 {
     struct rg_block *blocks = NULL;
     uint32_t room = 0;
-    bool unaliased = c->params->sharing == RG_SHARE_NOTHING; /* then no memory is reused */
+    bool unaliased = c->params->sharing == RG_SHARE_NOTHING; /* no memory is reused */
     for (uint32_t i = 0; i < c->item_count; i++) {
         const struct resource *r = c->items[i].resource;
         c->items[i].first = unaliased ? r->first : r->acquired_before;

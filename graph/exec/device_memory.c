@@ -112,7 +112,7 @@ static void add_image(struct rg_exec *exec, const struct rg_plan_image *plan,
                                 plan->mips,         plan->samples,
                                 plan->usage };
     add_name(exec, plan->image->name, placeholder != NULL);
-    if (plan->partner != RG_NONE) /* an update keeps both or none */
+    if (plan->partner != RG_NONE) /* an update keeps both partners or neither */
         add_name(exec, exec->plan->images[plan->partner].image->name, plan->partner != RG_NONE);
     if (placeholder) {
         rg_exec_key(exec, placeholder->fallback, sizeof(*placeholder->fallback));
@@ -153,7 +153,7 @@ fail:
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
                            const struct exec_view *info, VkImageView *view)
 {
-    /* other formats need not support all usage of the image */
+    /* other formats may not support all usage flags of the image */
     const VkImageViewUsageCreateInfo usage = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
         .usage = info->usage,

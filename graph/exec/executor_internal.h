@@ -78,7 +78,7 @@ struct exec_objects {
     struct exec_object *entries;
     uint32_t *chains;     /* `room` of them: index of the first object plus 1; 0 if there is none */
     uint32_t count, room; /* `room` is a power of two, or 0 */
-    unsigned char *keys;  /* of all objects, in their order */
+    unsigned char *keys;  /* concatenated keys of all objects */
     size_t key_bytes, key_room;
 };
 
@@ -123,10 +123,10 @@ struct rg_exec {
     VkDevice device;
     struct exec_objects objects;  /* those with keys (object_cache.c) */
     struct exec_objects unshared; /* objects of the plan that have no key */
-    struct exec_objects former;   /* the same of the previous plan, during updates */
-    uint32_t next_object;         /* index in `objects` of the one that is tried first */
-    uint32_t next_view;           /* and of the one that is tried first for a shared view */
-    uint32_t plan_number;         /* of the plan: counts updates */
+    struct exec_objects former;   /* unshared objects of the previous plan, during updates */
+    uint32_t next_object;         /* index in `objects` at which a search starts */
+    uint32_t next_view;           /* the same for shared views */
+    uint32_t plan_number;         /* number of the plan, incremented by updates */
     struct exec_retired *retired; /* objects of previous plans that frames may still use */
     uint64_t frame;               /* number of frames submitted or recorded */
     bool is_update;               /* frames of a previous plan may be in flight */
@@ -260,7 +260,7 @@ VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *pl
 /* Part of the key of an image view, without padding. */
 struct exec_view {
     VkImageViewType type;
-    VkImageUsageFlags usage; /* of the view, if its image has views of several formats */
+    VkImageUsageFlags usage; /* usage of the view, if its image has views of several formats */
     VkFormat format;         /* 0 means that of the image */
     VkImageSubresourceRange range;
 };
@@ -372,9 +372,9 @@ void rg_exec_bind(const struct rg_cmd *cmd);
 VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg_frame *frame);
 
 /* executor.c */
-/* Selects the images of the next frame. Returns false if the image index is out of range. */
+/* Selects the image set of the next frame. Returns false if the image index is out of range. */
 bool rg_exec_select_images(struct rg_exec *exec, uint32_t image_index);
-/* Notes that all commands of a frame have been recorded. */
+/* Marks a frame as completely recorded. */
 void rg_exec_end_frame(struct rg_exec *exec);
 /* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
 VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);

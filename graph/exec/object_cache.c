@@ -135,11 +135,10 @@ static bool has_key(const struct rg_exec *exec, const struct exec_object *object
            !memcmp(list->keys + object->key, list->keys + list->key_bytes, exec->key_size);
 }
 
-/* Returns the object with a type and the current key, or NULL. Of several ones, which are not
- * shared, the oldest that this plan does not use. Similar plans look for their objects in the same
- * order, so that the successor of the object found last is tried first; of views that the plan
- * shares, that of the last such view, since passes often sample images in the order of the targets.
- */
+/* Returns the object with a type and the current key, or NULL. If several unshared objects match,
+ * returns the oldest that this plan does not use. Similar plans look up their objects in the same
+ * order, so the search starts at the successor of the last object found. For shared views it starts
+ * after the last shared view, because passes often sample images in the order of the targets. */
 static struct exec_object *find_object(const struct rg_exec *exec, VkObjectType type)
 {
     const struct exec_objects *list = &exec->objects;
@@ -399,7 +398,7 @@ static void cache_pipelines(struct rg_exec *exec, struct rg_pipelines *pipelines
             break;
         rg_exec_add_object(exec, object->type, object->handle, NULL);
         exec->objects.entries[exec->objects.count - 1].plan = object->plan;
-        object->type = VK_OBJECT_TYPE_MAX_ENUM; /* moved */
+        object->type = VK_OBJECT_TYPE_MAX_ENUM; /* marks the object as moved */
     }
     *pipelines = (struct rg_pipelines){ exec->vk, exec->device, exec->objects, exec->plan_number };
     exec->objects = own;

@@ -102,7 +102,7 @@ void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
 {
     const struct rg_plan *plan = exec->plan;
     const VkClearColorValue zero = { { 0 } };
-    if (exec->is_update) /* whose memory is that of frames of the previous plan */
+    if (exec->is_update) /* the memory is in use by frames of the previous plan */
         rg_exec_record_wait(exec, commands);
     for (uint32_t i = 0; i < exec->transition_count; i++) {
         const struct exec_transition *move = &exec->transitions[i];

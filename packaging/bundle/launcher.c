@@ -1,9 +1,10 @@
 /*
  * launcher.c: bin/firn of a bundle: starts libexec/firn.
  *
- * Linked statically, so that it also runs where the bundle cannot: it prints one line if glibc is
- * missing or too old. Libraries that device drivers and desktops bring are used from the bundle only
- * if the system has none, or older ones, because drivers of the system need those of the system.
+ * Linked statically, so that it also runs on systems too old for the bundle: it prints one line if
+ * glibc is missing or too old. Libraries that device drivers and desktops bring are used from the
+ * bundle only if the system has none, or older ones, because drivers of the system need those of
+ * the system.
  */
 #define _GNU_SOURCE /* memmem() */
 #include <errno.h>
@@ -18,7 +19,7 @@
 
 enum {
     PATH_SIZE = 4096,
-    NO_DEVICE = 69, /* exit code for "this machine cannot run it" */
+    NO_DEVICE = 69, /* exit code on a machine that cannot run firn */
     CLASS_64 = 2,   /* byte 4 of an ELF file for 64-bit machines */
 };
 
@@ -33,7 +34,7 @@ static const struct {
     { "libfontconfig.so.1", "FcInitLoadConfig", "lib/window" },
 };
 
-/* Returns true if a 64-bit ELF file contains a text. */
+/* Returns true if a 64-bit ELF file contains a string. */
 static bool contains(const char *path, const char *text)
 {
     struct stat info;

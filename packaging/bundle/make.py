@@ -1,4 +1,4 @@
-"""make.py: makes firn-VERSION-linux-x86_64.tar.zst, which runs without installation.
+"""make.py: builds the bundle firn-VERSION-linux-x86_64.tar.zst, which runs without installation.
 
 Usage: make.py BUILD FOLDER   BUILD: in which everything is built; FOLDER: for the archive
 Programs are in libexec/, and bin/firn (launcher.c) starts them. lib/ has their libraries. Those of
@@ -75,7 +75,7 @@ def collect(bundle):
 
 
 def add_licences(bundle, libraries):
-    """Copies the copyright files of the packages that the libraries are from."""
+    """Copies the copyright files of the packages that contain the libraries."""
     folder = bundle / 'share/doc/firn/licences'
     folder.mkdir(parents=True, exist_ok=True)
     for path in libraries:
@@ -84,7 +84,7 @@ def add_licences(bundle, libraries):
 
 
 def install(build, bundle, stage):
-    """Copies the programs, stripped, and what they need of share/."""
+    """Copies the stripped programs and the files of share/ that they need."""
     subprocess.run(['meson', 'install', '-C', build, '--no-rebuild', '--destdir', stage],
                    check=True, stdout=subprocess.DEVNULL)
     program, = stage.rglob('bin/firn')
@@ -119,7 +119,7 @@ def driver_manifest(bundle):
 
 
 def pack(bundle, archive):
-    """Packs the folder. The archive depends on nothing but the files' names and contents."""
+    """Packs the folder reproducibly: the archive depends only on the files' names and contents."""
     epoch = os.environ.get('SOURCE_DATE_EPOCH', '0')
     subprocess.run(['tar', '-C', bundle.parent, '--sort=name', f'--mtime=@{epoch}', '--owner=0',
                     '--group=0', '--numeric-owner', '--mode=u=rwX,go=rX', '-I',

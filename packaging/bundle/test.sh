@@ -1,7 +1,7 @@
 #!/bin/sh
 # test.sh: runs the bundle in a root that has only glibc, /proc and /dev, from a read-only folder.
 #
-# Usage: test.sh ARCHIVE   as root, for it needs mounts; prints "skipped" where they are refused
+# Usage: test.sh ARCHIVE   as root, because it mounts file systems; prints "skipped" if it must not
 set -eu
 unset CDPATH
 archive=$1
@@ -20,7 +20,7 @@ ldd "$temporary/${bundle##*/}/libexec/firn" | awk '$3 ~ /^\// { print $3 }' |
     grep -E '/(libc|libm|libdl|libpthread|librt)\.so' | xargs -I{} cp -L {} "$root/lib"
 cp -L /lib/x86_64-linux-gnu/libdl.so.2 /lib/x86_64-linux-gnu/libpthread.so.0 "$root/lib"
 cp -L /lib64/ld-linux-x86-64.so.2 "$root/lib64"
-# inside COMMAND...: runs a command in the root
+# inside COMMAND...: runs a command with chroot in that root
 inside() {
     # shellcheck disable=SC2016 # variables of the inner shell
     env -i unshare -m sh -euc '
@@ -35,7 +35,7 @@ inside() {
 inside "$bundle/bin/firn" selftest
 inside "$bundle/bin/firn" render ice-cube --size 64x48 -q -o /tmp/ice.png
 [ -s "$root/tmp/ice.png" ]
-# the window finds all its libraries, and no display
+# the viewer finds all its libraries, but no display
 inside "$bundle/bin/firn" view --size 64x48 2>"$temporary/said" && exit 1
 grep -q '^firn: ' "$temporary/said" || { cat "$temporary/said" && exit 1; }
 rm "$root/lib/libc.so.6"

@@ -1,5 +1,5 @@
 """
-firn renders ice, glass and water, with exact layers: depth, normals, masks and refractive flow.
+firn renders ice, glass and water, with noise-free layers: depth, normals, masks, refractive flow.
 
     import firn
     with firn.Device() as device, device.load('cup.glb', env='studio') as scene:
@@ -8,8 +8,8 @@ firn renders ice, glass and water, with exact layers: depth, normals, masks and 
         frame = renderer.render(camera)
         frame.save('cup.exr')
 
-Importing opens nothing: worker processes may be forked before the first Device. World space is
-right-handed with +Y up, in metres.
+Importing firn opens no device, so worker processes may be forked before the first Device. World
+space is right-handed with +Y up, in metres.
 """
 from . import dataset
 from .camera import Camera
@@ -20,7 +20,7 @@ from .frame import Frame, diff, write_exr
 
 
 def version() -> str:
-    """Version of the C library."""
+    """Returns the version of the C library."""
     from . import _native
     return _native.library().firn_version().decode()
 

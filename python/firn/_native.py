@@ -1,7 +1,7 @@
-"""_native.py: the C library libfirn, by ctypes. Nothing here is public.
+"""_native.py: ctypes bindings of the C library libfirn. Private.
 
-The structs are those of firn.h, in its order. The library is loaded by the first call, so that
-importing firn opens nothing.
+The structs and their order are those of firn.h. The first call loads the library, so that importing
+firn has no side effects.
 """
 import ctypes
 import functools
@@ -123,8 +123,7 @@ _FUNCTIONS = {
 @functools.lru_cache(maxsize=None)
 def library():
     """
-    Loads libfirn: the file of $FIRN_LIBRARY, the one beside this module (wheels), or the system's.
-    A wheel brings the reader program, too.
+    Loads libfirn: the file $FIRN_LIBRARY, the one beside this module (in a wheel), or the system's.
     """
     here = pathlib.Path(__file__).parent / SONAME
     path = os.environ.get('FIRN_LIBRARY') or (str(here) if here.exists() else SONAME)
@@ -141,25 +140,25 @@ def library():
 
 
 def beside(name):
-    """The path of a file that a wheel brings beside this module, as bytes; None if there is none."""
+    """Returns the path of a wheel's file beside this module, as bytes; None without one."""
     path = pathlib.Path(__file__).parent / name
     return os.fsencode(path) if path.exists() else None
 
 
 def call(name, *arguments, device=None):
-    """Calls a function that returns a status; raises the exception of its message."""
+    """Calls a function that returns a status. Raises the exception of the status if it failed."""
     status = getattr(library(), f'firn_{name}')(*arguments)
     if status:
         raise error_of(status, library().firn_error(device).decode())
 
 
 def strings(words):
-    """An array of strings that ends with NULL."""
+    """Returns an array of C strings that ends with NULL."""
     return (c_char_p * (len(words) + 1))(*map(os.fsencode, words), None)
 
 
 def list_all(name, struct):
-    """All entries of a list such as that of settings."""
+    """Returns all entries of a list such as that of settings."""
     found = []
     get = getattr(library(), f'firn_{name}')
     while True:

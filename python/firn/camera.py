@@ -1,4 +1,4 @@
-"""camera.py: cameras, as matrices of OpenCV or OpenGL or as eye and target."""
+"""camera.py: pinhole cameras, from OpenCV or OpenGL matrices, or from eye and target."""
 from __future__ import annotations
 
 import json
@@ -9,7 +9,7 @@ import numpy as np
 from . import _native
 from .errors import UsageError
 
-_FLIP = np.diag([1.0, -1.0, -1.0])  # between the camera axes of OpenCV and OpenGL
+_FLIP = np.diag([1.0, -1.0, -1.0])  # converts between the camera axes of OpenCV and OpenGL
 
 
 def _array(name, value, shape):
@@ -28,12 +28,11 @@ def _rotation(name, value):
 
 class Camera:
     """
-    A pinhole camera of an image of `size` (width, height) in pixels.
+    A pinhole camera for an image of `size` (width, height) in pixels.
 
-    `K` is the matrix of intrinsics, `R` (3, 3) and `t` (3,) the pose: a point X of world space
-    (metres) is R X + t in the camera axes of OpenCV (+X right, +Y down, +Z forward), and appears
-    at K (R X + t). The centre of the top left pixel is (0, 0). `time` is the time of animations in
-    seconds, or None.
+    `K` is the intrinsic matrix; `R` (3, 3) and `t` (3,) transform world space (metres) to OpenCV
+    camera space (+X right, +Y down, +Z forward). A point X is projected to K (R X + t). The
+    centre of the top left pixel is (0, 0). `time` is the animation time in seconds, or None.
     """
     def __init__(self, K, R, t, size, time=None):
         self.K = _array('K', K, (3, 3))
@@ -51,14 +50,15 @@ class Camera:
 
     @classmethod
     def opencv(cls, K, R, t, size, time=None) -> Camera:
-        """From K, R and t of OpenCV: world to camera, centre of the top left pixel at (0, 0)."""
+        """Creates a camera from OpenCV's K, R, t: world to camera, top left pixel centre (0, 0)."""
         return cls(K, R, t, size, time)
 
     @classmethod
     def opengl(cls, K, world_from_camera, size, time=None) -> Camera:
         """
-        From a camera-to-world matrix (4, 4) or (3, 4) with the axes of OpenGL and Blender (+Y up,
-        -Z forward). In `K`, the top left corner of the image is (0, 0) and +v points down.
+        Creates a camera from a camera-to-world matrix (4, 4) or (3, 4) with the axes of OpenGL and
+        Blender (+Y up, -Z forward). In `K`, (0, 0) is the top left corner of the image and +v points
+        down.
         """
         pose = np.asarray(world_from_camera, dtype=np.float64)[:3]
         pose = _array('world_from_camera', pose, (3, 4))
@@ -69,7 +69,7 @@ class Camera:
 
     @classmethod
     def look_at(cls, eye, target, fov, size, up=(0, 1, 0), time=None) -> Camera:
-        """From the positions of eye and target and the vertical field of view in degrees."""
+        """Creates a camera from eye, target and the vertical field of view in degrees."""
         eye, target = _array('eye', eye, (3,)), _array('target', target, (3,))
         up = _array('up', up, (3,))
         forward = target - eye
@@ -86,7 +86,7 @@ class Camera:
 
     @classmethod
     def from_colmap(cls, model, parameters, quaternion, translation, size) -> Camera:
-        """From COLMAP's models SIMPLE_PINHOLE and PINHOLE, with quaternions (w, x, y, z)."""
+        """Creates a camera from COLMAP's (SIMPLE_)PINHOLE and a quaternion (w, x, y, z)."""
         if model not in ('SIMPLE_PINHOLE', 'PINHOLE'):
             raise UsageError(f'model {model}: expected SIMPLE_PINHOLE or PINHOLE; undistort first')
         *f, cx, cy = parameters
@@ -99,7 +99,7 @@ class Camera:
 
     @classmethod
     def from_bop(cls, cam_K, cam_R_w2c, cam_t_w2c, size) -> Camera:
-        """From an entry of BOP's scene_camera.json, whose translation is in millimetres."""
+        """Creates a camera from an entry of BOP's scene_camera.json (in millimetres)."""
         return cls(np.reshape(cam_K, (3, 3)), np.reshape(cam_R_w2c, (3, 3)),
                    np.asarray(cam_t_w2c, dtype=np.float64) / 1000, size)
 
@@ -118,9 +118,9 @@ class Camera:
 
     @property
     def quaternion(self) -> np.ndarray:
-        """The rotation R as a quaternion (w, x, y, z) with w >= 0, as COLMAP has it."""
+        """The rotation R as a quaternion (w, x, y, z) with w >= 0, as in COLMAP."""
         R = self.R
-        # The matrix of Bar-Itzhack (2000), whose largest eigenvector is the quaternion (x, y, z, w)
+        # matrix of Bar-Itzhack (2000): the eigenvector of its largest eigenvalue is (x, y, z, w)
         k = np.array([
             [R[0, 0] - R[1, 1] - R[2, 2], 0, 0, 0],
             [R[0, 1] + R[1, 0], R[1, 1] - R[0, 0] - R[2, 2], 0, 0],
@@ -130,13 +130,13 @@ class Camera:
         return np.array([w, x, y, z]) * (1 if w >= 0 else -1)
 
     def project(self, points) -> np.ndarray:
-        """Pixel coordinates (n, 2) of points (n, 3) in world space; NaN behind the camera."""
+        """Projects world-space points (n, 3) to pixel coordinates (n, 2); NaN behind the camera."""
         points = np.asarray(points, dtype=np.float64) @ self.R.T + self.t
         z = np.where(points[..., 2:] > 0, points[..., 2:], np.nan)
         return (points[..., :2] / z) * np.diag(self.K)[:2] + self.K[:2, 2]
 
     def to_json(self) -> str:
-        """JSON with K, R, t, size and the camera-to-world matrix with the axes of OpenGL."""
+        """Returns JSON with K, R, t, size and the camera-to-world matrix with OpenGL's axes."""
         opengl = self.world_from_camera @ np.diag([1.0, -1.0, -1.0, 1.0])
         return json.dumps({
             'K': self.K.tolist(), 'R': self.R.tolist(), 't': self.t.tolist(),
@@ -157,7 +157,7 @@ class Camera:
 
 
 def camera_of_struct(struct, size) -> Camera:
-    """The camera of a struct of kind CAMERA_OPENCV."""
+    """Returns the Camera of a C struct of kind CAMERA_OPENCV."""
     pose = np.array(struct.world_from_camera).reshape(3, 4)
     R = pose[:, :3].T
     K = [[struct.fx, 0, struct.cx], [0, struct.fy, struct.cy], [0, 0, 1]]

@@ -1,5 +1,5 @@
 """
-dataset.py: data sets of transparent objects: seeded views and variations, and writers.
+dataset.py: data sets of transparent objects: random views and variations by seed, and writers.
 
     with firn.dataset.Writer('out', formats=('exr', 'coco'), seed=7) as writer:
         for index in writer.missing(range(20)):
@@ -8,8 +8,8 @@ dataset.py: data sets of transparent objects: seeded views and variations, and w
             camera = firn.dataset.random_camera(rng, scene, size=(640, 480))
             writer.write(index, renderer.render(camera), scene)
 
-An image depends on the seed and its index alone, so that a set can be resumed, and shared among
-processes: each one takes `firn.dataset.share(range(20), number, count)`.
+An image depends only on the seed and its index, so that a set can be resumed, and distributed over
+processes: each one draws `firn.dataset.share(range(20), number, count)`.
 """
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ NOTHING = 0  # object number of the background
 
 def share(indices: Iterable, number: int | None = None, count: int | None = None) -> list:
     """
-    The indices that one of `count` processes draws: every count-th, from `number` (0 for the
-    first). Without numbers, those of a Slurm array job are used, if this is one.
+    Returns the indices for process `number` of `count`: every count-th, starting at `number` (0 for
+    the first). The default is the task of a Slurm array job, or all indices outside of one.
     """
     if number is None:
         number = int(os.environ.get('SLURM_ARRAY_TASK_ID', 0))
@@ -59,9 +59,9 @@ def _bounds(scene, refractive_only=True):
 def random_camera(rng, scene, size, *, fov=(20, 40), elevation=(5, 60), distance=(1.1, 1.8),
                   shift=0.1) -> Camera:
     """
-    A camera that looks at the refractive objects from a random direction. `elevation` in degrees
-    above the horizon; `distance` in multiples of that at which their bounding sphere fills the
-    image; `shift` moves the target by up to this fraction of the sphere's radius.
+    Returns a camera that looks at the refractive objects from a random direction. `elevation` is in
+    degrees above the horizon. `distance` 1 is that at which their bounding sphere fills the image.
+    `shift` is the maximum random offset of the target, as a fraction of the sphere's radius.
     """
     centre, radius = _bounds(scene)
     angle = rng.uniform(*fov)
@@ -77,21 +77,21 @@ def random_camera(rng, scene, size, *, fov=(20, 40), elevation=(5, 60), distance
     return Camera.look_at(target + away * direction, target, angle, size)
 
 
-VARIATIONS = {  # of materials
+VARIATIONS = {  # material properties that vary() changes
     'ior': 'refractive index of all refractive objects',
     'dispersion': 'dispersion, 20 / Abbe number',
     'roughness': 'roughness, 0 to 1',
     'scattering': 'optical depth of scattering across the object',
     'attenuation': 'optical depth of a random colour across 1 cm',
 }
-OPTIONS = ('env_rotate', 'env_exposure')  # of the panorama: degrees, stops
+OPTIONS = ('env_rotate', 'env_exposure')  # options of the panorama, in degrees and stops
 
 
 def vary(scene, rng, **ranges) -> dict:
     """
-    Gives each refractive object of the scene random material values, and the scene random settings,
-    uniform between (low, high). Names are those of VARIATIONS and OPTIONS, and of settings with
-    '_' for '.'. Returns what was chosen, for the data set's metadata.
+    Sets material properties of each refractive object, and settings of the scene, to uniform random
+    values between (low, high). Names are those of VARIATIONS, OPTIONS, and settings with '_' for
+    '.'. Returns the chosen values, for the data set's metadata.
     """
     chosen = {}
     material_ranges = {name: ranges.pop(name) for name in list(ranges) if name in VARIATIONS}
@@ -119,24 +119,24 @@ def vary(scene, rng, **ranges) -> dict:
 # ---- masks ----
 
 def visible_masks(frame: Frame) -> dict:
-    """Masks (h, w) of bool by object number, from the layer `object`: what is seen first."""
+    """Returns boolean masks (h, w) of the visible parts by object number, from layer `object`."""
     layer = frame['object']
     return {int(number): layer == number for number in np.unique(layer) if number != NOTHING}
 
 
 def rle(mask) -> dict:
-    """A mask (h, w) in COCO's compressed run-length encoding: {'size': [h, w], 'counts': text}."""
+    """Encodes a mask (h, w) as COCO's compressed run lengths: {'size': [h, w], 'counts': text}."""
     mask = np.asarray(mask, dtype=bool)
     flat = np.concatenate([[False], mask.ravel(order='F'), [False]])
     edges = np.flatnonzero(flat[1:] != flat[:-1])
     runs = np.diff(np.concatenate([[0], edges, [mask.size]]))
     if mask.size and mask.ravel(order='F')[-1]:
-        runs = runs[:-1]  # there is no empty run at the end
+        runs = runs[:-1]  # omit the empty last run
     text = []
     for i, run in enumerate(runs):
         value = int(run) - (int(runs[i - 2]) if i > 2 else 0)
         more = True
-        while more:  # 5 bits in each character, the lowest first
+        while more:  # 5 bits per character, lowest bits first
             bits = value & 31
             value >>= 5
             more = value != (-1 if bits & 16 else 0)
@@ -145,7 +145,7 @@ def rle(mask) -> dict:
 
 
 def box_of(mask) -> list:
-    """COCO's box [x, y, width, height] of a mask, in pixels; zeros if it is empty."""
+    """Returns COCO's box [x, y, width, height] of a mask, in pixels; zeros if it is empty."""
     rows, columns = np.flatnonzero(np.any(mask, axis=1)), np.flatnonzero(np.any(mask, axis=0))
     if not len(rows):
         return [0, 0, 0, 0]
@@ -177,7 +177,7 @@ def _write_npz(folder, index, frame, _entry):
         for name, array in frame._layers.items():
             text = io.BytesIO()
             np.lib.format.write_array(text, array)
-            # ZipInfo has a fixed date, numpy.savez() the present one: equal images give equal bytes
+            # unlike numpy.savez(), ZipInfo has a fixed date, so files are reproducible
             archive.writestr(zipfile.ZipInfo(f'{name}.npy'), text.getvalue(),
                              zipfile.ZIP_DEFLATED)
     write_file(path, data.getvalue())
@@ -217,7 +217,7 @@ def _finish_coco(folder, entries, names):
 
 def _write_bop(folder, index, frame, entry):
     scene = folder / 'bop' / '000001'
-    depth = np.where(frame['Z'] < 1e9, frame['Z'], 0) * 10000  # units of .1 mm; 0 for nothing
+    depth = np.where(frame['Z'] < 1e9, frame['Z'], 0) * 10000  # 0.1 mm; 0 for the background
     if depth.max() > 65535:
         raise UsageError('BOP: depths above 6.5 m do not fit into 16 bits')
     files = {_folder(scene / 'rgb') / f'{index:06}.png': frame.srgb(),
@@ -235,7 +235,7 @@ def _write_bop(folder, index, frame, entry):
 
 
 def _finish_bop(folder, entries, _names):
-    """Lengths in millimetres. Objects are in the space of the scene: their pose is the camera's."""
+    """Writes BOP's files, in millimetres. Objects are in world space, so poses are the camera's."""
     cameras, poses, infos = {}, {}, {}
     for entry in entries:
         key, camera = str(entry['index']), entry['camera']
@@ -266,7 +266,7 @@ def _finish_colmap(folder, entries, _names):
     write_file(path / 'points3D.txt', b'')
 
 
-# by format: what writes an image, and what finishes the set
+# functions by format: for each image, and for the whole set at its end
 _FORMATS = {
     'exr': (_write_exr, None),
     'npz': (_write_npz, None),
@@ -279,7 +279,7 @@ _FORMATS = {
 
 class Writer:
     """
-    Writes a data set into a folder. `formats` are of:
+    Writes a data set into a folder. Values of `formats`:
 
     exr     exr/000000.exr with all layers
     npz     npz/000000.npz with all layers
@@ -288,8 +288,8 @@ class Writer:
     bop     bop/000001/, lengths in millimetres, visible masks; needs `object` and `Z`
     colmap  colmap/*.txt with the cameras, and rgb/
 
-    meta/000000.json keeps the camera, the variation and SHA-256 hashes of the files of each image,
-    and is written last: an image with it is complete. dataset.json lists the set.
+    meta/000000.json contains the camera, the variation and SHA-256 hashes of an image's files. It
+    is written last, so an image that has it is complete. dataset.json lists all images.
     """
     def __init__(self, folder, formats=('exr',), seed: int = 0):
         unknown = [name for name in formats if name not in _FORMATS]
@@ -301,14 +301,14 @@ class Writer:
         _folder(self.folder / 'meta')
 
     def rng(self, index: int) -> np.random.Generator:
-        """The random numbers of an image: a function of the seed and the index."""
+        """Returns the random number generator of an image, seeded by the seed and the index."""
         return np.random.default_rng([self.seed, index])
 
     def _meta(self, index: int) -> pathlib.Path:
         return self.folder / 'meta' / f'{index:06}.json'
 
     def missing(self, indices: Iterable) -> list:
-        """The indices without a complete image of this seed and these formats."""
+        """Returns the indices without a complete image of this seed and these formats."""
         def is_there(index):
             try:
                 entry = json.loads(self._meta(index).read_text())
@@ -318,7 +318,7 @@ class Writer:
         return [index for index in indices if not is_there(index)]
 
     def write(self, index: int, frame: Frame, scene=None, variation: dict | None = None) -> None:
-        """Writes an image in all formats. `scene` gives the names of its objects."""
+        """Writes an image in all formats. `scene` is used for the names of its objects."""
         if scene is not None:
             self._names.update({one.id: one.name for one in scene.objects.all()})
         entry = {'index': index, 'seed': self.seed, 'formats': list(self.formats),
@@ -346,5 +346,5 @@ class Writer:
         return self
 
     def __exit__(self, kind, *_) -> None:
-        if kind is None:  # an interrupted set is finished by the next run
+        if kind is None:  # the next run finishes an interrupted set
             self.close()

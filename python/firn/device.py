@@ -21,13 +21,13 @@ _LEVELS = (logging.ERROR, logging.WARNING, logging.INFO)
 
 @_native.LogFunction
 def _log(_user, level, text):
-    # The message of a failure is that of the exception.
+    # errors are not logged: they become exceptions
     if level != 0:
         _logger.log(_LEVELS[min(level, 2)], text.decode(errors='replace'))
 
 
 def _word(value) -> str:
-    """A value in the words of the command line."""
+    """Returns a value as text in the syntax of the command line."""
     if isinstance(value, bool) or isinstance(value, np.bool_):
         return 'on' if value else 'off'
     if isinstance(value, (tuple, list, np.ndarray)):
@@ -36,7 +36,7 @@ def _word(value) -> str:
 
 
 def _option_words(options: dict) -> list:
-    """Names and values in turn. None leaves an option out, True needs no value, lists repeat it."""
+    """Returns names and values in turn. None omits an option, True has no value, lists repeat it."""
     words = []
     for name, value in options.items():
         name = name.replace('_', '-')
@@ -57,7 +57,7 @@ def _option_words(options: dict) -> list:
 
 
 class _Handle:
-    """A handle of the library that is closed once: by close(), `with` or the garbage collector."""
+    """A library handle that is closed once: by close(), `with` or the garbage collector."""
     def __init__(self, handle, close, device=None):
         self._handle = handle
         self._device = device
@@ -65,11 +65,11 @@ class _Handle:
 
     @property
     def closed(self) -> bool:
-        """Whether close() was called."""
+        """True if close() was called."""
         return not self._finalizer.alive
 
     def close(self) -> None:
-        """Frees what the handle holds. A second call does nothing."""
+        """Closes the handle. Further calls do nothing."""
         self._finalizer()
 
     def __enter__(self):
@@ -95,13 +95,13 @@ class _Handle:
 
 class Device(_Handle):
     """
-    An open Vulkan device. `name` is a number or a part of the device's name; the best device is
-    chosen without it. `vulkan=False` opens none: scenes can be loaded, and drawn with
-    refraction='reference'. `cache=False` keeps no compiled pipelines.
+    An open Vulkan device. `name` is its number or part of its name; the default is the best device.
+    `vulkan=False` opens none: scenes can still be loaded, and drawn with refraction='reference'.
+    `cache=False` does not cache pipelines and BVHs on disk; a path sets the cache folder.
 
-    A device, its scenes and renderers may be used by one thread at a time, different devices by
-    different threads at once. After os.fork() the child cannot use it; open it in the child.
-    Warnings and notes go to logging.getLogger('firn').
+    Only one thread at a time may use a device with its scenes and renderers. Threads may use
+    different devices at the same time. A child of os.fork() cannot use the device; open one there.
+    Warnings and notes are logged to logging.getLogger('firn').
     """
     def __init__(self, name=None, *, vulkan: bool = True, validate: bool = False, cache=True,
                  reader=None):
@@ -135,7 +135,7 @@ class Device(_Handle):
         return Scene(scene, self)
 
     def scene(self, **options) -> Scene:
-        """Begins an empty scene, to which meshes, materials and objects are added."""
+        """Creates an empty scene, to which meshes, materials and objects can be added."""
         scene = ctypes.c_void_p()
         self._call('scene_create', _native.strings(_option_words(options)), scene)
         return Scene(scene, self)
@@ -148,8 +148,8 @@ class Material:
     """
     A surface and the medium behind it, as in glTF 2.0: base_color (4 numbers), metallic, roughness,
     transmission, ior, dispersion, thickness, attenuation_color (3), attenuation_distance (metres),
-    scattering, emission (3), priority. `Material('ruby:rough', ior=1.77)` begins with a preset.
-    A material of an object writes every change through to the scene.
+    scattering, emission (3), priority. `Material('ruby:rough', ior=1.77)` modifies a preset.
+    Changes to the material of a scene's object apply to the scene.
     """
     FIELDS = tuple(name for name, _ in _native.Material._fields_ if name not in ('name', 'flags'))
 
@@ -220,7 +220,7 @@ class SceneObject:
 
     @property
     def material(self) -> Material:
-        """The material. Changed fields are drawn by the next render."""
+        """The material. Changed fields take effect with the next render."""
         struct = _native.Material()
         self._scene._call('scene_material', self._index, struct)
         return Material._of_object(
@@ -262,7 +262,7 @@ class Objects(Mapping):
         return len(list(iter(self)))
 
     def all(self) -> list:
-        """All objects, also those that share a name or have none."""
+        """Returns all objects, including those without a name or with the same name."""
         return list(self._all)
 
 
@@ -293,7 +293,7 @@ class Settings(collections.abc.MutableMapping):
 
 
 class Scene(_Handle):
-    """A scene from a file or from arrays. Made by Device.load() and Device.scene()."""
+    """A scene from a file or from arrays, created by Device.load() or Device.scene()."""
     def __init__(self, handle, device: Device):
         super().__init__(handle, 'firn_scene_close', device)
 
@@ -313,13 +313,13 @@ class Scene(_Handle):
 
     def renderer(self, layers: Iterable = ('rgb',), samples: int = 0) -> Renderer:
         """
-        Makes a renderer of these layers (names of firn.layers(), and `rgb`, `alpha`, `depth`).
-        `samples` per pixel: 0 for the scene's option `samples`, else 1.
+        Creates a renderer for these layers (names of firn.layers(), and `rgb`, `alpha`, `depth`).
+        `samples` is the number per pixel; 0 for the option `samples` or the scene's quality level.
         """
         return Renderer(self, layers, samples)
 
     def add_material(self, material) -> int:
-        """Adds a Material, or one by text such as 'glass'. Returns its number."""
+        """Adds a Material, or the material of a text such as 'glass'. Returns its number."""
         if isinstance(material, str):
             material = Material(material)
         number = ctypes.c_uint32()
@@ -328,7 +328,7 @@ class Scene(_Handle):
 
     def add_mesh(self, positions, indices, normals=None, uvs=None) -> int:
         """
-        Adds triangles: positions (n, 3) in metres, indices (m, 3) counter-clockwise from outside,
+        Adds a mesh: positions (n, 3) in metres, indices (m, 3) counter-clockwise from outside,
         normals (n, 3), uvs (n, 2) with (0, 0) at the top left. Returns the number of the mesh.
         """
         def array(name, value, dtype, width):
@@ -356,7 +356,7 @@ class Scene(_Handle):
         return number.value
 
     def add(self, mesh: int, material: int, name: str = '', world=None) -> None:
-        """Adds an object: a mesh with a material, at `world` (3, 4) or (4, 4), mesh to world."""
+        """Adds an object: a mesh, a material and a mesh-to-world matrix (3, 4) or (4, 4)."""
         matrix = np.eye(4) if world is None else np.asarray(world, dtype=np.float64)
         if matrix.shape not in ((3, 4), (4, 4)):
             raise UsageError(f'world: expected shape (3, 4) or (4, 4), got {matrix.shape}')
@@ -404,8 +404,8 @@ class _NativeRenderer(_Handle):
 
 class Renderer:
     """
-    Draws views of a scene. All views of one size share its compiled frame and uploaded scene; a
-    view of another size makes them again.
+    Draws views of a scene. Consecutive views of one size share a compiled frame and an uploaded
+    scene; a view of another size creates both again.
     """
     def __init__(self, scene: Scene, layers: Iterable, samples: int):
         self._scene, self._samples = scene, samples
@@ -444,7 +444,7 @@ class Renderer:
         return self._native
 
     def camera(self, size) -> Camera:
-        """The camera of the scene: that of its options or file, else one that frames the object."""
+        """Returns the scene's camera: of its options or file, else one that frames the objects."""
         renderer = self._of_size(size)
         struct = _native.Camera(kind=_native.CAMERA_OPENCV)
         renderer._call('camera_convert', _native.Camera(kind=_native.CAMERA_SCENE), struct)
@@ -461,7 +461,7 @@ class Renderer:
 
     def render(self, camera: Camera | None = None, size=None, progress=None) -> Frame:
         """
-        Draws a view. Without a camera, draws the view of the scene in the given size: exactly the
+        Draws a view. Without a camera, draws the view of the scene's camera in the given size: the
         image of `firn render`. `progress(done, all)` is called after each sample; Ctrl+C and
         exceptions of `progress` cancel the rendering and leave the renderer usable.
         """
@@ -476,7 +476,7 @@ class Renderer:
 
         @_native.ProgressFunction
         def after_sample(_user, done, total):
-            try:  # signals such as Ctrl+C are handled in here
+            try:  # Python handles signals such as Ctrl+C here
                 if progress:
                     progress(done, total)
             except BaseException as error:
@@ -493,7 +493,7 @@ class Renderer:
         return self._frame(arrays, camera)
 
     def iter(self, cameras: Iterable) -> Iterator:
-        """Draws views in their order, with two in flight while the caller uses a frame."""
+        """Yields a frame for each camera, in order. Up to two views are in flight meanwhile."""
         pending = collections.deque()
 
         def fetch():
@@ -512,7 +512,7 @@ class Renderer:
                 pending.append((native, camera, ticket))
             while pending:
                 yield fetch()
-        finally:  # of an iterator that is left early
+        finally:  # if the caller ends the iteration early
             self.cancel()
             while pending:
                 try:
@@ -535,7 +535,7 @@ def _layer_table() -> dict:
 
 
 def layers() -> dict:
-    """The layers by name: their help, channels, dtype, and whether they average the samples."""
+    """Returns the layers by name: help, channels, dtype, and whether they average the samples."""
     aliases = {name: dict(_layer_table()['beauty'], help=f'part of beauty: {name}',
                           channels=1 if name == 'alpha' else int(part.stop))
                for name, part in BEAUTY.items()}
@@ -543,7 +543,7 @@ def layers() -> dict:
 
 
 def settings() -> list:
-    """All settings: dicts with name, label, help, unit, choices, type, initial, min and max."""
+    """Returns dicts of name, label, help, unit, choices, type, initial, min and max."""
     types = ('float', 'count', 'switch', 'choice')
 
     def choices(setting):

@@ -2,7 +2,7 @@
 
 
 class Error(Exception):
-    """A call failed. `status` is the exit code that `firn` would end with."""
+    """A call failed. `status` is the exit code of `firn` for the same failure."""
     status = 1
 
 
@@ -32,7 +32,7 @@ class OutputError(Error, OSError):
 
 
 class TryAgainError(Error):
-    """Memory or the device was lost. Close all handles and try again."""
+    """Out of memory, or the device was lost. Close all handles and try again."""
     status = 75
 
 
@@ -42,7 +42,7 @@ class Cancelled(Error):
 
 
 class ClosedError(UsageError):
-    """A handle is used after it was closed."""
+    """A handle was used after it was closed."""
 
 
 _BY_STATUS = {kind.status: kind for kind in (
@@ -51,7 +51,7 @@ _BY_STATUS[73] = OutputError
 
 
 def error_of(status: int, message: str) -> Error:
-    """Returns the exception of a status, with its message."""
+    """Returns the exception for a status, with a message."""
     error = _BY_STATUS.get(status, Error)(message or f'firn failed with status {status}')
     error.status = status
     return error

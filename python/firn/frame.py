@@ -18,7 +18,7 @@ BEAUTY = {'rgb': slice(0, 3), 'rgba': slice(0, 4), 'alpha': 3}  # parts of the l
 
 
 def layer_of(name: str) -> str:
-    """The layer of firn that holds what is asked for by this name."""
+    """Returns the layer of the C library that contains the array of this name."""
     return 'beauty' if name in BEAUTY else ALIASES.get(name, name)
 
 
@@ -45,10 +45,10 @@ class Frame(Mapping):
     """
     A rendered image: layers by name, as arrays (height, width) or (height, width, channels).
 
-    Row 0 is the top row. Arrays own their memory and stay valid when everything else is closed;
-    they are float32, uint32 for numbers of objects and materials, and uint8 for `display`. `frame['Z']` and
-    `frame.Z` are the same. Of the layer `beauty`, `rgb` is linear Rec.709 radiance, and `alpha` the
-    coverage; `depth` is `Z`, metres along the viewing direction.
+    Row 0 is the top row. Arrays own their memory, so they stay valid when the renderer is closed.
+    They are uint32 for numbers of objects and materials, uint8 for `display`, otherwise float32.
+    `frame['Z']` and `frame.Z` are the same. `rgb` and `alpha` are parts of the layer `beauty`:
+    linear Rec.709 radiance and coverage. `depth` is `Z`, in metres along the viewing direction.
     """
     def __init__(self, layers: dict, camera: Camera, aliases=()):
         self._layers = layers
@@ -80,8 +80,8 @@ class Frame(Mapping):
 
     def srgb(self) -> np.ndarray:
         """
-        The image as uint8 (height, width, 3) in sRGB: the layer `display` with its tone curve if
-        the renderer has it, else `beauty` clamped to 0..1.
+        Returns the image as sRGB, uint8 (height, width, 3): the tone-mapped layer `display` if the
+        renderer has it, else `beauty` clamped to 0..1.
         """
         if 'display' in self._layers:
             return np.ascontiguousarray(self._layers['display'][..., :3])
@@ -92,9 +92,10 @@ class Frame(Mapping):
 
     def refractive_flow(self) -> np.ndarray:
         """
-        Refractive flow (height, width, 2) in pixels (x, y), from the layer `exit`: from each pixel
-        to that at which the camera sees, without the object, what is infinitely far away in the
-        direction in which the refracted ray leaves. NaN where none leaves, or outside the image.
+        Returns the refractive flow (height, width, 2) in pixels (x, y), from the layer `exit`: the
+        offset from each pixel to the image of the background point that its refracted ray hits,
+        with the background infinitely far away. NaN if the ray does not leave the object, or the
+        point is outside the image.
         """
         exit = self['exit'][..., :3]
         leaves = np.abs(exit).sum(axis=-1) > 0
@@ -109,8 +110,7 @@ class Frame(Mapping):
 
     def save(self, path) -> None:
         """
-        Writes an EXR file with all layers, or a PNG file of srgb(). The file appears under its name
-        when it is complete.
+        Writes an EXR file with all layers, or a PNG file of srgb(), atomically.
         """
         path = os.fspath(path)
         if path.lower().endswith('.exr'):
@@ -130,7 +130,7 @@ class Frame(Mapping):
 
 
 def write_file(path, data: bytes) -> None:
-    """Writes a file under a temporary name and renames it when it is complete."""
+    """Writes a file atomically: under a temporary name, which is replaced when it is complete."""
     temporary = f'{os.fspath(path)}.part'
     try:
         with open(temporary, 'wb') as file:
@@ -143,7 +143,7 @@ def write_file(path, data: bytes) -> None:
 
 
 def buffers_of(layers: dict):
-    """The C buffers of arrays by layer."""
+    """Returns C buffers for arrays by layer name, and their number."""
     def buffer(name, array):
         strides = array.strides
         if array.dtype.name not in _native.TYPES or array.ndim not in (2, 3):
@@ -175,7 +175,7 @@ def write_exr(path, layers: dict) -> None:
 
 def diff(reference, test, errors: bool = False):
     """
-    Measures how much an image differs from a reference, as `firn diff` does.
+    Measures the error of an image relative to a reference, as `firn diff` does.
 
     Both are arrays (height, width, 3 or 4): uint8 sRGB, or float32 linear. Returns a dict with mae,
     mae_clipped, rmse, relmse, flip and largest; with `errors`, also the map of FLIP errors (height,

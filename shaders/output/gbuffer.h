@@ -5,8 +5,8 @@
 
 #define GBUFFER_NORMAL 1 /* binding of the normals in gbuffer_camera_normal.frag */
 
-/* Value of gbuffer_normal.w and gbuffer_position.w in pixels without a surface: finite, but beyond
- * all surfaces. */
+/* Distance in gbuffer_normal.w and gbuffer_position.w of background pixels: finite, but greater
+ * than that of any surface. */
 #define GBUFFER_NOTHING 1e10f
 
 struct gbuffer_push {

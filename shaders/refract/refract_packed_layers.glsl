@@ -10,7 +10,7 @@ struct refract_layers {
     vec3 refraction, reflection;
     float fresnel, path;
     uint bounces, tir, segments;
-    uint last; /* number of the last object; 0 for the first surface's object */
+    uint last; /* number of the last object hit; 0 if it is the first surface's */
 };
 
 uint refract_pack_counts(refract_layers layers)

@@ -1,7 +1,7 @@
 /* refract_unpack_layers.frag: writes packed AOVs of the refraction to the layers' images. Pixels
  * whose refractive object is hidden by surroundings become 0. Without macros, writes the exit
  * direction; with UNPACK_LIGHT, radiance and reflectance; with UNPACK_COUNTS, the path's length and
- * reflections; with UNPACK_TRACED, layers that only models that trace rays have. */
+ * reflections; with UNPACK_TRACED, layers that only ray-traced models have. */
 #version 460
 #include "refract/refract_packed_layers.glsl"
 

@@ -22,8 +22,9 @@ layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 const int halvings = 4; /* bisections of the step in which the ray hits an object */
 
-/* Greatest depth behind a front face where a ray still crosses the face, relative to the thickness.
- * Farther behind, the ray passes behind the object's outline and hits nothing that is known. */
+/* Maximum depth behind a front face at which a ray still counts as a hit, relative to the
+ * thickness. A ray that is deeper passes behind the object, where the depth buffer has no
+ * information. */
 const float crossing = 0.05;
 
 /* Segment of a reflected ray inside the objects' bounding box; end points are in clip space. */

@@ -22,7 +22,7 @@ enum {
 
 /* ---- checks of the arguments ---- */
 
-/* Refuses control characters, which names from elsewhere may have, in words of scripts. */
+/* Refuses control characters in words of scripts, because file names may contain them. */
 static enum status check_words(const struct app_options *o)
 {
     for (char *const *word = o->run.args; *word; word++) {

@@ -302,7 +302,7 @@ static enum status load_view(struct job *job)
     return status;
 }
 
-/* Chooses what the output files need of an image. */
+/* Chooses the layers and images that the output files need. */
 static void choose_outputs(struct job *job)
 {
     const struct setup_image *p = &job->o.image;
@@ -419,8 +419,8 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/* Renders all frames. Stops at the first failure, such as a full disk or a folder that is gone,
- * because it would recur. */
+/* Renders all frames. Stops at the first failure, such as a full disk or a removed folder, because
+ * the next frames would fail, too. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;

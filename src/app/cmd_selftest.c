@@ -1,5 +1,5 @@
 /* cmd_selftest.c: command firn selftest: prints the devices and the sandbox, draws five images and
- * compares them with those that firn's authors drew. */
+ * compares them with reference images. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,7 +38,7 @@ enum {
     IMAGE_COUNT = sizeof(images) / sizeof(images[0])
 };
 
-/* Sets the options of image `i`. `scene` must outlive them. */
+/* Sets the options of self-test image `i`. `scene` must outlive them. */
 static enum status set_options(struct app_options *image, size_t i, char scene[static 16])
 {
     char option[] = "--samples=1", quiet[] = "--quiet";
@@ -50,7 +50,7 @@ static enum status set_options(struct app_options *image, size_t i, char scene[s
         status = app_set_option(&image->image, "size", "160x120");
     if (status == STATUS_OK)
         status = app_set_option(&image->image, "env_cube.size", "512");
-    if (status == STATUS_OK) /* drivers filter anisotropically in different ways */
+    if (status == STATUS_OK) /* anisotropic filtering differs between drivers */
         status = app_set_option(&image->image, "texture.anisotropy", "1");
     for (size_t c = 0; c < CHANGE_COUNT && images[i].changes[c][0] && status == STATUS_OK; c++)
         status = app_set_option(&image->image, images[i].changes[c][0], images[i].changes[c][1]);
@@ -112,7 +112,7 @@ static enum status compare(const struct image *expected, const struct image *dra
     return STATUS_OK;
 }
 
-/* Draws image `i`, and prints whether it is as expected. */
+/* Draws self-test image `i`, and prints whether it matches the reference image. */
 static enum status test(struct gpu *gpu, size_t i)
 {
     struct image expected = { 0 };

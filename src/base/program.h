@@ -1,4 +1,4 @@
-/* program.h: paths of files that are installed beside the running program. */
+/* program.h: paths of files that are installed with the running program. */
 #ifndef FIRN_BASE_PROGRAM_H
 #define FIRN_BASE_PROGRAM_H
 

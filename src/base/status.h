@@ -12,7 +12,7 @@ enum status {
     STATUS_USAGE = 2,        /* invalid command line */
     STATUS_DATA = 65,        /* damaged or out-of-range input file */
     STATUS_NO_INPUT = 66,    /* missing or unreadable input file */
-    STATUS_NO_DEVICE = 69,   /* no usable Vulkan device; the system lacks what firn needs */
+    STATUS_NO_DEVICE = 69,   /* no usable Vulkan device, or a missing feature of the system */
     STATUS_CANT_CREATE = 73, /* an output file cannot be created */
     STATUS_WRITE = 74,       /* output file incompletely written */
     STATUS_TRY_AGAIN = 75,   /* retry: device lost, out of memory */

@@ -1,4 +1,4 @@
-/* ocio_bake.cpp: converts colours by a view of an OpenColorIO config. */
+/* ocio_bake.cpp: converts colours with a view of an OpenColorIO config. */
 #include "src/file/ocio_bake.h"
 #include <OpenColorIO/OpenColorIO.h>
 #include <cstdio>

@@ -12,8 +12,8 @@ extern "C" {
 /* Returns true if this build has OpenColorIO. */
 bool ocio_bake_is_built(void);
 
-/* Converts `count` linear Rec. 709 colours in place to what a view shows. On failure, writes the
- * reason to `fault` and returns false. */
+/* Converts `count` linear Rec. 709 colours in place to display colours of a view. On failure,
+ * writes the reason to `fault` and returns false. */
 bool ocio_bake(const char *config, const char *view, float *colors, size_t count, char *fault,
                size_t fault_size);
 

@@ -1,4 +1,4 @@
-/* ocio_bake_none.c: stands in for OpenColorIO in a build without it. */
+/* ocio_bake_none.c: stubs for builds without OpenColorIO. */
 #include <stdio.h>
 #include "src/file/ocio_bake.h"
 

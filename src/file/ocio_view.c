@@ -1,4 +1,4 @@
-/* ocio_view.c: sends the lattice of an OpenColorIO view to the parent, and interpolates in it. */
+/* ocio_view.c: 3D lookup table of an OpenColorIO view: sends it to the parent, and interpolates. */
 #include "src/file/ocio_view.h"
 #include <errno.h>
 #include <math.h>

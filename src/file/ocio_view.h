@@ -1,6 +1,7 @@
 /*
- * ocio_view.h: a view of an OpenColorIO config, as a lattice of display colours. A reader process
- * reads the config and its files and bakes the lattice (reader_process.h describes the errors).
+ * ocio_view.h: a view of an OpenColorIO config, baked to a 3D lookup table (lattice). A reader
+ * process reads the config and its files and bakes the lattice (reader_process.h describes the
+ * errors).
  */
 #ifndef FIRN_FILE_OCIO_VIEW_H
 #define FIRN_FILE_OCIO_VIEW_H

@@ -24,7 +24,8 @@ enum {
     NO_PROGRAM = 127,      /* dynamic loader's exit code: missing library */
 };
 
-/* Bytes for which the parent waits as long as for a second of the child's CPU time. */
+/* Number of received bytes that extends the time limit as much as a second of the child's CPU
+ * time. */
 #define PATIENCE_SIZE 0x1p26
 
 struct reader {
@@ -37,7 +38,7 @@ struct reader {
     double waited;           /* seconds spent waiting for data */
     double received;         /* bytes */
     bool is_idle;            /* deadline missed without progress */
-    bool is_slow;            /* waited too long in all */
+    bool is_slow;            /* the total waiting time exceeded its limit */
     char log_text[LOG_SIZE]; /* child's stderr, terminated by '\0' */
     size_t log_size;
     int exit_status; /* from waitpid(), if has_ended */
@@ -186,7 +187,8 @@ static int start(struct reader *reader, enum reader_kind kind)
     return failed;
 }
 
-/* Logs why the child could not be started. A lack of memory, processes or descriptors may pass. */
+/* Logs why the child could not be started. A lack of memory, processes or descriptors may be
+ * temporary. */
 static enum status report_no_start(const struct reader *reader, int failed)
 {
     const bool is_temporary = failed == EAGAIN || failed == ENOMEM || failed == EMFILE ||
@@ -264,8 +266,8 @@ static bool is_idle(struct reader *reader)
     return false;
 }
 
-/* Returns true if the child takes too long in all for the CPU time that it uses and the data that
- * it sends. A child that sends single bytes is never idle. */
+/* Returns true if the total waiting time is too long for the CPU time that the child used and the
+ * data that it sent. This ends children that send single bytes, which are never idle. */
 static bool is_slow(const struct reader *reader)
 {
     const double idle_seconds = reader->params.idle_seconds;

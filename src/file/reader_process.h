@@ -63,7 +63,7 @@ struct reader_params {
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
     bool no_warnings;    /* do not repeat the child's warnings */
-    bool stays_dumpable; /* leave the parent dumpable, because it is not firn's own process */
+    bool stays_dumpable; /* leave the parent dumpable: set by the library */
     const char *details; /* argument of the task, or NULL */
 };
 

@@ -49,7 +49,7 @@ static bool has_usable_device(const struct gpu *gpu)
     return found;
 }
 
-/* Creates the instance. If it has no usable device, adds the driver of the bundle, if any. */
+/* Creates the instance. If it has no usable device, adds the bundled driver, if there is one. */
 static VkResult create_instance(struct gpu *gpu, bool validate)
 {
     const VkResult result = gpu_instance_create(gpu, validate);

@@ -1,4 +1,4 @@
-/* gpu_fallback.c: makes the Vulkan loader use the driver that a bundle brings. */
+/* gpu_fallback.c: makes the Vulkan loader use the bundled CPU driver. */
 #define _XOPEN_SOURCE 700 /* putenv() */
 #include "src/gpu/gpu_fallback.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* gpu_fallback.h: the driver that a bundle brings for machines without a usable Vulkan device. */
+/* gpu_fallback.h: bundled CPU driver for machines without a usable Vulkan device. */
 #ifndef FIRN_GPU_GPU_FALLBACK_H
 #define FIRN_GPU_GPU_FALLBACK_H
 

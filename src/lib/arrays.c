@@ -1,4 +1,4 @@
-/* arrays.c: scenes from arrays: meshes, materials, instances, lights, environment. */
+/* arrays.c: adds meshes, materials, instances, lights and environments to scenes from arrays. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ static struct lib_arrays *arrays_of(firn_scene *scene)
     return scene->arrays;
 }
 
-/* Begins a call that changes arrays of a scene. Sets *arrays to NULL when out of memory. */
+/* Begins a call that adds to the arrays of a scene. Sets *arrays to NULL when out of memory. */
 static bool enter(struct lib_call *call, firn_scene *scene, struct lib_arrays **arrays)
 {
     if (!lib_enter(call, scene ? scene->device : NULL, true))

@@ -16,7 +16,7 @@ enum {
     TYPE_COUNT = sizeof(type_sizes) / sizeof(type_sizes[0])
 };
 
-/* A checked buffer with its strides. */
+/* Validated buffer with explicit strides. */
 struct target {
     const struct frame_layer *layer;
     bool is_display;
@@ -135,7 +135,7 @@ static void write_layer(const struct target *target, const struct image *image)
     }
 }
 
-/* Makes the pixels of PNG files: 8 or 16 bits per channel. */
+/* Encodes the layer `display` with 8 or 16 bits per channel, as in PNG files. */
 static enum status make_display(const firn_renderer *r, struct render_result *result, bool is_16)
 {
     const struct settings *settings = &r->image.scene.settings;

@@ -1,15 +1,15 @@
-/* camera.c: converts cameras of the interface: intrinsic matrix and pose, or eye and target. */
+/* camera.c: converts between struct firn_camera and the renderer's camera. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 #include "src/lib/lib.h"
 #include "src/scene/world_position.h"
 
-/* Pinhole camera in the axes of OpenCV. The principal point counts from the corner of the top left
- * pixel. */
+/* Pinhole camera with OpenCV's axes. The principal point is relative to the top left corner of the
+ * image. */
 struct pinhole {
     double axes[3][3]; /* right, down, forward, unit vectors in world space */
-    double eye[3];     /* metres, in the coordinates of the model's file */
+    double eye[3];     /* metres, in the space of the model file */
     double fx, fy, cx, cy;
 };
 
@@ -128,7 +128,7 @@ static struct camera of_pinhole(const struct pinhole *p, const firn_renderer *re
         .off_center = { { (float)((p->cx - width / 2.0) / width),
                           (float)((p->cy - height / 2.0) / height) } },
     };
-    /* a distant target, because both positions are rounded */
+    /* a distant target, because eye and target are rounded to single precision */
     const float distance = 1.0f + 16.0f * glms_vec3_norm(camera.eye);
     for (int i = 0; i < 3; i++) {
         camera.target.raw[i] = camera.eye.raw[i] + distance * (float)p->axes[2][i];
@@ -173,7 +173,7 @@ static struct pinhole pinhole_of(const struct camera *camera, const firn_rendere
     return p;
 }
 
-/* Writes a camera as the kind to->kind. */
+/* Writes a pinhole camera as the kind to->kind. */
 static void write_pinhole(struct firn_camera *to, const struct pinhole *p, double height)
 {
     const bool is_opencv = to->kind == FIRN_CAMERA_OPENCV;

@@ -1,4 +1,4 @@
-/* device.c: opens devices, and directs their messages to the caller. */
+/* device.c: opens and closes devices, and routes their messages to the caller. */
 #define _GNU_SOURCE /* secure_getenv */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,13 +13,13 @@ static const char forked[] =
     "the device was opened by another process: after fork() a child cannot "
     "use handles of its parent; open devices in processes of their own";
 
-/* Message of the thread's last call without handle that failed. */
+/* Message of this thread's last failed call without a handle. */
 static _Thread_local char thread_message[LIB_MESSAGE_SIZE];
 
-/* Process that opened the first device, or 0. Drivers do not survive fork(). */
+/* Process that opened the first device, or 0. Vulkan drivers do not work after fork(). */
 static atomic_int opener;
 
-/* Held while a device is opened or closed, because drivers are loaded into global tables. */
+/* Held while a device is opened or closed, because the tables of loaded drivers are global. */
 static pthread_mutex_t opening = PTHREAD_MUTEX_INITIALIZER;
 
 /* ---- messages ---- */
@@ -135,8 +135,8 @@ enum status lib_write(void *to, const void *from, size_t size, const char *what)
 
 /* ---- opening ---- */
 
-/* Copies the first of an option, an environment variable and a default that is given. Returns false
- * when out of memory. */
+/* Copies an option, or the environment variable if it is NULL, or the default if both are unset.
+ * Returns false when out of memory. */
 static bool copy(char **to, const char *option, const char *variable, const char *initial)
 {
     const char *value = variable ? secure_getenv(variable) : NULL;
@@ -182,7 +182,7 @@ static enum status open_gpu(firn *device, uint32_t flags)
     return status;
 }
 
-/* Directs messages to a new device while it is opened; errors go to the thread's message. */
+/* Routes messages to a new device while it is opened; errors become the thread's message. */
 static enum status open_device(struct lib_call *call, const struct firn_options *options,
                                firn **opened)
 {

@@ -1,4 +1,4 @@
-/* diff.c: compares two images of the caller. */
+/* diff.c: firn_diff(): error metrics between two images in memory. */
 #include <math.h>
 #include <string.h>
 #include "src/file/srgb.h"
@@ -30,7 +30,7 @@ static enum status read_image(struct firn_image *to, const struct firn_image *fr
     return STATUS_OK;
 }
 
-/* Copies the colours to planes of linear values. */
+/* Converts the colours to linear planes. */
 static enum status copy_planes(struct image *image, const struct firn_image *from)
 {
     static const char *const names[] = { "R", "G", "B" };

@@ -1,10 +1,10 @@
-/* draw.c: draws views: brings a renderer up to date with its scene, and chooses shots. */
+/* draw.c: draws a view: updates the renderer for changes of its scene, then renders. */
 #include "src/lib/lib.h"
 #include "src/settings/scene_settings.h"
 #include "src/setup/image_output.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 
-/* Takes over the scene's options, and makes the choices that depend on the image. */
+/* Copies the scene's options, and makes the choices that depend on the image. */
 static enum status refresh(firn_renderer *r)
 {
     firn_scene *scene = r->scene;
@@ -33,7 +33,7 @@ static enum status refresh(firn_renderer *r)
     return STATUS_OK;
 }
 
-/* Refuses to draw with a Vulkan device if there is none. */
+/* Logs an error and returns STATUS_USAGE if the renderer needs a Vulkan device that is not open. */
 static enum status check_device(const firn_renderer *r)
 {
     if (r->scene->device->has_gpu || r->image.refraction == &cpu_reference_settings)

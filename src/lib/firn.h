@@ -1,5 +1,5 @@
 /*
- * firn.h: C interface of libfirn, which renders ice, glass and water.
+ * firn.h: C interface of libfirn, a renderer for ice, glass and water.
  *
  *     firn *device;
  *     firn_scene *scene;
@@ -14,38 +14,38 @@
  *     firn_renderer_create(scene, &size, &renderer);
  *     firn_render(renderer, &camera, &z, 1, NULL, NULL);
  *
- * Handles. A `firn` is an open Vulkan device with its messages; scenes belong to a device and
- * renderers to a scene. Handles may be closed in any order: a device or scene is freed with the
- * last handle that uses it. NULL may be closed.
+ * Handles. A `firn` is an open Vulkan device with its messages. Scenes belong to a device, and
+ * renderers to a scene. Handles may be closed in any order: a device or scene is freed when the
+ * last handle that uses it is closed. Closing NULL does nothing.
  *
  * Structs. Every struct begins with its size, which the caller sets to sizeof. Later versions
  * append members; zero is the default of every member.
  *
  * Text. Names, paths and messages are UTF-8 and end at '\0'. Strings and arrays that the caller
- * passes are copied. Strings that the library returns through firn_error() stay valid until the
- * next call with a handle of the same device; all others as long as the handle, or forever if
- * the function has no handle.
+ * passes are copied. The string that firn_error() returns stays valid until the next call with
+ * a handle of the same device. Other returned strings stay valid as long as the handle, or forever
+ * if the function takes no handle.
  *
- * Errors. Functions return a status; its values are the exit codes of the program firn. If it is
- * not FIRN_OK, firn_error() returns one line that says what is wrong and how to mend it, results
- * are not written and pointers to new handles are NULL. After FIRN_TRY_AGAIN of a lost device, all
- * later calls return it; close the handles and open the device again.
+ * Errors. Functions return a status, whose values are the exit codes of the program firn. If it is
+ * not FIRN_OK, firn_error() returns a one-line message with a remedy, results are not written, and
+ * pointers to new handles are NULL. After a device is lost, all calls return FIRN_TRY_AGAIN; close
+ * the handles and open the device again.
  *
  * Messages. Warnings and notes go to the log callback of the device; nothing is written to the
  * standard streams.
  *
- * Threads. A device, its scenes and its renderers may be used by one thread at a time; different
- * devices by different threads at the same time. firn_cancel() may be called by any thread.
+ * Threads. Only one thread at a time may use a device with its scenes and renderers. Threads may
+ * use different devices at the same time. Any thread may call firn_cancel().
  *
- * Processes. After fork() the child must not use handles of its parent, and cannot open devices if
- * the parent has opened one: such calls return FIRN_FAILED and do not wait. Start worker processes
+ * Processes. After fork(), the child must not use handles of its parent, and cannot open devices if
+ * the parent has opened one: such calls return FIRN_FAILED at once. Start worker processes
  * before the first firn_open(), or with exec(). Model files and images are read by sandboxed
  * processes (firn_options.reader). Signal handlers, the signal mask, environment variables and
  * other properties of the calling process are not changed.
  *
- * Space. World space is right-handed, +Y up, in metres, and that of the model file except for
- * scale, up and rotate options. Matrices of 12 numbers have 3 rows of 4, row after row; they
- * multiply column vectors, and the fourth column is the translation.
+ * Space. World space is right-handed, +Y up, in metres. It is the space of the model file, unless
+ * the options `scale`, `up` or `rotate` change it. Matrices of 12 numbers are 3x4 in row-major
+ * order; they multiply column vectors, and the fourth column is the translation.
  *
  * Images. Row 0 is the top row. Colours are linear Rec.709 radiance unless a type is named sRGB.
  */
@@ -80,8 +80,8 @@ typedef enum firn_status {
     FIRN_NO_DEVICE = 69,   /* no usable Vulkan device */
     FIRN_CANT_CREATE = 73, /* an output file cannot be created */
     FIRN_WRITE = 74,       /* output file incompletely written */
-    FIRN_TRY_AGAIN = 75,   /* retry: out of memory, device lost */
-    FIRN_CANCELLED = 130,  /* a progress callback or firn_cancel() ended the rendering */
+    FIRN_TRY_AGAIN = 75,   /* out of memory or device lost; a retry may succeed */
+    FIRN_CANCELLED = 130,  /* cancelled by a progress callback or firn_cancel() */
 } firn_status;
 
 /* ---- library ---- */
@@ -89,39 +89,40 @@ typedef enum firn_status {
 /* Returns the version of the library, such as "0.3.0". */
 FIRN_API const char *firn_version(void);
 
-/* Returns an identifier of a status, such as "FIRN_DATA"; "?" if the value is unknown. */
+/* Returns the name of a status, such as "FIRN_DATA"; "?" if the value is unknown. */
 FIRN_API const char *firn_status_name(int status);
 
 /* ---- device ---- */
 
 enum firn_log_level {
-    FIRN_LOG_ERROR = 0,   /* the text that firn_error() returns */
+    FIRN_LOG_ERROR = 0,   /* the message that firn_error() returns */
     FIRN_LOG_WARNING = 1, /* something is missing from the image */
     FIRN_LOG_NOTE = 2,    /* information, such as a default that was chosen */
 };
 
-/* Callback for messages, one line without newline. It is called during calls with handles of its
- * device, by the calling thread or a thread of the library, by one at a time. It must not call
- * functions that take a handle. `level` is a firn_log_level. */
+/* Callback for a message: one line, without newline. It is called during calls with handles of the
+ * device, by the calling thread or a thread of the library, but never by two at once. It must not
+ * call functions that take a handle. `level` is a firn_log_level. */
 typedef void firn_log_fn(void *user, int level, const char *text);
 
 enum {
-    FIRN_NO_CACHE = 1, /* keep no compiled pipelines and BVHs in the cache folder */
+    FIRN_NO_CACHE = 1, /* store no pipelines and BVHs in the cache folder */
     FIRN_VALIDATE = 2, /* enable the Vulkan validation layer, if it is installed */
-    /* open no Vulkan device: scenes can be loaded, examined and drawn with refraction=reference */
+    /* open no Vulkan device: scenes can be loaded and queried, and drawn by the path tracer
+     * (refraction=reference) */
     FIRN_WITHOUT_DEVICE = 4,
 };
 
 struct firn_options {
     size_t size;
-    const char *device; /* number or part of the name of a Vulkan device; NULL for the best one */
-    firn_log_fn *log;   /* NULL: messages are dropped */
+    const char *device; /* Vulkan device: its number or part of its name; NULL for the best */
+    firn_log_fn *log;   /* NULL to drop messages */
     void *log_user;
-    /* program that reads files in a sandbox; NULL: $FIRN_READER, else the installed firn-reader */
+    /* sandboxed reader program; NULL for $FIRN_READER or the installed firn-reader */
     const char *reader;
-    const char *cache; /* cache folder, absolute; NULL: $XDG_CACHE_HOME/firn or ~/.cache/firn */
+    const char *cache; /* absolute path; NULL for $XDG_CACHE_HOME/firn or ~/.cache/firn */
     uint32_t flags;    /* FIRN_NO_CACHE, FIRN_VALIDATE, FIRN_WITHOUT_DEVICE */
-    /* folder of the bundled scenes and environments; NULL: $FIRN_ASSETS, else the installed one */
+    /* folder of the built-in scenes and environments; NULL for $FIRN_ASSETS or the installed one */
     const char *assets;
 };
 
@@ -132,9 +133,9 @@ FIRN_API firn_status firn_open(const struct firn_options *options, firn **device
 /* Closes a device; `device` may be NULL. */
 FIRN_API void firn_close(firn *device);
 
-/* Returns the message of the last call that failed with a handle of this device; "" if none has
- * failed. If `device` is NULL, returns the message of the calling thread's last firn_open() or
- * function without a handle. */
+/* Returns the message of the last failed call with a handle of this device, or "". If `device` is
+ * NULL, returns that of the calling thread's last failed firn_open() or function without a
+ * handle. */
 FIRN_API const char *firn_error(const firn *device);
 
 /* Returns the name of the Vulkan device, such as "llvmpipe (LLVM 15.0.6, 256 bits)"; "" without a
@@ -144,9 +145,9 @@ FIRN_API const char *firn_device_name(const firn *device);
 /* ---- scenes from files ---- */
 
 /*
- * Loads a scene: a name of `firn list scenes`, or the path of a .gltf, .glb, .obj, .ply or .stl
- * file. `options` are pairs of name and value, ended by NULL; or NULL. Names, values, checks and
- * messages are those of `firn render` without the leading dashes:
+ * Loads a scene. `path` is a name of `firn list scenes`, or the path of a .gltf, .glb, .obj, .ply
+ * or .stl file. `options` are pairs of name and value that end with NULL, or NULL. Names, values,
+ * checks and messages are those of `firn render`, without the leading dashes:
  *
  *     "env", "studio"                 "material", "glass"      "material", "Cup=ruby,ior=1.6"
  *     "ground", "none"                "scale", "0.01"          "transform", "Cup=0,0.1,0"
@@ -154,7 +155,7 @@ FIRN_API const char *firn_device_name(const firn *device);
  *     "refraction", "trace"           "quality", "normal"      "samples", "4"
  *     "camera", "Front"               "plain", ""              "exposure", "auto"
  *
- * `size`, `aov`, `show`, `tiles` and options of output files are refused. Options without value,
+ * `size`, `aov`, `show`, `tiles` and options of output files are refused. Options without a value,
  * such as `plain`, take "". As in `firn render`, the default quality is `high`, which means several
  * samples per pixel, unless samples are stated.
  *
@@ -167,16 +168,16 @@ FIRN_API firn_status firn_scene_load(firn *device, const char *path, const char 
 FIRN_API void firn_scene_close(firn_scene *scene);
 
 /*
- * Sets an option, or a setting of firn_setting_get(), as firn_scene_load() does. The next render
- * draws with it. Options and settings that describe the scene ("env", "cracks.count") load the
- * scene again at that time, so errors of files are reported there. Invalid names and values return
+ * Sets an option or a setting (firn_setting_get()), as firn_scene_load() does, from the next render
+ * on. If it describes the scene ("env", "cracks.count"), that render loads the scene again and
+ * reports errors of files. Invalid names and values return
  * FIRN_USAGE and change nothing.
  */
 FIRN_API firn_status firn_scene_set(firn_scene *scene, const char *name, const char *value);
 
-/* Writes a setting's present value, such as "1.31", "on" or "neutral", with '\0', truncated to
- * `size` bytes. The value is that of images: it includes what the scene, the quality level and the
- * material have chosen. */
+/* Writes the current value of a setting, such as "1.31", "on" or "neutral", truncated to `size`
+ * bytes including '\0'. This is the effective value, after the choices of scene, quality level and
+ * material. */
 FIRN_API firn_status firn_scene_get(firn_scene *scene, const char *name, char *text, size_t size);
 
 /* ---- list of settings ---- */
@@ -195,14 +196,14 @@ struct firn_setting {
     const char *label;          /* "Refractive index" */
     const char *help;           /* one line */
     const char *unit;           /* "degrees"; NULL if there is none */
-    const char *const *choices; /* ended by NULL; NULL unless FIRN_SETTING_CHOICE */
+    const char *const *choices; /* list that ends with NULL; NULL unless FIRN_SETTING_CHOICE */
     uint32_t type;              /* firn_setting_type */
     uint32_t has_auto;          /* 1 if "auto" is a value */
     double initial, min, max;   /* default and range; an `initial` below `min` is "auto" */
-    uint32_t loads_scene;       /* 1 if a change loads or generates scene data again */
+    uint32_t loads_scene;       /* 1 if a change reloads or regenerates scene data */
 };
 
-/* Describes setting `index` of all, from 0. Sets only members within setting->size. Returns
+/* Describes the setting with an index, from 0. Sets only members within setting->size. Returns
  * FIRN_USAGE at the end of the list. */
 FIRN_API firn_status firn_setting_get(uint32_t index, struct firn_setting *setting);
 
@@ -212,16 +213,16 @@ FIRN_API firn_status firn_setting_get(uint32_t index, struct firn_setting *setti
 struct firn_object {
     size_t size;
     const char *name;  /* name of its node; "" if it has none */
-    uint32_t id;       /* its number in the layers `object` and `object.last`, from 1 */
+    uint32_t id;       /* number in the layers `object` and `object.last`, from 1 */
     uint32_t refracts; /* 1 if it is a refractive object */
     float box_min[3];  /* bounds, metres, world space */
     float box_max[3];
     uint32_t triangle_count;
-    const char *material; /* name of its (first) material */
+    const char *material; /* name of its material, or of the first of several */
 };
 
-/* Counts the objects. Changed options and added arrays are applied first, as before a render; so do
- * the next three functions. */
+/* Counts the objects. This and the next three functions first apply changed options and added
+ * arrays, as a render does. */
 FIRN_API firn_status firn_scene_object_count(firn_scene *scene, uint32_t *count);
 
 /* Describes object `index`, from 0. Strings stay valid until the scene changes. Returns FIRN_USAGE
@@ -231,7 +232,7 @@ FIRN_API firn_status firn_scene_object(firn_scene *scene, uint32_t index,
 
 enum {
     FIRN_MATERIAL_UNLIT = 1,     /* base_color is emitted radiance */
-    FIRN_MATERIAL_TWO_SIDED = 2, /* opaque surfaces are seen from both sides */
+    FIRN_MATERIAL_TWO_SIDED = 2, /* opaque surfaces are visible from both sides */
     FIRN_MATERIAL_BLENDED = 4,   /* base_color[3] is the fraction of light that is reflected */
     FIRN_MATERIAL_PRIORITY = 8,  /* `priority` is set */
 };
@@ -247,15 +248,15 @@ struct firn_material {
     float ior;           /* refractive index, 1 to 4 */
     float dispersion;    /* 20 / Abbe number, 0 to 10 */
     float thickness;     /* above 0: the surface bounds a medium; 0: thin wall */
-    float attenuation_color[3]; /* colour of white light after attenuation_distance, 0 to 1 */
+    float attenuation_color[3]; /* of white light after attenuation_distance, 0 to 1 */
     float attenuation_distance; /* metres; 0 for a clear medium */
     float scattering;           /* optical depth of scattering across the object; 0 if clear */
     float emission[3];          /* radiance, 0 to 65504 */
-    int32_t priority;           /* where media overlap, the highest fills the space */
+    int32_t priority;           /* of nested media: the highest fills the overlap */
     uint32_t flags;             /* FIRN_MATERIAL_UNLIT, ... */
 };
 
-/* Sets a material by text: "" is glTF's default (white, opaque), others have the syntax of
+/* Sets a material from text: "" for glTF's default (white, opaque), else in the syntax of
  * `--material NODE=TEXT`, such as "glass" or "ruby:rough,ior=1.76,priority=2". Keeps
  * material->size. Returns FIRN_USAGE for an unknown name or value. */
 FIRN_API firn_status firn_material_init(struct firn_material *material, const char *text);
@@ -264,11 +265,11 @@ FIRN_API firn_status firn_material_init(struct firn_material *material, const ch
 FIRN_API firn_status firn_scene_material(firn_scene *scene, uint32_t index,
                                          struct firn_material *material);
 
-/* Replaces the material of refractive object `index` from the next render on; its textures and name
- * are kept. Options `material` for the object have no effect afterwards. The first change of an
- * object loads the scene again; later ones do not, if only index, dispersion, roughness,
- * attenuation, emission or metallic change. Materials of built-in scenes and of opaque objects
- * cannot be replaced: FIRN_USAGE. */
+/* Replaces the material of refractive object `index` from the next render on, but keeps its
+ * textures and name. The option `material` no longer affects the object. The first change of an
+ * object reloads the scene; later ones do not if they change only ior, dispersion, roughness,
+ * attenuation, emission or metallic. Returns FIRN_USAGE for an opaque material (transmission 0),
+ * and for objects that are opaque or belong to a built-in scene. */
 FIRN_API firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
                                              const struct firn_material *material);
 
@@ -279,14 +280,14 @@ struct firn_mesh {
     size_t size;
     uint32_t vertex_count, index_count; /* index_count is a multiple of 3 */
     const float *positions;             /* x, y, z per vertex, metres */
-    const float *normals;               /* x, y, z per vertex, outward; NULL: computed, smooth */
-    const float *uvs;                   /* u, v per vertex; (0, 0) is top left; NULL */
+    const float *normals;               /* x, y, z per vertex, outward; NULL for smooth ones */
+    const float *uvs;                   /* u, v per vertex; (0, 0) is top left; may be NULL */
     const uint32_t *indices;            /* counter-clockwise seen from outside */
     size_t position_stride, normal_stride, uv_stride;
 };
 
-/* Material number of instances without a material. If no instance has one, the objects are those of
- * a file without materials: ice, or the option `material`; else it is white and opaque. */
+/* Material number of an instance without a material, which is white and opaque. If no instance has
+ * a material, all are ice or have the option `material`, as in a file without materials. */
 #define FIRN_NO_MATERIAL UINT32_MAX
 
 /* Instance of a mesh. */
@@ -294,7 +295,7 @@ struct firn_instance {
     size_t size;
     uint32_t mesh, material; /* numbers of the mesh and of the material */
     const char *name;        /* name of the object; NULL for "" */
-    float world[12];         /* world from mesh space, 3x4; all zeros: identity */
+    float world[12];         /* mesh-to-world matrix, 3x4; all zeros for identity */
 };
 
 enum firn_light_kind {
@@ -303,7 +304,7 @@ enum firn_light_kind {
     FIRN_LIGHT_SPOT = 2,
 };
 
-/* Punctual light, as in KHR_lights_punctual. It lights opaque surfaces. */
+/* Punctual light of KHR_lights_punctual; lights opaque surfaces only. */
 struct firn_light {
     size_t size;
     uint32_t kind;                /* firn_light_kind */
@@ -316,7 +317,7 @@ struct firn_light {
 };
 
 /* Equirectangular environment: `width` x `height` texels of linear RGB radiance, width = 2 height.
- * Row 0 is the zenith (+Y); the centre column is the direction -Z, +X is to its right. */
+ * Row 0 is the zenith (+Y); the centre column faces -Z, with +X to its right. */
 struct firn_environment {
     size_t size;
     uint32_t width, height;
@@ -326,9 +327,9 @@ struct firn_environment {
     float exposure;      /* stops */
 };
 
-/* Begins a scene from arrays. `options` are those of firn_scene_load(), without options that name
- * nodes of files. Add meshes, materials and instances before the first renderer; arrays are copied
- * by each call. Numbers count from 0. */
+/* Creates an empty scene. `options` are those of firn_scene_load(), except those that name nodes of
+ * a file. Add meshes, materials and instances before creating a renderer. The arrays are copied.
+ * Numbers of meshes and materials start at 0. */
 FIRN_API firn_status firn_scene_create(firn *device, const char *const *options,
                                        firn_scene **scene);
 FIRN_API firn_status firn_scene_add_mesh(firn_scene *scene, const struct firn_mesh *mesh,
@@ -336,46 +337,45 @@ FIRN_API firn_status firn_scene_add_mesh(firn_scene *scene, const struct firn_me
 FIRN_API firn_status firn_scene_add_material(firn_scene *scene,
                                              const struct firn_material *material,
                                              uint32_t *number);
-/* Adds an object. Its index in firn_scene_object() is found by its name, because refractive objects
- * come first and shells that close together are one object. */
+/* Adds an instance. To find its index for firn_scene_object(), compare names: refractive objects
+ * are listed first, and open shells that together form a closed surface are one object. */
 FIRN_API firn_status firn_scene_add_instance(firn_scene *scene,
                                              const struct firn_instance *instance);
 FIRN_API firn_status firn_scene_add_light(firn_scene *scene, const struct firn_light *light);
-/* Sets the environment; also of scenes from files, instead of the option `env`. */
+/* Sets the environment of any scene, in place of the option `env`. */
 FIRN_API firn_status firn_scene_set_environment(firn_scene *scene,
                                                 const struct firn_environment *environment);
 
 /* ---- cameras ---- */
 
 enum firn_camera_kind {
-    FIRN_CAMERA_SCENE = 0,   /* camera of the scene's options or file, else one that frames it */
+    FIRN_CAMERA_SCENE = 0,   /* camera of the options or file, else one that frames the scene */
     FIRN_CAMERA_LOOK_AT = 1, /* eye, target, up, fov_deg */
     FIRN_CAMERA_OPENCV = 2,  /* fx, fy, cx, cy; camera axes +X right, +Y down, +Z forward */
     FIRN_CAMERA_OPENGL = 3,  /* fx, fy, cx, cy; camera axes +X right, +Y up, -Z forward */
 };
 
 /*
- * Camera of a shot. A point (x, y, z) in the axes of OpenCV appears at the pixel coordinates
+ * Camera of a view. A point (x, y, z) in OpenCV camera space is projected to the pixel coordinates
  * u = fx x / z + cx, v = fy y / z + cy, with u to the right and v down. The centre of the top left
  * pixel is (0, 0) for FIRN_CAMERA_OPENCV and (.5, .5) for FIRN_CAMERA_OPENGL. Pixels need not be
- * square, and cx, cy need not be the centre. There is no lens distortion.
+ * square, and (cx, cy) need not be the image centre. Lens distortion is not supported.
  */
 struct firn_camera {
     size_t size;
     uint32_t kind;                /* firn_camera_kind */
-    uint32_t has_time;            /* 1 if `time` is set; 0: setting motion.time */
+    uint32_t has_time;            /* 1 if `time` is set; 0 for setting motion.time */
     double time;                  /* animation time, seconds */
     double eye[3], target[3];     /* metres */
-    double up[3];                 /* all zeros: +Y */
+    double up[3];                 /* all zeros for +Y */
     double fov_deg;               /* vertical field of view, degrees, 1 to 170 */
     double fx, fy, cx, cy;        /* pixels */
-    double world_from_camera[12]; /* rotation and position of the camera, 3x4 */
+    double world_from_camera[12]; /* camera-to-world matrix, 3x4, without scale */
 };
 
-/* Converts a camera for images of a renderer: sets all members of `to` but its size and kind, to
- * describe `from` as that kind. A view by `eye`, `target`, `up` and `fov_deg` has a centred
- * principal point and square pixels. Returns
- * FIRN_USAGE for an invalid camera. */
+/* Converts `from` to the kind to->kind, for the image size of a renderer. Sets all members of `to`
+ * except `size` and `kind`. FIRN_CAMERA_LOOK_AT implies a centred principal point and square
+ * pixels. Returns FIRN_USAGE for an invalid camera. */
 FIRN_API firn_status firn_camera_convert(firn_renderer *renderer, const struct firn_camera *from,
                                          struct firn_camera *to);
 
@@ -385,13 +385,13 @@ FIRN_API firn_status firn_camera_convert(firn_renderer *renderer, const struct f
 struct firn_layer {
     size_t size;
     const char *name;
-    const char *help;  /* one line, with unit and value of "nothing" */
+    const char *help;  /* one line, with unit and background value */
     uint32_t channels; /* 1 to 4 */
-    uint32_t averages; /* 1: mean of the samples; 0: of the pixel's first sample */
-    uint32_t type;     /* firn_type that fits its values: UINT8 of display, UINT32 of numbers */
+    uint32_t averages; /* 1 if the mean of all samples, 0 if of the first sample */
+    uint32_t type;     /* natural firn_type: UINT8 for display, UINT32 for numbers */
 };
 
-/* Describes layer `index` of all, from 0: "beauty" (R, G, B, A), "display" (the tone-mapped sRGB
+/* Describes the layer with an index, from 0: "beauty" (R, G, B, A), "display" (the tone-mapped sRGB
  * image of a PNG file), then those of `firn list layers`. Returns FIRN_USAGE at the end. */
 FIRN_API firn_status firn_layer_get(uint32_t index, struct firn_layer *layer);
 
@@ -400,14 +400,14 @@ FIRN_API firn_status firn_layer_get(uint32_t index, struct firn_layer *layer);
 struct firn_renderer_options {
     size_t size;
     uint32_t width, height; /* pixels, 1 to 16384 */
-    /* per pixel, instead of the scene's option `samples`; 0: by that option or the quality level */
+    /* per pixel; 0 for the scene's option `samples` or the number of the quality level */
     uint32_t samples;
     const char *const *layers; /* names of the layers that buffers may receive */
     size_t layer_count;        /* at least 1 */
 };
 
-/* Creates a renderer: compiles the frame and uploads the scene. All views of it share this work.
- * Returns FIRN_USAGE for an unknown layer or size. */
+/* Creates a renderer. All its views share one compiled frame and one uploaded scene. Returns
+ * FIRN_USAGE for an unknown layer or an invalid size. */
 FIRN_API firn_status firn_renderer_create(firn_scene *scene,
                                           const struct firn_renderer_options *options,
                                           firn_renderer **renderer);
@@ -415,7 +415,7 @@ FIRN_API void firn_renderer_close(firn_renderer *renderer);
 
 enum firn_type {
     FIRN_FLOAT32 = 0,
-    /* `display`: sRGB 0 to 255 or 65535; other layers: rounded, clamped to the range, 0 for NaN */
+    /* `display` is sRGB, 0 to 255 or 65535; other layers are rounded and clamped, NaN becomes 0 */
     FIRN_UINT8 = 1,
     FIRN_UINT16 = 2,
     FIRN_UINT32 = 3, /* not for `display` */
@@ -426,83 +426,83 @@ struct firn_buffer {
     size_t size;
     const char *layer;      /* a layer of the renderer */
     void *data;             /* first channel of the top left pixel */
-    uint32_t type;          /* firn_type; FLOAT32 of `display`: sRGB 0 to 1 */
-    uint32_t channels;      /* number of channels to write, from the first; 0: all */
-    ptrdiff_t pixel_stride; /* bytes from a pixel to its right neighbour; 0: packed */
-    ptrdiff_t row_stride;   /* bytes from a row to the row below; 0: packed; may be negative */
+    uint32_t type;          /* firn_type; `display` as FLOAT32 is sRGB from 0 to 1 */
+    uint32_t channels;      /* number of channels to write; 0 for all */
+    ptrdiff_t pixel_stride; /* bytes from a pixel to its right neighbour; 0 if packed */
+    ptrdiff_t row_stride; /* bytes from a row to the next one down, may be negative; 0 if packed */
 };
 
-/* Callback after each sample (of the path tracer: each tile). A result that is not 0 cancels. */
+/* Callback after each sample, or each tile of the path tracer. A nonzero result cancels. */
 typedef int firn_progress_fn(void *user, uint32_t done, uint32_t all);
 
 /*
  * Renders a view into buffers and waits for it. `camera` may be NULL for FIRN_CAMERA_SCENE.
- * `buffers` is an array of `count`; `progress` may be NULL. Equal calls give equal bytes, which are
- * those of `firn render`. Returns FIRN_CANCELLED with the buffers unchanged if `progress` or
- * firn_cancel() ends it; the renderer can draw again.
+ * `buffers` has `count` elements; `progress` may be NULL. Results are deterministic and
+ * bit-identical to those of `firn render`. Returns FIRN_CANCELLED, with the buffers unchanged, if
+ * `progress` or firn_cancel() cancels; the renderer remains usable.
  */
 FIRN_API firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camera,
                                  const struct firn_buffer *buffers, size_t count,
                                  firn_progress_fn *progress, void *user);
 
 /*
- * Begins to draw a view and returns. At most two views of a renderer may be in flight: with a third
- * one, returns FIRN_USAGE. Tickets are fetched in the order of submission; a view that is not
- * fetched is dropped when the renderer is closed. Calls that use the scene or another renderer of
- * the device wait until the views in flight are drawn.
+ * Starts drawing a view without waiting for it. Returns FIRN_USAGE if two views of the renderer are
+ * in flight already. Fetch tickets in the order of submission. Closing the renderer drops views
+ * that were not fetched. Calls that use the scene or another renderer of the device wait until the
+ * views in flight are drawn.
  */
 FIRN_API firn_status firn_submit(firn_renderer *renderer, const struct firn_camera *camera,
                                  uint64_t *ticket);
 
-/* Waits for a view and writes it to the buffers. Returns the status of drawing it. Whatever the
- * status, the ticket is done, except after FIRN_USAGE, for invalid buffers or tickets. */
+/* Waits for a view, writes it to the buffers, and returns the status of drawing it. The ticket is
+ * consumed unless FIRN_USAGE is returned, for invalid buffers or an invalid ticket. */
 FIRN_API firn_status firn_fetch(firn_renderer *renderer, uint64_t ticket,
                                 const struct firn_buffer *buffers, size_t count);
 
 /* Returns 1 if firn_fetch() of the oldest ticket would not wait, else 0. */
 FIRN_API int firn_is_ready(firn_renderer *renderer);
 
-/* Cancels the view that is being drawn and all submitted views, after their present sample. Any
- * thread may call it while the renderer is open. */
+/* Cancels all views that are being drawn or are submitted, after the current sample. Any thread may
+ * call it while the renderer is open. */
 FIRN_API void firn_cancel(firn_renderer *renderer);
 
 /* ---- files ---- */
 
 /*
- * Writes arrays as an EXR file, which appears under its name when it is complete. Each buffer gives
- * its layer's name, data of FIRN_FLOAT32 or FIRN_UINT32, the number of channels, and strides. Names
- * of firn_layer_get() become the channels that `firn render` writes; others become NAME, or NAME.R,
- * NAME.G ... Needs no device; the message of a failure is that of firn_error(NULL). Returns
- * FIRN_USAGE, FIRN_CANT_CREATE, FIRN_WRITE or FIRN_TRY_AGAIN.
+ * Writes arrays as layers of an EXR file, atomically. Each buffer has the layer's name, data of
+ * FIRN_FLOAT32 or FIRN_UINT32, the number of channels, and strides. Names of firn_layer_get()
+ * become the channels that `firn render` writes; others become NAME, or NAME.R, NAME.G ... Needs no
+ * device; firn_error(NULL) returns the message of a failure. Returns FIRN_USAGE, FIRN_CANT_CREATE,
+ * FIRN_WRITE or FIRN_TRY_AGAIN on failure.
  */
 FIRN_API firn_status firn_write_exr(const char *path, uint32_t width, uint32_t height,
                                     const struct firn_buffer *buffers, size_t count);
 
 /* ---- comparison ---- */
 
-/* Image of `channels` 3 or 4; the fourth is ignored. FIRN_UINT8 is sRGB, FIRN_FLOAT32 linear. */
+/* Image to compare: FIRN_UINT8 for sRGB, FIRN_FLOAT32 for linear radiance. */
 struct firn_image {
     size_t size;
     uint32_t width, height;
     const void *data;
-    uint32_t type; /* FIRN_FLOAT32 or FIRN_UINT8 */
-    uint32_t channels;
+    uint32_t type;                      /* FIRN_FLOAT32 or FIRN_UINT8 */
+    uint32_t channels;                  /* 3 or 4; the fourth is ignored */
     ptrdiff_t pixel_stride, row_stride; /* as in struct firn_buffer */
 };
 
 struct firn_difference {
     size_t size;
     double mae;         /* mean absolute error, linear */
-    double mae_clipped; /* of values clamped to 0..1 */
-    double rmse;
-    double relmse;  /* mean of (test - reference)^2 / (reference^2 + .01) */
-    double flip;    /* mean FLIP error: HDR-FLIP of linear images, LDR-FLIP of sRGB images */
-    double largest; /* largest absolute difference, linear */
+    double mae_clipped; /* MAE of values clamped to 0..1 */
+    double rmse;        /* root mean square error, linear */
+    double relmse;      /* mean of (test - reference)^2 / (reference^2 + .01) */
+    double flip;        /* mean FLIP error: HDR-FLIP of linear images, LDR-FLIP of sRGB images */
+    double largest;     /* largest absolute difference, linear */
 };
 
-/* Measures how much `test` differs from `reference`, as `firn diff` does. Both have one size.
- * `errors` receives width * height FLIP errors, 0 to 1, row after row; it may be NULL. Needs no
- * device; the message of a failure is that of firn_error(NULL). */
+/* Measures the error of `test` relative to `reference`, as `firn diff` does. Both must have the
+ * same size. `errors` receives width * height FLIP errors, 0 to 1, in row-major order, and may be
+ * NULL. Needs no device; firn_error(NULL) returns the message of a failure. */
 FIRN_API firn_status firn_diff(const struct firn_image *reference, const struct firn_image *test,
                                struct firn_difference *difference, float *errors);
 

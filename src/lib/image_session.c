@@ -10,7 +10,7 @@
 
 struct filling {
     struct image_session *session;
-    struct log_sink *sink; /* of the thread that waits */
+    struct log_sink *sink; /* log sink of the waiting thread */
     const char *missing;   /* result of setup_fill_scene() */
 };
 
@@ -55,7 +55,7 @@ static void *fill(void *user)
     return NULL;
 }
 
-/* Fills the scene unless it is filled. */
+/* Loads textures and meshes unless they are loaded. */
 static enum status fill_scene(struct image_session *s)
 {
     struct filling filling = { s, log_get_sink(), NULL };
@@ -65,8 +65,8 @@ static enum status fill_scene(struct image_session *s)
     return filling.missing ? setup_log_fill_failure(filling.missing) : STATUS_OK;
 }
 
-/* Opens the device while another thread fills the scene. If both fail, logs and returns only the
- * device's failure. */
+/* Opens the device while another thread loads textures and meshes. If both fail, logs and returns
+ * only the device's failure. */
 static enum status open_device(struct image_session *s)
 {
     struct filling filling = { s, log_get_sink(), NULL };
@@ -143,7 +143,7 @@ void image_session_change(struct image_session *s)
     s->is_outdated = true;
 }
 
-/* Returns true if the renderer or the path tracer can draw with the params. */
+/* Returns true if the present renderer or path tracer can draw with the parameters. */
 static bool fits(const struct image_session *s, const struct renderer_params *params)
 {
     if (s->pose != s->scene->pose || s->is_outdated)
@@ -152,7 +152,7 @@ static bool fits(const struct image_session *s, const struct renderer_params *pa
                             s->is_wide == renderer_draws_beyond_image(params));
 }
 
-/* Changes the renderer if there is one for the present pose. Otherwise closes the session. */
+/* Adapts the renderer if it fits the present pose. Otherwise closes the session. */
 static enum status change(struct image_session *s, const struct renderer_params *params)
 {
     const bool is_reference = params->refraction == &cpu_reference_settings;

@@ -6,10 +6,10 @@
 #include "src/lab/reference/reference.h"
 #include "src/setup/setup.h"
 
-/* Scene whose slow part may not be loaded yet. Several sessions may draw it. */
+/* Scene whose textures and meshes may not be loaded yet. Several sessions may share it. */
 struct session_scene {
-    struct scene scene; /* by setup_begin_scene() */
-    bool is_filled;     /* textures and meshes are filled */
+    struct scene scene; /* initialised by setup_begin_scene() */
+    bool is_filled;     /* textures and meshes are loaded */
     uint32_t pose;      /* number of poses so far */
 };
 
@@ -17,22 +17,22 @@ struct image_session {
     /* set by the caller; all pointers are borrowed */
     struct setup_image *image;
     struct session_scene *scene;
-    struct gpu *gpu;                     /* opened when needed if gpu->device is NULL */
-    const struct gpu_params *gpu_params; /* of the device to open */
-    uint64_t layers;                     /* returned layers, as in renderer_params */
-    bool linear, display, resolved;      /* returned images, as in renderer_params */
-    bool prefers_start;                  /* few pixels are drawn by the process */
-    bool quiet;                          /* log no warnings about what is not drawn */
-    bool skips_exposure;                 /* nothing depends on the exposure, so meter none */
+    struct gpu *gpu;                     /* device; opened on demand if gpu->device is NULL */
+    const struct gpu_params *gpu_params; /* parameters for opening the device */
+    uint64_t layers;                     /* layers to return, as in renderer_params */
+    bool linear, display, resolved;      /* images to return, as in renderer_params */
+    bool prefers_start;                  /* the process draws few pixels: prefer a short start */
+    bool quiet;                          /* suppress warnings about features that are not drawn */
+    bool skips_exposure;                 /* do not meter, because nothing depends on the exposure */
     double noise, seconds;               /* limits of the path tracer; 0 for none */
     /* set by the functions */
-    struct camera camera;        /* of the options, at time 0 */
-    struct renderer *renderer;   /* NULL until it is opened, and if `reference` draws */
+    struct camera camera;        /* camera of the options, at time 0 */
+    struct renderer *renderer;   /* NULL until it is created, and if `reference` draws */
     struct reference *reference; /* NULL unless the path tracer draws */
-    uint32_t pose;               /* pose of `renderer` or `reference` */
+    uint32_t pose;               /* pose for which `renderer` or `reference` was created */
     bool is_wide;                /* `renderer` draws beyond the image */
-    bool is_orthographic;        /* `renderer` draws orthographic views */
-    bool is_outdated;            /* by image_session_change() */
+    bool is_orthographic;        /* `renderer` supports orthographic views */
+    bool is_outdated;            /* set by image_session_change() */
     bool has_warned;
 };
 
@@ -44,11 +44,12 @@ MUST_USE enum status image_session_choose(struct image_session *session);
 MUST_USE enum status image_session_pose(struct image_session *session, struct renderer_shot *shot,
                                         bool sets_camera);
 
-/* Notes that *session->image has changed, but not its scene. */
+/* Marks the session as outdated after a change of *session->image that does not affect the
+ * scene. */
 void image_session_change(struct image_session *session);
 
-/* Creates the renderer or the path tracer, or adapts it to the image's options, the present pose
- * and a camera, unless it fits. */
+/* Creates the renderer or the path tracer. If there is one, adapts it to the image's options, the
+ * present pose and a camera. */
 MUST_USE enum status image_session_open(struct image_session *session, const struct camera *camera);
 
 /* Draws a shot with the renderer or the path tracer, as renderer_render() does. */

@@ -1,4 +1,4 @@
-/* in_flight.c: views that a thread of the renderer draws while the caller does other work. */
+/* in_flight.c: firn_submit() and firn_fetch(): a worker thread draws views asynchronously. */
 #include <string.h>
 #include "src/base/disk_cache.h"
 #include "src/lib/lib.h"
@@ -17,7 +17,7 @@ static void finish_pending(firn *device)
     pthread_mutex_unlock(&device->lock);
 }
 
-/* Draws a view. Its messages go to the device's callback, and its error to the job. */
+/* Draws a view. Sends messages to the device's callback, and stores the error in the job. */
 static void draw(firn_renderer *r, struct lib_job *job)
 {
     struct lib_sink sink = r->scene->device->sink;
@@ -104,7 +104,7 @@ static enum status submit(firn_renderer *r, const struct firn_camera *camera, ui
     return STATUS_OK;
 }
 
-/* Returns true if views of another renderer of the device are in flight. */
+/* Returns true if another renderer of the device has views in flight. */
 static bool is_other_busy(const firn_renderer *r)
 {
     firn *device = r->scene->device;

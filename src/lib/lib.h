@@ -1,5 +1,5 @@
-/* lib.h: handles of the library, and what its calls have in common: messages, checks of the calling
- * process, structs of callers. */
+/* lib.h: handles of the library, and helpers of all calls: messages, checks of the calling process,
+ * and copies of the caller's structs. */
 #ifndef FIRN_LIB_LIB_H
 #define FIRN_LIB_LIB_H
 
@@ -12,10 +12,10 @@
 
 enum {
     LIB_MESSAGE_SIZE = 2048,
-    LIB_IN_FLIGHT = 2, /* views of a renderer */
+    LIB_IN_FLIGHT = 2, /* maximum number of views in flight, per renderer */
 };
 
-/* Sink of a device's messages. */
+/* Log sink that belongs to a device. */
 struct lib_sink {
     struct log_sink base;
     struct firn *device;
@@ -23,7 +23,7 @@ struct lib_sink {
 };
 
 struct firn {
-    pid_t owner; /* process that opened it */
+    pid_t owner; /* process that opened the device */
     uint32_t refs;
     struct gpu gpu;
     struct gpu_params gpu_params;
@@ -34,12 +34,12 @@ struct firn {
     struct lib_sink sink;
     char message[LIB_MESSAGE_SIZE];
     pthread_mutex_t log_lock; /* held while `log` runs */
-    pthread_mutex_t lock;     /* of `pending` */
-    pthread_cond_t idle;      /* `pending` has become 0 */
+    pthread_mutex_t lock;     /* guards `pending` */
+    pthread_cond_t idle;      /* signalled when `pending` becomes 0 */
     uint32_t pending;         /* views in flight */
 };
 
-/* A copied string of a caller; each is kept once. */
+/* Copy of a caller's string; equal strings share one. */
 struct lib_text {
     struct lib_text *next;
     char text[];
@@ -47,7 +47,7 @@ struct lib_text {
 
 struct lib_arrays;
 
-/* Change of an object's material. */
+/* Replacement of an object's material. */
 struct lib_material_change {
     uint32_t object;
     struct firn_material material;
@@ -57,22 +57,22 @@ struct firn_scene {
     firn *device;
     uint32_t refs;
     struct lib_text *texts;
-    struct setup_image given; /* options as given */
+    struct setup_image given; /* options as the caller set them */
     struct setup_image image; /* options of the loaded scene */
     struct session_scene session;
     bool is_loaded;
-    bool needs_load;           /* `given` or arrays have changed: load the scene again */
+    bool needs_load;           /* `given` or arrays have changed: reload the scene */
     bool needs_settings;       /* settings of `given` have changed */
-    uint32_t version;          /* number of changes of `image` */
-    bool is_arrays;            /* made by firn_scene_create() */
-    struct lib_arrays *arrays; /* of scenes from arrays, and environments; or NULL */
+    uint32_t version;          /* incremented by each change of `image` */
+    bool is_arrays;            /* created by firn_scene_create() */
+    struct lib_arrays *arrays; /* arrays and environment of the caller, or NULL */
     struct scene_source source;
     struct lib_material_change *changes;
     uint32_t change_count;
     struct firn_renderer *renderers; /* linked by `next` */
 };
 
-/* A submitted view. */
+/* Submitted view. */
 struct lib_job {
     uint64_t ticket;
     struct firn_camera camera;
@@ -86,10 +86,10 @@ struct firn_renderer {
     struct firn_renderer *next;
     uint32_t width, height, samples;
     bool has_beauty, has_display;
-    uint64_t layers;          /* bits of the other layers */
-    struct setup_image image; /* options of the scene with the choices for this renderer */
+    uint64_t layers;          /* bit mask of the other layers */
+    struct setup_image image; /* the scene's options, with choices of this renderer */
     struct image_session session;
-    uint32_t version; /* firn_scene.version of `image`; 0 before the first */
+    uint32_t version; /* firn_scene.version of `image`; 0 if it is not set yet */
     atomic_bool is_cancelled;
     /* views in flight, guarded by `lock` */
     pthread_mutex_t lock;
@@ -104,7 +104,7 @@ struct firn_renderer {
 
 /* State of the calling thread that a call restores. */
 struct lib_call {
-    firn *device; /* NULL for a call without handle */
+    firn *device; /* NULL for a call without a handle */
     struct log_sink *sink;
     const char *cache, *assets;
     struct lib_sink own; /* sink of a call without handle */
@@ -114,7 +114,8 @@ struct lib_call {
  * false. If `device` is NULL or belongs to another process, sets an error and returns false. */
 bool lib_begin(struct lib_call *call, firn *device, bool waits);
 
-/* Does the same. Inline, because static analysers must see that a handle is not NULL afterwards. */
+/* Wraps the function above. Inline, because static analysers must see that a handle is not NULL
+ * afterwards. */
 static inline bool lib_enter(struct lib_call *call, firn *device, bool waits)
 {
     return lib_begin(call, device, waits) && device;
@@ -136,17 +137,17 @@ void lib_release_device(firn *device);
 
 /* Copies a struct of a caller, whose first member is its size, to `to`, whose size is `size`.
  * Members that the caller's version lacks are zero. If the struct is NULL, smaller than its size
- * member or has unknown members that are not 0, logs an error that begins with `what` and returns
- * STATUS_USAGE. */
+ * member, or has nonzero members that this version does not know, logs an error that begins with
+ * `what` and returns STATUS_USAGE. */
 MUST_USE enum status lib_read(void *to, size_t size, const void *from, const char *what);
 
-/* Copies `size` bytes to a struct of a caller, as far as its size reaches, but not its size. */
+/* Copies `size` bytes to a caller's struct, at most as many as its `size`, but keeps its `size`. */
 MUST_USE enum status lib_write(void *to, const void *from, size_t size, const char *what);
 
 /* Returns a copy of a string that lives as long as the scene, or NULL when out of memory. */
 const char *lib_keep_text(firn_scene *scene, const char *text);
 
-/* Logs that an argument is NULL if it is. Returns STATUS_USAGE then. */
+/* Logs an error and returns STATUS_USAGE if an argument is NULL. */
 MUST_USE static inline enum status lib_require(const void *argument, const char *name)
 {
     if (argument)
@@ -157,39 +158,39 @@ MUST_USE static inline enum status lib_require(const void *argument, const char 
 
 /* ---- scenes ---- */
 
-/* Loads the scene again, or applies its settings, if they have changed. */
+/* Reloads the scene, or applies its settings, if they have changed. */
 MUST_USE enum status lib_scene_update(firn_scene *scene);
 
-/* Sets the options of images of a loaded scene. `samples` replaces theirs unless it is 0. */
+/* Sets the image options of a loaded scene. A nonzero `samples` overrides their sample count. */
 MUST_USE enum status lib_scene_image(firn_scene *scene, uint32_t samples,
                                      struct setup_image *image);
 
 /* Closes the sessions of all renderers of a scene. */
 void lib_scene_close_sessions(firn_scene *scene);
 
-/* Marks a scene as changed: it is loaded again before the next use. */
+/* Marks a scene for reloading before its next use. */
 void lib_scene_reload(firn_scene *scene);
 
 void lib_release_scene(firn_scene *scene);
 
 /* ---- materials ---- */
 
-/* Sets the members of a material that the interface knows; keeps its textures. If values are out of
- * range, logs an error and returns STATUS_USAGE. */
+/* Sets the members of a material that struct firn_material has; keeps its textures. If values are
+ * out of range, logs an error and returns STATUS_USAGE. */
 MUST_USE enum status lib_material_read(struct material *to, const struct firn_material *from);
 void lib_material_write(struct firn_material *to, const struct material *from);
 
 /* ---- cameras ---- */
 
-/* Reads and checks a camera; NULL for the scene's. */
+/* Reads and validates a camera; NULL stands for the scene's. */
 MUST_USE enum status lib_camera_read(struct firn_camera *to, const struct firn_camera *from);
 
-/* Converts a checked camera of explicit kind. */
+/* Converts a validated camera of any kind but FIRN_CAMERA_SCENE. */
 MUST_USE enum status lib_camera_of(struct camera *camera, const struct firn_camera *from,
                                    const firn_renderer *renderer);
 
-/* Describes a camera as the kind to->kind. `from` is of an explicit kind with a matrix, or it is
- * `camera` that is described. */
+/* Converts a camera to the kind to->kind. Uses `from` if its kind has a matrix, otherwise
+ * `camera`. */
 void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
                          const struct camera *camera, const firn_renderer *renderer);
 
@@ -199,27 +200,27 @@ void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
 MUST_USE enum status lib_draw(firn_renderer *renderer, const struct firn_camera *camera,
                               struct render_result *result, firn_progress_fn *progress, void *user);
 
-/* Chooses the shot of a view, after updating scene and renderer. */
+/* Updates scene and renderer, then sets the shot of a view. */
 MUST_USE enum status lib_renderer_aim(firn_renderer *renderer, const struct firn_camera *camera,
                                       struct renderer_shot *shot);
 
-/* Returns an element of an array of buffers, whose size is that of the first. */
+/* Returns an element of an array of buffers, whose stride is the `size` of the first. */
 const struct firn_buffer *lib_buffer_at(const struct firn_buffer *buffers, size_t index);
 
-/* Checks and writes buffers. */
+/* Validates buffers, and writes the layers to them. */
 MUST_USE enum status lib_buffers_check(const firn_renderer *renderer,
                                        const struct firn_buffer *buffers, size_t count);
 MUST_USE enum status lib_buffers_write(const firn_renderer *renderer,
                                        const struct firn_buffer *buffers, size_t count,
                                        struct render_result *result);
 
-/* Returns layer `index` of the interface, or NULL. Index 1 is `display`. */
+/* Returns layer `index` of firn_layer_get(), or NULL. Index 1 is `display`. */
 const struct frame_layer *lib_layer(uint32_t index);
 
 /* Ends the worker thread of a renderer, if any. */
 void lib_worker_end(firn_renderer *renderer);
 
-/* Cancelled view: a status that only the library returns. */
+/* Status of a cancelled view, which only the library returns. */
 #define LIB_CANCELLED ((enum status)FIRN_CANCELLED)
 
 #endif

@@ -1,10 +1,11 @@
-/* lists.c: lists of settings and layers. */
+/* lists.c: firn_setting_get() and firn_layer_get(): descriptions of settings and layers. */
 #include <string.h>
 #include "src/lib/lib.h"
 #include "src/render/frame/output_layers.h"
 #include "src/settings/settings.h"
 
-/* Ends a call that describes entry `index` of a list, which is NULL past the end. */
+/* Writes a list entry for the caller and ends the call. `entry` is NULL past the end of the
+ * list. */
 static firn_status write_entry(struct lib_call *call, void *to, const void *entry, size_t size,
                                uint32_t index)
 {

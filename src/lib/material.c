@@ -1,4 +1,5 @@
-/* material.c: converts materials of the interface, and makes them from text. */
+/* material.c: converts struct firn_material to and from the renderer's material, and parses
+ * text. */
 #include <stdio.h>
 #include <string.h>
 #include "src/app/options/set_option.h"

@@ -15,7 +15,7 @@ static uint32_t count_of(const struct model *model)
     return model->object_count + model->surroundings_object_count;
 }
 
-/* Refuses the index of no object. */
+/* Logs an error and returns STATUS_USAGE if no object has the index. */
 static enum status check_index(const struct model *model, uint32_t index)
 {
     if (index < count_of(model))
@@ -30,7 +30,7 @@ static void extend(struct box *box, vec3s position, bool is_first)
     box->max = is_first ? position : glms_vec3_maxv(box->max, position);
 }
 
-/* Range of the surroundings' vertices, and what is found of their triangles. */
+/* Vertex range of an object of the surroundings, and properties of its triangles. */
 struct surroundings_part {
     uint32_t first, end;
     struct box box;
@@ -78,7 +78,7 @@ static struct firn_object describe(const struct model *model, uint32_t index)
     const uint32_t number = index - model->object_count;
     const struct surroundings_part part = measure_part(model, number);
     found.name = model->surroundings_names[number];
-    found.id = index + 2; /* one number is for surroundings without object */
+    found.id = index + 2; /* surroundings without an object also have a number */
     found.triangle_count = part.triangle_count;
     found.material = part.material ? model->materials[part.material - 1].name : "";
     set_box(&found, model, part.box);
@@ -116,7 +116,7 @@ firn_status firn_scene_object(firn_scene *scene, uint32_t index, struct firn_obj
 
 /* ---- materials ---- */
 
-/* Sets the members of a medium that the settings define. */
+/* Sets the medium's members that the settings define. */
 static void use_settings(struct material *material, const struct firn_scene *scene, uint32_t index)
 {
     const struct frame_medium medium =
@@ -162,7 +162,7 @@ firn_status firn_scene_material(firn_scene *scene, uint32_t index, struct firn_m
     return lib_leave(&call, lib_write(material, &written, sizeof(written), "material"));
 }
 
-/* Refuses a change that the options of a scene make instead. */
+/* Logs an error and returns STATUS_USAGE if an object's material cannot be replaced. */
 static enum status check_change(const firn_scene *scene, uint32_t index,
                                 const struct firn_material *material)
 {
@@ -184,7 +184,7 @@ static enum status check_change(const firn_scene *scene, uint32_t index,
     return STATUS_OK;
 }
 
-/* Returns the earlier change of an object's material, or NULL. */
+/* Returns the recorded change of an object's material, or NULL. */
 static struct lib_material_change *find_change(const firn_scene *scene, uint32_t index)
 {
     for (uint32_t i = 0; i < scene->change_count; i++) {
@@ -219,7 +219,7 @@ static bool is_equal(float a, float b)
     return !(a < b || a > b);
 }
 
-/* Returns true if materials differ only in numbers on which neither meshes nor the BVH depend. */
+/* Returns true if materials differ only in values that affect neither meshes nor the BVH. */
 static bool differ_in_numbers(const struct material *a, const struct material *b)
 {
     return a->flags == b->flags && a->priority == b->priority &&
@@ -229,8 +229,8 @@ static bool differ_in_numbers(const struct material *a, const struct material *b
            glms_vec3_eqv(a->base_color, b->base_color);
 }
 
-/* Changes the material that an earlier change has given to an object alone. Sets *is_done to false
- * if the scene must be loaded again instead. */
+/* Changes an object's material in place if an earlier change gave the object a material of its own.
+ * Sets *is_done to false if the scene must be reloaded instead. */
 static enum status change_in_place(firn_scene *scene, uint32_t index,
                                    const struct firn_material *material, bool *is_done)
 {
@@ -269,7 +269,7 @@ firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
         status = change_in_place(scene, index, material, &is_done);
     if (status == STATUS_OK)
         status = put_change(scene, index, material);
-    if ((status == STATUS_OK) != is_done) /* is needed, or has failed midway */
+    if ((status == STATUS_OK) != is_done) /* not possible in place, or failed midway */
         lib_scene_reload(scene);
     return lib_leave(&call, status);
 }

@@ -1,4 +1,4 @@
-/* scene.c: loads scenes with the options of firn render, and applies changes of them. */
+/* scene.c: loads scenes with the options of firn render, and applies changed options. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ const char *lib_keep_text(firn_scene *scene, const char *text)
 
 /* ---- options ---- */
 
-/* Drops an earlier material or transform of the node that the last one names. */
+/* Removes an earlier override for the node of the last material or transform override. */
 static void drop_replaced(struct setup_scene *given)
 {
     const uint32_t materials = given->material_override_count;
@@ -48,7 +48,7 @@ static void drop_replaced(struct setup_scene *given)
     }
 }
 
-/* Sets an option of `image`, a copy of the scene's. */
+/* Sets an option in `image`, a copy of the scene's options. */
 static enum status set_option(firn_scene *scene, struct setup_image *image, const char *name,
                               const char *value)
 {
@@ -73,7 +73,7 @@ static enum status set_options(firn_scene *scene, const char *const *options)
 
 /* ---- loading ---- */
 
-/* Sets what the process of the library needs: its reader, and its own sources of data. */
+/* Sets the reader program and the scene's arrays. */
 static void adapt(firn_scene *scene, struct setup_image *image)
 {
     image->scene.reader.program = scene->device->reader;
@@ -81,7 +81,8 @@ static void adapt(firn_scene *scene, struct setup_image *image)
     image->scene.source = scene->source.user ? &scene->source : NULL;
 }
 
-/* Sets the scene's options and what follows from them. `samples` replaces theirs unless it is 0. */
+/* Copies the scene's options to *image and derives the dependent ones. A nonzero `samples`
+ * overrides their sample count. */
 static enum status complete(firn_scene *scene, uint32_t samples, struct setup_image *image)
 {
     *image = scene->given;
@@ -99,7 +100,7 @@ void lib_scene_close_sessions(firn_scene *scene)
         image_session_close(&r->session);
 }
 
-/* Loads the scene. After a failure, the earlier one is kept. */
+/* Loads the scene. On failure, keeps the previous one. */
 static enum status load(firn_scene *scene)
 {
     struct setup_image image;
@@ -134,7 +135,7 @@ enum status lib_scene_image(firn_scene *scene, uint32_t samples, struct setup_im
     return STATUS_OK;
 }
 
-/* Applies changed settings that do not describe the scene. */
+/* Applies changed settings without reloading the scene. */
 static enum status apply_settings(firn_scene *scene)
 {
     struct setup_image image;

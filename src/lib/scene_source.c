@@ -1,4 +1,4 @@
-/* scene_source.c: makes the model and environment of a scene from arrays, and changes materials. */
+/* scene_source.c: builds model and environment from arrays, and replaces materials of objects. */
 #include "src/lib/scene_source.h"
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +35,7 @@ static enum status make_environment(void *user, struct environment *environment)
     return STATUS_OK;
 }
 
-/* Puts the changed materials of objects. Each changed object gets a material of its own. */
+/* Applies the material changes. Each changed object gets a material of its own. */
 static enum status change_materials(void *user, struct model *model)
 {
     const firn_scene *scene = user;

@@ -1,4 +1,4 @@
-/* scene_source.h: arrays of the caller that replace the files of a scene. */
+/* scene_source.h: arrays of the caller that replace the model or environment file of a scene. */
 #ifndef FIRN_LIB_SCENE_SOURCE_H
 #define FIRN_LIB_SCENE_SOURCE_H
 
@@ -7,13 +7,13 @@
 
 struct lib_arrays {
     struct model_arrays model;
-    struct environment environment; /* texels NULL unless set */
+    struct environment environment; /* texels are NULL if none is set */
 };
 
-/* Value of the option `env` for an environment from an array; recognised by its address. */
+/* Value of the option `env` that stands for an environment from an array; compared by address. */
 extern const char lib_environment_name[];
 
-/* Sets scene->source for the arrays and changed materials of a scene. */
+/* Sets scene->source to provide the scene's arrays and changed materials. */
 void lib_set_source(firn_scene *scene);
 void lib_free_arrays(struct lib_arrays *arrays);
 

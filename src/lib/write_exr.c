@@ -1,4 +1,4 @@
-/* write_exr.c: writes arrays of the caller as an EXR file. */
+/* write_exr.c: firn_write_exr(): writes arrays of the caller as an EXR file. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,8 +6,8 @@
 #include "src/file/exr.h"
 #include "src/lib/lib.h"
 
-/* Names a channel as `firn render` does: R, G, B, A of beauty; the planes of a known layer; else
- * NAME for a single channel, NAME.R ... for several. */
+/* Writes the name of a channel, as `firn render` does: R, G, B, A for beauty; the planes of a known
+ * layer; else NAME for a single channel, or NAME.R ... for several. */
 static void name_channel(char *name, const struct firn_buffer *buffer, uint32_t channel)
 {
     static const char letters[] = "RGBA";

@@ -7,7 +7,7 @@
 
 enum {
     CELL = ADAPTIVE_CELL,
-    LIGHT_SHARED = 3,    /* samples that share light maps */
+    LIGHT_SHARED = 3,    /* number of samples that share the light maps */
     FIRST_END = 4,       /* samples per pixel in round 1; later rounds quadruple the total */
     RECTANGLE_COST = 64, /* fixed cost of drawing a rectangle, as a number of cells */
 };

@@ -43,7 +43,7 @@ struct renderer {
     uint32_t sum_count;        /* number of samples in `sums` */
     struct image sums;         /* sums of the samples of renderer_refine() */
     struct image display_sums; /* their weighted sums; without planes if not weighted */
-    struct image shown;        /* mean that renderer_resolve() has tone-mapped, or empty */
+    struct image shown;        /* tone-mapped mean from renderer_resolve(), or empty */
     struct image lighting;     /* samples to denoise; {0} if none */
 };
 

@@ -21,8 +21,8 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
-/* Returns true if any photons of the light maps are ray traced, which takes most of the time of a
- * small image. */
+/* Returns true if photons of the light maps are ray traced, which dominates the time of small
+ * images. */
 static bool traces_photons(const struct renderer *r)
 {
     const struct technique *refraction = r->params.refraction;

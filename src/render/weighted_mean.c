@@ -136,7 +136,7 @@ static void weigh_row(const struct image *mean, uint32_t y, float scale, struct 
     }
 }
 
-/* Adds the filtered pixels of a row to `sums`. `share` is the row's weight in the filter. */
+/* Adds the filtered pixels of a row to `sums`. `share` is the filter weight of the row. */
 static void add_row(const struct pixel *row, uint32_t width, float share, struct pixel *sums)
 {
     for (uint32_t x = 0; x < width; x++) {

@@ -54,9 +54,9 @@ void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples,
 void weighted_mean_divide(struct image *sums, uint32_t samples);
 
 /*
- * Applies a reconstruction filter to the means of a whole image: adds each sample to the pixels
- * around its own, too. The mean weight of a pixel's samples is the weight of their mean, so that
- * the samples are not needed. Returns false when out of memory.
+ * Applies a reconstruction filter to the means of a whole image, so that each sample also
+ * contributes to neighbouring pixels. The mean weight of a pixel's samples is the weight of their
+ * mean, so that the samples are not needed. Returns false when out of memory.
  */
 MUST_USE bool weighted_mean_filter(struct image *mean, float scale);
 

@@ -18,7 +18,7 @@ enum {
     MORTON_BITS = 10,    /* per axis */
     RADIX_BITS = 10,     /* of a counting sort pass */
     POLYGON_MAX = 6,     /* vertices of a triangle that is clipped by three half-planes */
-    TESTS_MIN = 1 << 19, /* see tests_max() */
+    TESTS_MIN = 1 << 19, /* lower bound of tests_max() */
     TESTS_PER_TRIANGLE = 16,
 };
 
@@ -284,7 +284,7 @@ static bool is_marked(const struct join *join, uint32_t at)
     return join->shells->triangles[join->order[at] / 32] >> join->order[at] % 32 & 1;
 }
 
-/* Returns true if a contact of two triangles would add nothing to the result. */
+/* Returns true if a contact of two triangles would not change the result. */
 static bool is_known(const struct join *join, uint32_t at_a, uint32_t at_b, float epsilon)
 {
     const struct coincident_shells *shells = join->shells;

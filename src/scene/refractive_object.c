@@ -51,9 +51,9 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
     return done;
 }
 
-/* Maximum cost of the point-in-mesh tests of object_assign_ranks(), in triangles and boxes. Objects
- * that overlap densely, such as thousands of copies at one place, cost a number that is quadratic
- * or worse. */
+/* Maximum cost of the point-in-mesh tests of object_assign_ranks(), in triangles and boxes. For
+ * objects that overlap densely, such as thousands of copies in one place, the cost is quadratic or
+ * worse in their number. */
 #define COST_MAX (3u << 23)
 
 /* Search for the objects that one object encloses. */
@@ -63,9 +63,9 @@ struct enclosure {
     const struct mesh *mesh;
     struct closed_mesh container; /* empty until the first candidate */
     uint32_t index;               /* of the enclosing object */
-    uint64_t cost;                /* of all searches */
-    uint32_t *tested_by;          /* of each vertex: number of the last call of surrounds_all() */
-    uint32_t call_count;          /* of surrounds_all() */
+    uint64_t cost;                /* total cost of all searches */
+    uint32_t *tested_by; /* per vertex: number of the last surrounds_all() call that tested it */
+    uint32_t call_count; /* number of surrounds_all() calls */
     bool is_out_of_memory;
 };
 

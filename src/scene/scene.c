@@ -148,7 +148,7 @@ static enum status locate(const char *name, enum asset_kind kind, char **path)
     return status == STATUS_OK && !*path ? log_out_of_memory(name) : status;
 }
 
-/* Reads the model file, or makes the model from the data that replaces it. */
+/* Loads the model from its file, or from the source that replaces the file. */
 static enum status read_model(struct model *model, const struct scene_params *params,
                               const struct model_pose *pose)
 {
@@ -262,7 +262,7 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
     return status;
 }
 
-/* Reads the environment file, or makes the environment from the data that replaces it. */
+/* Loads the environment from its file, or from the source that replaces the file. */
 static enum status read_environment(struct environment *environment,
                                     const struct scene_params *params)
 {
@@ -431,8 +431,8 @@ static enum status sort_surroundings(struct scene *scene)
                : log_out_of_memory("surroundings");
 }
 
-/* Tests whether the objects are convex, and measures the depth complexity of few objects: scenes of
- * more objects are drawn without it. */
+/* Tests whether the objects are convex and measures their depth complexity, if there are few:
+ * scenes of many objects are drawn without this. */
 static void measure_shape(struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -503,7 +503,7 @@ static enum status add_derived(struct scene *scene, const struct scene_params *p
     return status;
 }
 
-/* Limits the work of all that compares objects. */
+/* Limits the number of objects, because some algorithms compare them pairwise. */
 static enum status check_object_count(const struct scene_params *params, const struct model *model)
 {
     if (model->object_count <= BVH_OBJECTS_MAX)

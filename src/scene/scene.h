@@ -87,7 +87,7 @@ struct scene {
     bool has_pool;            /* the scene is a pool, which may contain an object */
     bool is_animated;         /* geometry changes with time: the model is animated, or ice melts */
     bool is_convex;           /* object is convex (mesh_is_convex()) */
-    float depth_complexity;   /* mesh_depth_complexity() of the most complex of few objects, or 0 */
+    float depth_complexity; /* maximum mesh_depth_complexity() of the objects; 0 for many objects */
 };
 
 /* Cracks inside the object. */

@@ -104,7 +104,7 @@ extern const struct setting_group object_settings, ice_settings, landscape_setti
 enum tonemap_resolve {
     TONEMAP_RESOLVE_WEIGHTED, /* bright samples have smaller weights */
     TONEMAP_RESOLVE_LINEAR,   /* mean of linear radiance, as in EXR files */
-    TONEMAP_RESOLVE_FILTERED, /* as weighted; pixels also contain samples of their neighbours */
+    TONEMAP_RESOLVE_FILTERED, /* weighted, and filtered over neighbouring pixels */
 };
 
 #endif

@@ -185,7 +185,7 @@ MUST_USE const char *setup_fill_scene(struct scene *scene, const struct setup_sc
 /* Logs that memory ran out for `lacking`, named by setup_fill_scene(). Returns STATUS_TRY_AGAIN. */
 enum status setup_log_fill_failure(const char *lacking);
 
-/* Rebuilds what depends on changed materials of a scene: see scene_update_materials(). */
+/* Updates a scene after changes of its materials: see scene_update_materials(). */
 MUST_USE enum status setup_update_materials(struct scene *scene, const struct setup_scene *options);
 
 /* Poses an animated model at `time`, in seconds, by reloading and filling the scene. If the scene

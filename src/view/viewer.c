@@ -10,7 +10,7 @@
 #include "src/view/view_internal.h"
 #include "src/view/window/worker_thread.h"
 
-/* Minimum time between two lost devices, seconds; a device that is lost sooner is not reopened. */
+/* Minimum time between device losses, seconds; a device that is lost sooner is not reopened. */
 #define RECOVERY_SECONDS 60.0
 
 /* time without size changes before the renderer is resized, seconds */
@@ -437,8 +437,8 @@ static enum status begin(struct view *v)
     return status == STATUS_OK ? begin_device(v) : status;
 }
 
-/* After a lost device, reopens the device, unless it was lost less than RECOVERY_SECONDS ago. The
- * window keeps its last image meanwhile. Returns other errors unchanged. */
+/* Reopens a lost device, unless the previous loss was less than RECOVERY_SECONDS ago. The window
+ * shows its last image meanwhile. Returns other errors unchanged. */
 static enum status recover(struct view *v, enum status status)
 {
     const bool has_ui = v->ui;

@@ -1,4 +1,4 @@
-"""mutants.py: runs firn on mutants of sound files of all formats.
+"""mutants.py: runs firn on mutated valid files of all formats.
 
 Usage: mutants.py FIRN COUNT SEED [--trace] FILE_OR_FOLDER...
 
@@ -29,7 +29,7 @@ SECONDS = 60
 
 
 def change_bytes(data, pick, other):
-    """Flips bits, sets words, cuts, repeats or splices; returns the bytes."""
+    """Mutates bytes: flips bits, sets words, cuts, repeats or splices. Returns the result."""
     data = bytearray(data)
     for _ in range(pick.choice((1, 1, 2, 4, 16))):
         if not data:
@@ -57,7 +57,7 @@ def change_bytes(data, pick, other):
 
 
 def places(node):
-    """All (container, key) of a JSON document."""
+    """Returns all (container, key) pairs of a JSON document."""
     rows = node.items() if isinstance(node, dict) else enumerate(node)
     for key, value in rows:
         yield node, key
@@ -111,7 +111,7 @@ def limit():
 
 
 def fault_of(command):
-    """How a run ended if it did not end well, else None; and its exit code."""
+    """Returns a description of a bad end of the run, or None, and the exit code."""
     done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False,
                           preexec_fn=limit)
     text = done.stderr.decode(errors='replace')

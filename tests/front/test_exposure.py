@@ -78,7 +78,7 @@ class Exposure(Case):
             self.refuse(USAGE, 'render', 'a.obj', *words, names=['--exposure'])
 
     def test_scattering_media_are_metered(self):
-        """The density of a file's medium is known before the textures of inclusions are made."""
+        """The density of the file's medium is known before inclusion textures are generated."""
         def metered(*words):
             return self.stops('--exposure', 'auto', '--env', 'studio', *words, scene='ice-cube')
         self.assertNotEqual(metered('--set', 'air.media=40'), metered('--set', 'air.media=0'))

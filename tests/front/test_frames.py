@@ -309,7 +309,7 @@ class Report(Frames):
         self.assertEqual(self.report()['frames'][0]['files'], ['?.exr'])
 
     def test_a_frame_that_cannot_be_stored(self):
-        """The first one ends the sequence: its folder may be gone, which no further frame mends."""
+        """The first failed frame ends the sequence, because the next ones would fail, too."""
         words = ('render', 'sphere', *BARE, '-q', '--frames', '1-3', '--json', 'report.json')
         with socket.socket(socket.AF_UNIX) as server:
             os.chdir(self.folder)

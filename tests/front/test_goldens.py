@@ -18,7 +18,7 @@ SHARE = 0.999  # of the values are within it
 MEAN = 1e-4
 
 PAPER = ('--refraction', 'paper')
-# Drivers filter anisotropically in different ways, by up to .6 in a pixel of bumps.
+# Anisotropic filtering differs between drivers, by up to .6 in a pixel with bumps.
 EQUAL = ('--set', 'env_cube.size=512', '--set', 'texture.anisotropy=1')
 PICTURES = {
     'ice-cube': ('valley', *PAPER),

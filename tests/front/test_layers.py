@@ -21,7 +21,7 @@ def matt(name, *color, **more):
 
 
 def transform(matrix, *vector):
-    """A row vector times a matrix of an EXR attribute."""
+    """Multiplies a row vector by the matrix of an EXR attribute."""
     return [sum(v * matrix[4 * i + k] for i, v in enumerate(vector)) for k in range(4)]
 
 
@@ -137,7 +137,7 @@ class Layers(Case):
             self.assertEqual(names['11'], 'moving objects')
 
     def test_blended_surfaces_skip_independent_samples(self):
-        """Six of one material: both sides of three boxes."""
+        """Six surfaces of one material: both sides of three boxes."""
         scene = json.loads(boxes(*((matt('veil', 0, 0, 0, 0.3, alphaMode='BLEND'), [0, 0, z], 0.5)
                                    for z in (2, -1, -4))))
         for mesh in scene['meshes']:

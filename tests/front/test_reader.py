@@ -83,7 +83,7 @@ class Reader(Case):
         self.assertEqual('Landlock       version' in listed, has_landlock())
 
     def test_a_container_without_prctl(self):
-        """It will refuse the next try, too; the line names the way to do without."""
+        """A retry would fail, too; the message names the option that disables the sandbox."""
         (self.folder / 'tent.obj').write_text(TENT)
         env = {'LD_PRELOAD': os.environ['REFUSE_PRCTL'], **NO_DRIVER}
         self.refuse(NO_DEVICE, 'graph', 'tent.obj', env=env, names=['prctl', '--sandbox off'])

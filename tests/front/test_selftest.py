@@ -38,7 +38,7 @@ class Selftest(Case):
         self.assertIn(b'\n  none: install a Vulkan driver', done.stdout)
 
     def test_fallback_driver(self):
-        """Without a device of the system, the driver in lib/lavapipe is used, as in a bundle."""
+        """If the system has no usable device, the bundled driver in lib/lavapipe is used."""
         driver = environment({}).get('VK_DRIVER_FILES')
         if not driver:
             self.skipTest('no lavapipe')

@@ -51,7 +51,7 @@ class Pages(Case):
             self.assertIn(' '.join(what.split()), ' '.join(page.split()))
 
     def test_the_same_in_the_docs(self):
-        """python3 man/settings.py FIRN > docs/reference/settings.md makes it anew."""
+        """python3 man/settings.py FIRN > docs/reference/settings.md rebuilds it."""
         docs = pathlib.Path(__file__).parents[2] / 'docs/reference/settings.md'
         self.assertEqual(docs.read_text(), settings.page(Case.program))
 
@@ -106,7 +106,7 @@ class Completions(Case):
                          {'paper', 'exact', 'crossfade', 'auto'})
 
     def test_files(self):
-        """Only those of the kinds that an option or a command reads."""
+        """Only file types that the option or command reads are completed."""
         for name in ('statue.glb', 'statue.hdr', 'statue.txt'):
             (self.folder / name).touch()
         (self.folder / 'steps').mkdir()

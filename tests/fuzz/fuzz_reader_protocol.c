@@ -1,6 +1,6 @@
 /*
- * Bytes become all that a reader process does: its data, its messages, and how it ends. Whatever it
- * is, what the parent takes is sound, what it refuses leaves nothing, and its status is one of
+ * The input defines the behaviour of a reader process: data, messages and exit. For any input, data
+ * that the parent accepts is valid, refused data leaves no memory, and the status is one of
  * those of reader_process.h. No process is started: the linker puts stand-ins in place of its calls
  * (--wrap, tests/fuzz/meson.build).
  */
@@ -17,7 +17,7 @@
 #include "tests/fuzz/fuzz_stream.h"
 
 enum {
-    HEAD_SIZE = 3, /* what is read, how it ends, length of the messages */
+    HEAD_SIZE = 3, /* file kind, exit of the child, length of its messages */
 };
 
 static struct memory_pipe data, messages;
@@ -119,7 +119,7 @@ static enum status read_model(const struct reader_params *params)
     return status;
 }
 
-/* Makes the child's data from bytes: as they are, or put into a sound stream. */
+/* Makes the child's data from the input: unchanged, or as edits of a valid stream. */
 static void make_data(uint8_t kind, const uint8_t *bytes, size_t size)
 {
     data = (struct memory_pipe){ .size = 0 };

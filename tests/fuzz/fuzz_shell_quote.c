@@ -1,4 +1,4 @@
-/* Bytes become a word of a script. A shell reads what shell_quote_word() writes as that word. */
+/* Quotes the input as a word of a script: a shell must parse the result as the same word. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 static const char special[] = "|&;<>()$`\\\"' \t\n*?[]{}~!^";
 
-/* Reads one word by the rules of POSIX (2.2 Quoting) for what may be in it. */
+/* Parses one word by the quoting rules of POSIX (2.2 Quoting). */
 static void read_word(const char *text, char *word)
 {
     FUZZ_CHECK(*text != '#' && *text);

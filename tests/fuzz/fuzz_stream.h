@@ -1,4 +1,4 @@
-/* fuzz_stream.h: sound streams of a reader process, and bytes that are put into them. */
+/* fuzz_stream.h: valid streams of a reader process, and edits of their bytes. */
 #ifndef TESTS_FUZZ_STREAM_H
 #define TESTS_FUZZ_STREAM_H
 
@@ -10,11 +10,11 @@
 #include "tests/support/memory_pipe.h"
 
 enum {
-    EDIT_SIZE = 6, /* where (2), what (4) */
+    EDIT_SIZE = 6, /* bytes of an edit: position (2), value (4) */
     MOST_EDITS = 4,
 };
 
-/* A head of a picture with two planes, a place and a text. */
+/* Header of an image with two planes, a position and a string. */
 static inline void fuzz_stream_make_head(struct memory_pipe *stream)
 {
     struct image_header head = { .has_window = true, .window = { 1, 2, 8, 8 } };
@@ -26,7 +26,7 @@ static inline void fuzz_stream_make_head(struct memory_pipe *stream)
     image_header_finish(&head);
 }
 
-/* A sound one: two objects of a triangle, a camera, two textures; or a panorama of 2 x 1. */
+/* Valid data: a model of two objects, a camera and two textures, or a panorama of 2 x 1. */
 static inline void fuzz_stream_make(struct memory_pipe *stream, bool is_model)
 {
     struct mesh_vertex vertices[4] = { 0 };

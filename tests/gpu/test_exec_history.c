@@ -89,7 +89,7 @@ static void images_are_kept(void **state)
     painted_series_variants(*state, &feature_history.params, &series);
 }
 
-/* Frames of odd and of even number come last before an update. */
+/* The last frame before an update has an odd or an even number. */
 static void images_survive_updates(void **state)
 {
     struct run run;

@@ -648,7 +648,7 @@ static void formats_of_views_differ(void **state)
     PAINTED_VARIANTS(state, view_rows, paints, check_recoded, .outputs = { &recoded_out });
 }
 
-/* A compute shader stores to an image whose own format cannot be stored to. */
+/* A compute shader stores to an image whose own format does not support storage. */
 static const struct rg_image shown = { .name = "shown", .format = VK_FORMAT_R8G8B8A8_SRGB };
 static const struct rg_buffer codes_in = { .name = "codes in", .size_per_texel = 4 };
 

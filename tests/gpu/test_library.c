@@ -33,7 +33,7 @@ static void count_message(void *user, int level, const char *text)
 {
     (void)user;
     assert_true(level <= FIRN_LOG_NOTE && !strchr(text, '\n'));
-    assert_null(strstr(text, "VUID")); /* of the validation layer */
+    assert_null(strstr(text, "VUID")); /* message of the validation layer */
     message_count++;
 }
 
@@ -589,7 +589,7 @@ static void a_child_gets_errors(void **state)
     const pid_t child = fork();
     if (child == 0) {
         firn *other;
-        alarm(20); /* a child that waits is killed */
+        alarm(20); /* kills a child that waits */
         const bool fails = firn_render(renderer, NULL, &buffer, 1, NULL, NULL) == FIRN_FAILED &&
                            strstr(firn_error(device), "fork()") &&
                            firn_fetch(renderer, ticket, &buffer, 1) == FIRN_FAILED &&

@@ -28,7 +28,7 @@ OPTIONS = {'env': 'studio', 'plain': True, 'refraction': 'bounce', 'quality': 'n
 
 
 def icosphere(steps):
-    """A unit sphere of triangles: positions and indices."""
+    """Returns a triangulated unit sphere: positions and indices."""
     g = (1 + 5 ** .5) / 2
     points = [np.roll((0, a, b), k) for k in range(3) for a in (-1, 1) for b in (-g, g)]
     points = np.array(points) / np.linalg.norm(points[0])
@@ -49,7 +49,7 @@ def icosphere(steps):
 
 
 def decode(coded):
-    """The mask of COCO's compressed run lengths, as COCO's own decoder reads them."""
+    """Decodes COCO's compressed run lengths to a mask, as COCO's own decoder does."""
     runs, text, at = [], coded['counts'], 0
     while at < len(text):
         value, shift, more = 0, 0, True
@@ -65,9 +65,9 @@ def decode(coded):
 
 
 class WithoutDevice(unittest.TestCase):
-    """What needs neither the library nor a device."""
+    """Tests that need neither the library nor a device."""
     def test_cameras(self):
-        """Agree in all their notations, and project as OpenCV defines it."""
+        """All conventions agree, and projection follows OpenCV's definition."""
         camera = firn.Camera(SKEWED, VIEW.R, VIEW.t, SIZE, time=2)
         again = firn.Camera.from_colmap('PINHOLE', (90, 70, 21, 30.75), camera.quaternion,
                                         camera.t, SIZE)
@@ -86,7 +86,7 @@ class WithoutDevice(unittest.TestCase):
                 firn.Camera(**{'K': SKEWED, 'R': VIEW.R, 't': VIEW.t, 'size': SIZE, **bad})
 
     def test_masks(self):
-        """Run lengths are read back; boxes hold the mask."""
+        """Run lengths decode to the mask; boxes contain the mask."""
         rng = np.random.default_rng(1)
         for density in (0, 0.02, 0.5, 0.98, 1):
             mask = rng.uniform(size=(37, 53)) < density
@@ -121,7 +121,7 @@ class Firn(unittest.TestCase):
         return scene
 
     def test_equals_the_program(self):
-        """All bytes, for the camera that the scene chooses and for one of the caller's."""
+        """Bit-identical, for the scene's camera and for one of the caller."""
         with self.device.load('ice-cube', **OPTIONS) as scene:
             renderer = scene.renderer(('rgb', 'Z', 'object', 'display'), samples=2)
             frame = renderer.render(size=SIZE)
@@ -142,7 +142,7 @@ class Firn(unittest.TestCase):
         self.assertEqual(firn.diff(frame.rgb, frame.rgb, errors=True)['errors'].max(), 0)
 
     def test_changes_are_drawn(self):
-        """Of a material, a setting and an option; and by name as on the command line."""
+        """Changes of a material, a setting and an option equal those of the command line."""
         scene = self.sphere()
         renderer = scene.renderer(('rgb',))
         images = [renderer.render(VIEW).rgb]
@@ -161,7 +161,7 @@ class Firn(unittest.TestCase):
                 self.device.load('ice-cube', **words)
 
     def test_geometry(self):
-        """Points are where K, R and t put them; depths are those of the sphere."""
+        """Points are projected by K, R and t; depths are those of the sphere."""
         scene = self.sphere()
         renderer = scene.renderer(('P', 'Z', 'object'))
         frame = renderer.render(firn.Camera(SKEWED, VIEW.R, VIEW.t, SIZE))
@@ -176,7 +176,7 @@ class Firn(unittest.TestCase):
         np.testing.assert_allclose(frame.Z[ball], z, rtol=1e-5)
 
     def test_refractive_flow(self):
-        """That of `bounce` is the path tracer's, and a ball turns the image upside down."""
+        """Flow of `bounce` equals the path tracer's, and a ball inverts the image."""
         flows = []
         for model in ('bounce', 'reference'):
             frame = self.sphere(refraction=model).renderer(('exit', 'object')).render(VIEW)
@@ -190,7 +190,7 @@ class Firn(unittest.TestCase):
         self.assertLess(np.nanmedian(flows[0][~above, 1]), 0)
 
     def test_mistakes(self):
-        """Become exceptions, after which the device goes on."""
+        """Errors become exceptions, and the device remains usable."""
         (self.folder / 'a.glb').write_bytes(b'glTF\2\0\0\0')
         scene = self.sphere()
         renderer = scene.renderer(('rgb',))
@@ -243,7 +243,7 @@ class Firn(unittest.TestCase):
         return self.folder / name
 
     def test_data_set(self):
-        """Is a function of its seed, resumed where it was left, and says where the objects are."""
+        """The set depends only on its seed, can be resumed, and has the objects' positions."""
         whole = self.make_set('whole', range(3))
         self.make_set('parts', [2])
         parts = self.make_set('parts', range(3))

@@ -6,7 +6,7 @@ static const struct rg_image sum = COLOR_IMAGE("sum", .persistent = true);
 static const struct rg_image seen = COLOR_IMAGE("seen");
 static const struct rg_image kept = COLOR_IMAGE("kept", .persistent = true);
 static const struct rg_image before = COLOR_IMAGE("before");
-/* the last frame's `now`, without a copy */
+/* content of `now` in the last frame, without a copy */
 static const struct rg_image now = COLOR_IMAGE("now");
 static const struct rg_image last = COLOR_IMAGE("last", .previous = &now);
 static const struct rg_image last_seen = COLOR_IMAGE("last seen");

@@ -32,7 +32,7 @@ static uint32_t first_content(const struct hazard_resource *resource)
     return HAZARD_UNDEFINED;
 }
 
-/* Returns true if a frame begins without the content that the last one has left. */
+/* Returns true if the content of the last frame is lost at the start of a frame. */
 static bool is_replaced(const struct hazard *h, uint32_t cell)
 {
     return hazard_partner(h, cell) != cell && !hazard_is_history(h, cell);

@@ -326,7 +326,7 @@ static void number_expected(struct hazard *h)
     }
 }
 
-/* Finds histories. Their `previous` is persistent, but swaps places only if the history is read. */
+/* Finds history images. Their `previous` is persistent, but swapped only if the history is read. */
 static void pair_histories(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->resource_count; i++) {

@@ -92,7 +92,7 @@ struct hazard_resource {
     const struct rg_import *import; /* may be NULL */
     const struct rg_output *output; /* may be NULL */
     bool persistent;
-    /* image with which it swaps places after a frame (rg_image.previous), or RG_NONE */
+    /* image that it is swapped with after a frame (rg_image.previous), or RG_NONE */
     uint32_t partner;
     VkExtent2D extent;
     uint32_t mips, layers, samples, depth;
@@ -232,7 +232,7 @@ uint32_t hazard_next_subresource(const struct hazard_resource *resource,
 /* hazard_graph_tables.c: fills resources, passes, uses and subresources. */
 void hazard_tables(struct hazard *h);
 
-/* Returns the subresource of the partner; `cell` itself if its resource has none. */
+/* Returns the partner's subresource, or `cell` if its resource has no partner. */
 static inline uint32_t hazard_partner(const struct hazard *h, uint32_t cell)
 {
     const struct hazard_resource *resource = &h->resources[h->cells[cell].resource];

@@ -111,7 +111,8 @@ static void draw_history(struct random_tables *t, uint32_t index)
     memset(t->known[index].defined, 1, sizeof(t->known[index].defined));
 }
 
-/* Makes histories of images that are not always written completely persistent images. */
+/* Replaces history images by persistent ones if the other image is not always written
+ * completely. */
 static void finish_histories(struct random_tables *t)
 {
     for (uint32_t i = 0; i < t->image_count; i++) {

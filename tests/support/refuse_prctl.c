@@ -1,4 +1,4 @@
-/* refuse_prctl.c: LD_PRELOAD library that stands in for a container without prctl(). */
+/* refuse_prctl.c: LD_PRELOAD library that makes prctl() fail, as some containers do. */
 #include <errno.h>
 #include <sys/prctl.h>
 

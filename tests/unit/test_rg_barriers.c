@@ -243,7 +243,7 @@ static void test_reads_after_reads_are_merged(void **state)
     rg_plan_destroy(plan);
 }
 
-/* One barrier serves both reads: it names the stages and the accesses of both. */
+/* One barrier covers both reads: it has the stages and accesses of both. */
 static void test_different_reads_are_merged(void **state)
 {
     (void)state;

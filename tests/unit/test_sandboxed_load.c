@@ -122,7 +122,7 @@ static void send_and_hang(void)
     hang();
 }
 
-/* Sends a byte now and then, and computes nothing. */
+/* Sends single bytes slowly, without using CPU time. */
 static void drip(void)
 {
     sem_t never;

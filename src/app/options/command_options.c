@@ -173,7 +173,8 @@ enum status option_quality(const struct option *option, void *at, const char *va
     return STATUS_OK;
 }
 
-/* Leaves samples out of neighbouring pixels with --plain and the filters without overlap. */
+/* Disables the reconstruction filter of tonemap.resolve with --plain and pixel filters that are no
+ * wider than a pixel. */
 static void choose_resolve(struct setup_image *image)
 {
     struct settings *settings = &image->scene.settings;

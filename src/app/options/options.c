@@ -616,7 +616,7 @@ void option_init_render(struct setup_image *image)
     *image = o.image;
 }
 
-/* Options that a renderer of the library sets, or that describe files. */
+/* Options that the library refuses: a renderer sets them, or they describe output files. */
 static bool is_of_files(const struct option *option)
 {
     static const char *const names[] = { "size",        "aov",      "show", "tiles", "tile",

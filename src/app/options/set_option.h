@@ -19,8 +19,8 @@ MUST_USE enum status option_set_node_material(struct setup_scene *scene, const c
 /* Returns true if an option is a member of struct setup_scene. */
 bool option_is_of_scene(const char *name);
 
-/* Checks the options together, as firn render does after the last one, and sets what follows from
- * them: quality level, sample count, pixel filter, preset. Layers must be set before. */
+/* Checks combinations of options, as firn render does after the last one, and sets those that
+ * depend on others: quality level, sample count, pixel filter, preset. Set the layers before. */
 MUST_USE enum status option_complete_render(struct setup_image *image);
 
 #endif

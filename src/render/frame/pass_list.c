@@ -81,7 +81,7 @@ static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t dept
 {
     char number[16];
     snprintf(number, sizeof(number), "%u", depth_index);
-    if (depth_index < list->object_count) /* of an earlier phase */
+    if (depth_index < list->object_count) /* the pass belongs to an earlier phase */
         return list->objects[depth_index].globals;
     struct rg_buffer *buffer = pass_arena_alloc(&list->builder, sizeof(*buffer));
     if (!buffer)

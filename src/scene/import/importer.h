@@ -43,7 +43,7 @@ struct model_import {
     uint32_t doubled_triangles;   /* dropped by model_drop_doubled_faces() */
     struct shell_counts shells;   /* numbers of changed shells */
     char missing_file[256];       /* first missing referenced file, else "" */
-    bool has_large_texture;       /* a warning of downsampling is logged */
+    bool has_large_texture;       /* a warning about downsampling was logged */
 };
 
 /* Model file format, identified by its lower-case suffix, such as "glb". */
@@ -70,7 +70,7 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
  * file is missing or outside the model's folder, records its name in *user and returns NULL. */
 FILE *model_file_open(void *user, const char *path);
 
-/* Returns why model_file_open() has returned NULL for a file, in words. */
+/* Returns a description of why model_file_open() returned NULL for a file. */
 const char *model_file_fault(const char *path);
 
 /* Converts a file reference (URI, Windows path or other path) to a relative path, in place. If the

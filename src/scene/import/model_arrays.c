@@ -1,4 +1,4 @@
-/* model_arrays.c: converts meshes, materials and instances in memory to a model. */
+/* model_arrays.c: builds a model from meshes, materials and instances in memory. */
 #include "src/scene/import/model_arrays.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 struct building {
     const struct model_arrays *arrays;
     enum model_role default_role;
-    bool is_split; /* roles by material; else default_role applies */
+    bool is_split; /* the material decides the role; else default_role does */
     struct model_build build;
 };
 

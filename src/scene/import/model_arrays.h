@@ -33,8 +33,8 @@ struct model_arrays {
     uint32_t mesh_count, material_count, instance_count, light_count;
 };
 
-/* Checks that the numbers of a mesh are finite and its indices in range. Logs errors as errors of
- * `name`, and returns STATUS_DATA. */
+/* Checks that the values of a mesh are finite and its indices in range. Otherwise logs an error
+ * that begins with `name`, and returns STATUS_DATA. */
 MUST_USE enum status model_arrays_check(const struct model_arrays_mesh *mesh, const char *name);
 
 /* Builds a model. Instances of transmissive materials become objects and all others surroundings;

@@ -1,4 +1,4 @@
-/* model_avif_none.c: AVIF textures in a build without libavif: there are none. */
+/* model_avif_none.c: stubs for builds without libavif. */
 #include "src/scene/import/model_avif.h"
 
 /* NOLINTBEGIN(readability-non-const-parameter): the other implementation writes to them */

@@ -9,7 +9,7 @@
 #include "src/scene/import/obj_ply.h"
 
 enum {
-    LIBRARY_MAX = 256 /* MTL files per model, with repetitions */
+    LIBRARY_MAX = 256 /* maximum number of MTL files per model, counting repetitions */
 };
 
 struct mtl;

@@ -103,7 +103,7 @@ static const struct rg_pass layer_pass = {
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
 };
 
-/* Unpack groups of layers; the last pass is for models that trace rays. */
+/* Unpack groups of layers; the last pass is for ray-traced models. */
 static const struct rg_pass unpack_passes[] = {
     {
         .name = "refract.unpack_exit",

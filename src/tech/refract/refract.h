@@ -17,7 +17,7 @@ extern const struct rg_image refract_fresnel;    /* Fresnel reflectance */
  * it; y: number of total internal reflections; z: 1 if the first inner surface reflects totally */
 extern const struct rg_image refract_path;
 
-/* Written only by models that trace rays. */
+/* Written only by ray-traced models. */
 extern const struct rg_image refract_media;       /* number of segments inside objects */
 extern const struct rg_image refract_last_object; /* number of the last object hit */
 
@@ -27,7 +27,7 @@ extern const struct rg_image refract_last_object; /* number of the last object h
         &highlight_radiance, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } \
     }
 
-/* Packed layers, which models that draw a full-screen triangle write together with the image. */
+/* Packed layers: models that draw a full-screen triangle write them together with the image. */
 extern const struct rg_image refract_packed_path, refract_packed_light, refract_packed_counts;
 #define REFRACT_PACKED_TARGETS(first) \
     [(first)] = { &refract_packed_path, RG_LOAD_CLEAR }, \
@@ -110,7 +110,7 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
                  .stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT)
 
-/* Returns true if layers that can be packed are wanted. */
+/* Returns true if layers are requested that can be packed. */
 bool refract_wants_layers(const struct technique_config *config);
 
 /* Makes the passes that write packed layers to the layers' images. */

@@ -203,7 +203,8 @@ static const struct rg_target denoise_targets[] = {
     [TRACE_OUT_POSITION] = { &denoise_images[2], RG_LOAD_CLEAR },
 };
 
-/* Targets with layers: of the image, with denoiser inputs, and without the image. */
+/* Colour targets including packed layers: with the image, with denoiser inputs, without the
+ * image. */
 static const struct rg_target packed_targets[] = {
     REFRACT_COLOR_TARGETS,
     REFRACT_PACKED_TARGETS(REFRACT_OUT_PACKED),
@@ -217,7 +218,7 @@ static const struct rg_target packed_denoise_targets[] = {
     REFRACT_PACKED_TARGETS(REFRACT_OUT_PACKED_DENOISE),
 };
 
-/* Image that only the pass of the layers writes, in place of the frame's. */
+/* Image that the layers' own pass writes instead of the frame's image. */
 static const struct rg_image unused_color = { .name = "refract_trace.unused_color",
                                               .format = VK_FORMAT_R16G16B16A16_SFLOAT };
 static const struct rg_image unused_highlight = { .name = "refract_trace.unused_highlight",

@@ -48,7 +48,7 @@ struct ui {
     bool has_inspected;                /* the cursor was over the image */
     bool pinned;                       /* pixel pinned by a click */
     float press_x, press_y;            /* last left button press */
-    float press_reach;                 /* largest distance of the cursor from it */
+    float press_reach;                 /* maximum distance of the cursor from the press position */
     unsigned buttons;                  /* bit b: mouse button b pressed */
     bool pressed_panel;                /* they were pressed over a panel */
     bool has_clicked;                  /* the image was clicked at (press_x, press_y) */

@@ -9,7 +9,7 @@
 #include "src/tech/techniques.h"
 
 enum {
-    CAMERA_COUNT = 12, /* numbers that describe a camera with square pixels, centred */
+    CAMERA_COUNT = 12, /* numbers of a camera with square pixels and a centred principal point */
 };
 
 _Static_assert(offsetof(struct camera, pixel_aspect) == CAMERA_COUNT * sizeof(float),

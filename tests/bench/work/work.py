@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""work.py: CPU time of `firn info` for models of many parts, and its growth with their number.
+"""work.py: measures CPU time of `firn info` for models with many parts, and its growth.
 
 Usage: work.py FIRN [--check]
 
@@ -159,7 +159,7 @@ KINDS = (one_place, nested, pairs, nodes, opaque_nodes, materials, primitives, a
 
 
 def seconds(firn, kind, count):
-    """CPU time and exit code."""
+    """Returns CPU time and exit code."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / 'model.gltf'
         kind(count).write(path)
