@@ -162,6 +162,7 @@ class Material:
     @classmethod
     def _of_object(cls, struct, write) -> Material:
         material = cls.__new__(cls)
+        struct.name = struct.name  # a copy: the scene's own goes when it changes
         material._struct = struct
         material._write = write
         return material
