@@ -150,7 +150,7 @@ def call(name, *arguments, device=None):
     """Calls a function that returns a status; raises the exception of its message."""
     status = getattr(library(), f'firn_{name}')(*arguments)
     if status:
-        raise error_of(status, library().firn_error(device).decode())
+        raise error_of(status, library().firn_error(device).decode(errors='replace'))
 
 
 def strings(words):
