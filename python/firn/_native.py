@@ -149,7 +149,7 @@ def call(name, *arguments, device=None):
     """Calls a function that returns a status. Raises the exception of the status if it failed."""
     status = getattr(library(), f'firn_{name}')(*arguments)
     if status:
-        raise error_of(status, library().firn_error(device).decode())
+        raise error_of(status, library().firn_error(device).decode(errors='replace'))
 
 
 def strings(words):

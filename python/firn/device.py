@@ -162,6 +162,7 @@ class Material:
     @classmethod
     def _of_object(cls, struct, write) -> Material:
         material = cls.__new__(cls)
+        struct.name = struct.name  # a copy: the scene's own goes when it changes
         material._struct = struct
         material._write = write
         return material
@@ -169,7 +170,7 @@ class Material:
     @property
     def name(self) -> str:
         """Name of the material in its file."""
-        return (self._struct.name or b'').decode()
+        return (self._struct.name or b'').decode(errors='replace')
 
     def set(self, **fields) -> Material:
         """Sets several fields at once."""
@@ -212,7 +213,7 @@ class SceneObject:
     """An object of a scene: `name`, `id` (its number in the layer `object`), `refracts`, `box`."""
     def __init__(self, scene: Scene, index: int, struct):
         self._scene, self._index = scene, index
-        self.name: str = struct.name.decode()
+        self.name: str = struct.name.decode(errors='replace')  # may be cut within a character
         self.id: int = struct.id
         self.refracts: bool = bool(struct.refracts)
         self.triangle_count: int = struct.triangle_count

@@ -131,7 +131,7 @@ class Frame(Mapping):
 
 def write_file(path, data: bytes) -> None:
     """Writes a file atomically: under a temporary name, which is replaced when it is complete."""
-    temporary = f'{os.fspath(path)}.part'
+    temporary = f'{os.fspath(path)}.{os.getpid()}.part'  # of this process: sets are shared
     try:
         with open(temporary, 'wb') as file:
             file.write(data)

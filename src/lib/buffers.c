@@ -121,16 +121,17 @@ static void put(char *to, uint32_t type, float value)
         memcpy(to, &integer, sizeof(integer));
 }
 
+/* Writes a layer; 0 if the refraction model has no such layer. */
 static void write_layer(const struct target *target, const struct image *image)
 {
     const size_t size = type_sizes[target->type];
     for (uint32_t c = 0; c < target->channels; c++) {
         const float *plane = image_find(image, target->layer->planes[c]);
-        for (size_t y = 0; y < image->height && plane; y++) {
+        for (size_t y = 0; y < image->height; y++) {
             char *to = target->data + (ptrdiff_t)y * target->row_stride + (ptrdiff_t)(c * size);
-            const float *from = &plane[y * image->width];
+            const float *from = plane ? &plane[y * image->width] : NULL;
             for (size_t x = 0; x < image->width; x++, to += target->pixel_stride)
-                put(to, target->type, from[x]);
+                put(to, target->type, from ? from[x] : 0.0f);
         }
     }
 }

@@ -21,6 +21,7 @@ static enum status refresh(firn_renderer *r)
     image->layers = r->layers;
     image->scene.quiet = image->scene.quiet || !is_first;
     r->session.quiet = image->scene.quiet;
+    r->session.linear = r->has_beauty || image->is_adaptive; /* adaptive sampling reads it */
     r->session.skips_exposure = !r->has_display && !image->is_adaptive;
     if (status == STATUS_OK)
         status = image_session_choose(&r->session);

@@ -61,7 +61,7 @@ static enum status fill_scene(struct image_session *s)
     struct filling filling = { s, log_get_sink(), NULL };
     if (!s->scene->is_filled)
         fill(&filling);
-    s->scene->is_filled = true;
+    s->scene->is_filled = !filling.missing;
     return filling.missing ? setup_log_fill_failure(filling.missing) : STATUS_OK;
 }
 

@@ -41,6 +41,8 @@ static void *work(void *user)
             continue;
         }
         struct lib_job *job = job_of(r, r->drawn);
+        if (r->drawn >= r->cancelled) /* submitted after firn_cancel() */
+            atomic_store(&r->is_cancelled, false);
         pthread_mutex_unlock(&r->lock);
         draw(r, job);
         pthread_mutex_lock(&r->lock);
@@ -89,8 +91,6 @@ static enum status submit(firn_renderer *r, const struct firn_camera *camera, ui
         status = start(r);
     if (status != STATUS_OK)
         return status;
-    if (r->submitted == r->fetched)
-        atomic_store(&r->is_cancelled, false);
     pthread_mutex_lock(&device->lock);
     device->pending++;
     pthread_mutex_unlock(&device->lock);

@@ -98,6 +98,7 @@ struct firn_renderer {
     bool has_worker, ends;
     struct lib_job jobs[LIB_IN_FLIGHT];
     uint64_t submitted, drawn, fetched; /* numbers of views */
+    uint64_t cancelled;                 /* the first views, which firn_cancel() has ended */
 };
 
 /* ---- calls ---- */
@@ -196,7 +197,7 @@ void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
 
 /* ---- rendering ---- */
 
-/* Draws a view. Sets renderer->is_cancelled to false at the end. */
+/* Draws a view, until renderer->is_cancelled is set. */
 MUST_USE enum status lib_draw(firn_renderer *renderer, const struct firn_camera *camera,
                               struct render_result *result, firn_progress_fn *progress, void *user);
 

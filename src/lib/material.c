@@ -76,7 +76,7 @@ firn_status firn_material_init(struct firn_material *material, const char *text)
     struct lib_call call;
     struct setup_scene scene = { 0 };
     struct material made = material_make("");
-    char words[MATERIAL_OVERRIDE_SIZE];
+    char words[MATERIAL_OVERRIDE_SIZE + 1]; /* a longer text is refused, not truncated */
     lib_enter_alone(&call);
     enum status status = lib_require(text, "text");
     if (status == STATUS_OK && *text) {

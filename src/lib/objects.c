@@ -255,20 +255,33 @@ static enum status change_in_place(firn_scene *scene, uint32_t index,
     return setup_update_materials(&scene->session.scene, &scene->image.scene);
 }
 
+/* Copies a material of the caller without its name, which is not set: it may point to the scene
+ * before its last change, from which firn_scene_material() has read it. */
+static enum status read_unnamed(struct firn_material *to, const struct firn_material *from)
+{
+    const enum status status = lib_read(to, sizeof(*to), from, "material");
+    to->size = sizeof(*to);
+    to->name = NULL;
+    return status;
+}
+
 firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
                                     const struct firn_material *material)
 {
     struct lib_call call;
+    struct firn_material unnamed;
     if (!lib_enter(&call, scene ? scene->device : NULL, true))
         return scene ? FIRN_FAILED : FIRN_USAGE;
     bool is_done = false;
     enum status status = lib_scene_update(scene);
     if (status == STATUS_OK)
-        status = check_change(scene, index, material);
+        status = read_unnamed(&unnamed, material);
     if (status == STATUS_OK)
-        status = change_in_place(scene, index, material, &is_done);
+        status = check_change(scene, index, &unnamed);
     if (status == STATUS_OK)
-        status = put_change(scene, index, material);
+        status = change_in_place(scene, index, &unnamed, &is_done);
+    if (status == STATUS_OK)
+        status = put_change(scene, index, &unnamed);
     if ((status == STATUS_OK) != is_done) /* not possible in place, or failed midway */
         lib_scene_reload(scene);
     return lib_leave(&call, status);

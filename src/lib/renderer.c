@@ -173,8 +173,12 @@ firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camer
 
 void firn_cancel(firn_renderer *renderer)
 {
-    if (renderer && lib_is_own(renderer->scene->device))
-        atomic_store(&renderer->is_cancelled, true);
+    if (!renderer || !lib_is_own(renderer->scene->device))
+        return;
+    pthread_mutex_lock(&renderer->lock);
+    renderer->cancelled = renderer->submitted;
+    atomic_store(&renderer->is_cancelled, true);
+    pthread_mutex_unlock(&renderer->lock);
 }
 
 static enum status convert(firn_renderer *renderer, const struct firn_camera *from,

@@ -583,8 +583,10 @@ static void free_tables(struct scene_tables *tables)
 enum status scene_update_materials(struct scene *scene, const struct scene_params *params)
 {
     const struct scattering_media filled = scene->inclusions.media;
+    if (scene->has_pool) /* has no tables */
+        return STATUS_OK;
     free_tables(&scene->tables);
-    const enum status status = scene->has_pool ? STATUS_OK : add_surfaces(scene, params);
+    const enum status status = add_surfaces(scene, params);
     scattering_media_finish(&scene->inclusions.media); /* found again, but not filled */
     scene->inclusions.media = filled;
     return status;

@@ -69,7 +69,7 @@ static void add_outputs(struct frame_plan *p, const struct frame_request *reques
         add_readback(p, frame_beauty.image);
     const struct frame_layer *layer;
     for (size_t i = 0; i < FRAME_LAYER_MAX && (layer = techniques_layer(i)); i++) {
-        if (request->layers & 1u << i && is_drawn(p, layer->image))
+        if (request->layers & UINT64_C(1) << i && is_drawn(p, layer->image))
             add_readback(p, layer->image);
     }
     for (size_t i = 0; i < FRAME_DENOISE_COUNT && request->config.denoises_light; i++)

@@ -164,6 +164,10 @@ enum status model_arrays_build(struct model *model, const struct model_arrays *a
         log_error("%s: expected at least one instance of a mesh", name);
         return STATUS_DATA;
     }
+    if (arrays->material_count > MESH_SURFACE_MAX - 2) { /* as in glTF files */
+        log_error("%s: expected at most %u materials", name, MESH_SURFACE_MAX - 2);
+        return STATUS_DATA;
+    }
     model_build_init(&b.build, &import, model);
     const enum status status = build_all(&b);
     model_build_finish(&b.build);
