@@ -144,12 +144,14 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds passes per object: G-buffer passes (except for PHASE_FACES), then those of phase `last`. */
+/* Adds passes per object: G-buffer passes (except for PHASE_FACES), then those of phase `last`, unless
+ * the pass of the image writes the layers of the refraction model. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
     struct technique_config copy = *config;
     const bool for_layers = last != PHASE_REFRACTION;
+    const bool is_packed = last == PHASE_LAYERS && config->refraction->refraction.packs_layers;
     bool done = true;
     copy.keeps_depth = for_layers;
     for (uint32_t depth_index = 0; depth_index < config->object_count && done; depth_index++) {
@@ -157,7 +159,7 @@ static bool add_objects(struct frame_list *list, const struct technique_config *
         copy.is_limited = depth_index && !for_layers;
         if (last != PHASE_FACES)
             done = add_phase(list, &copy, PHASE_DEPTHS) && add_phase(list, &copy, PHASE_NORMALS);
-        done = done && add_phase(list, &copy, last) &&
+        done = done && (is_packed || add_phase(list, &copy, last)) &&
                assign_to_object(list, first, depth_index, for_layers);
     }
     return done;
@@ -286,8 +288,6 @@ static bool add_all(struct frame_list *list, const struct technique_config *conf
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;
         const bool is_before = phase == PHASE_DEPTHS || phase == PHASE_NORMALS;
-        if (are_many && phase == PHASE_LAYERS && config->refraction->refraction.packs_layers)
-            continue;
         if (are_many &&
             (phase == PHASE_REFRACTION || phase == PHASE_LAYERS || phase == PHASE_FACES))
             done = add_objects(list, config, phase);
