@@ -144,8 +144,8 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     return !list->builder.failed;
 }
 
-/* Adds passes per object: G-buffer passes (except for PHASE_FACES), then those of phase `last`, unless
- * the pass of the image writes the layers of the refraction model. */
+/* Adds passes per object: G-buffer passes (except for PHASE_FACES), then those of phase `last`,
+ * unless the pass of the image writes the layers of the refraction model. */
 static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
