@@ -76,8 +76,8 @@ class Camera:
         right = np.cross(forward, up)
         if not np.linalg.norm(forward) or not np.linalg.norm(right):
             raise UsageError('look_at: the eye is at the target, or the view is parallel to `up`')
-        if not 0 < fov < 180:
-            raise UsageError(f'fov: expected degrees between 0 and 180, got {fov}')
+        if not 1 <= fov <= 170:
+            raise UsageError(f'fov: expected 1 to 170 degrees, got {fov}')
         forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
         R = np.stack([right, np.cross(forward, right), forward])
         f = size[1] / 2 / math.tan(math.radians(fov) / 2)

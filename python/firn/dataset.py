@@ -102,7 +102,7 @@ def vary(scene, rng, **ranges) -> dict:
             fields.update(attenuation_color=color.tolist(), attenuation_distance=0.01)
         if fields:
             one.material.set(**fields)
-            chosen[one.name or str(one.id)] = fields
+            chosen[f'{one.id} {one.name}'.strip()] = fields
     known = {setting['name'].replace('.', '_'): setting for setting in settings()}
     known.update({name: {'name': name.replace('_', '-'), 'type': 'float'} for name in OPTIONS})
     for name, limits in ranges.items():

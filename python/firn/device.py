@@ -61,7 +61,11 @@ class _Handle:
     def __init__(self, handle, close, device=None):
         self._handle = handle
         self._device = device
-        self._finalizer = weakref.finalize(self, getattr(_native.library(), close), handle)
+        # The garbage collector may run in a log callback or in another thread, where closing a
+        # handle would wait for itself: the device's next call closes what is collected.
+        self._garbage = device._garbage if device else collections.deque()
+        self._close = getattr(_native.library(), close)
+        self._finalizer = weakref.finalize(self, self._garbage.append, (self._close, handle))
 
     @property
     def closed(self) -> bool:
@@ -70,7 +74,9 @@ class _Handle:
 
     def close(self) -> None:
         """Closes the handle. Further calls do nothing."""
-        self._finalizer()
+        if self._finalizer.detach():
+            self._close(self._handle)
+        self._close_garbage()
 
     def __enter__(self):
         return self
@@ -81,6 +87,11 @@ class _Handle:
     def __reduce__(self):
         raise TypeError(f'a {type(self).__name__} belongs to its process; make one in each')
 
+    def _close_garbage(self):
+        while self._garbage:
+            close, handle = self._garbage.popleft()
+            close(handle)
+
     def _open_handle(self):
         if self.closed:
             raise ClosedError(f'this {type(self).__name__} is closed')
@@ -90,6 +101,7 @@ class _Handle:
         device = self._device or self
         if device.closed:
             raise ClosedError('the device is closed')
+        self._close_garbage()
         _native.call(name, self._open_handle(), *arguments, device=device._handle)
 
 

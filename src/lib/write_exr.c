@@ -48,7 +48,7 @@ static enum status add_planes(struct image *image, const struct firn_buffer *buf
         }
         float *texels = image_add_plane(image, name, false);
         if (!texels)
-            return STATUS_TRY_AGAIN;
+            return log_out_of_memory(name);
         for (size_t y = 0; y < image->height; y++) {
             const char *from = (const char *)buffer->data + (ptrdiff_t)y * row + (ptrdiff_t)(4 * c);
             for (size_t x = 0; x < image->width; x++, from += pixel)

@@ -109,8 +109,10 @@ static enum status find_shown(struct renderer *r, uint32_t sample_count)
 {
     const bool is_filtered =
         r->display_sums.planes && sample_count > 1 && weighted_mean_is_filtered(r->params.settings);
-    if (!r->shown.planes && !image_init_like(&r->shown, &r->sums, r->sums.height))
+    if (!r->shown.planes && !image_init_like(&r->shown, &r->sums, r->sums.height)) {
+        image_finish(&r->shown); /* the next call tries again */
         return log_out_of_memory(NULL);
+    }
     for (size_t i = 0; i < (size_t)r->sums.width * r->sums.height; i++) {
         float rgba[4];
         find_display(r, i, sample_count, rgba);

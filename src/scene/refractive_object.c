@@ -70,7 +70,7 @@ struct enclosure {
 };
 
 /* Returns true if the container surrounds all corners of `part`, and sets *is_contained to whether
- * it contains them. Ends early, with an arbitrary result, when the cost reaches COST_MAX. */
+ * it contains them. Ends early and returns false when the cost reaches COST_MAX. */
 static bool surrounds_all(struct enclosure *enclosure, const struct mesh *part, bool *is_contained)
 {
     const struct closed_mesh *container = &enclosure->container;
@@ -88,7 +88,7 @@ static bool surrounds_all(struct enclosure *enclosure, const struct mesh *part, 
             return false;
         *is_contained = *is_contained && closed_mesh_contains(container, point);
     }
-    return true;
+    return enclosure->cost < COST_MAX;
 }
 
 /* Sets *innermost to `k` + 1 if object `k` is the smallest enclosing object so far. */
