@@ -269,10 +269,10 @@ const char *firn_version(void)
     return FIRN_VERSION;
 }
 
-const char *firn_status_name(int status)
+const char *firn_status_name(firn_status status)
 {
     static const struct {
-        int status;
+        firn_status status;
         const char *name;
     } names[] = {
         { FIRN_OK, "FIRN_OK" },

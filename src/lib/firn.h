@@ -90,7 +90,7 @@ typedef enum firn_status {
 FIRN_API const char *firn_version(void);
 
 /* Returns the name of a status, such as "FIRN_DATA"; "?" if the value is unknown. */
-FIRN_API const char *firn_status_name(int status);
+FIRN_API const char *firn_status_name(firn_status status);
 
 /* ---- device ---- */
 

@@ -686,8 +686,8 @@ static void check_stored(struct run *run, uint32_t number)
     const float *texels = run_data(run, &recoded_out);
     (void)number;
     for (uint32_t i = 0; i < FEATURE_TEXELS; i++) {
-        const float linear = powf(((float)(100 + i) / 255.0F + 0.055F) / 1.055F, 2.4F);
-        CHECK_NEAR(texels[(size_t)4 * i], linear, 0.002F);
+        const double linear = pow(((100 + i) / 255.0 + 0.055) / 1.055, 2.4);
+        CHECK_NEAR(texels[(size_t)4 * i], linear, 0.002);
         CHECK_NEAR(texels[(size_t)4 * i + 1], 0, 0);
     }
 }
