@@ -22,11 +22,11 @@ BY_SUFFIX = {'exr': ENVIRONMENT, 'hdr': ENVIRONMENT, 'png': DIFF, 'json': BASELI
 
 KINDS = {
     'cut short': models.truncated,
-    'bits turned over': models.bit_flips,
+    'flipped bits': models.bit_flips,
     'wrong lengths': models.lengths,
-    'indices of nothing': models.indices,
+    'indices out of range': models.indices,
     'numbers: not finite, too large': models.numbers,
-    'nodes: 100 000 deep, in circles': models.trees,
+    'nodes: 100 000 deep, in cycles': models.trees,
     'huge counts': models.counts,
     'URIs that lead elsewhere': models.uris,
     'bad base64': models.base64_text,

@@ -44,7 +44,7 @@ def table():
     for entry in corpus():
         kinds[entry.kind].append(entry)
     rows = [row(kind, entries) for kind, entries in kinds.items()]
-    return '\n'.join((*rows, row('together', corpus())))
+    return '\n'.join((*rows, row('total', corpus())))
 
 
 def command(entry, path):

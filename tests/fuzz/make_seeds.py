@@ -15,7 +15,7 @@ from make_corpus import corpus  # noqa: E402
 from pictures import profile, tile  # noqa: E402
 
 SIZE_MAX = 4096  # bytes
-SLOW = 'nodes: 100 000 deep, in circles', 'huge counts'
+SLOW = 'nodes: 100 000 deep, in cycles', 'huge counts'
 READERS = {'exr': 'exr', 'hdr': 'hdr', 'png': 'png', 'json': 'profile_json', 'txt': 'preset',
            'glb': 'model', 'gltf': 'model', 'obj': 'model', 'ply': 'model', 'stl': 'model'}
 TEXTS = {
