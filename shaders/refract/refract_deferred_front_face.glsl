@@ -15,7 +15,7 @@ layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 vec3 eye_to_point;
 float front_depth; /* depth-buffer value; 0 without ice */
-vec3 normal; /* unit length, bump mapped */
+vec3 normal;       /* unit length, bump mapped */
 float fresnel_paper;
 
 vec3 refract_front_normal()

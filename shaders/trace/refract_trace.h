@@ -7,11 +7,11 @@
 #include "trace/bvh_layout.h"
 
 /* Bindings of the ray tracer, in addition to those of surroundings.h or REFRACT_ENV_CUBE. */
-#define TRACE_FRAME        12 /* struct trace_frame */
-#define TRACE_NODES        13 /* BVH nodes, texel buffer (bvh_layout.h) */
-#define TRACE_TRIANGLES    14
-#define TRACE_CORNERS      15
-#define TRACE_CUBE_POINTS  22 /* the environment cube with nearest filtering */
+#define TRACE_FRAME       12 /* struct trace_frame */
+#define TRACE_NODES       13 /* BVH nodes, texel buffer (bvh_layout.h) */
+#define TRACE_TRIANGLES   14
+#define TRACE_CORNERS     15
+#define TRACE_CUBE_POINTS 22 /* the environment cube with nearest filtering */
 /* Bindings of the BVH's storage buffers, used with TRACE_HAS_STORAGE_BUFFERS. */
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
