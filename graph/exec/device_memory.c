@@ -317,7 +317,7 @@ static void swap_partners(struct rg_exec *exec)
         const uint32_t partner = exec->plan->images[i].partner;
         for (uint32_t s = 1; s < exec->image_set_count && partner < i; s += 2) {
             VkImage *images = exec->image_sets[s].images;
-            const VkImage image = images[i];
+            VkImage image = images[i];
             images[i] = images[partner];
             images[partner] = image;
         }

@@ -86,8 +86,10 @@ static VkResult make_arrays(struct rg_exec *exec)
                RG_MAKE_ARRAY(exec, set->targets, plan->pass_count) &&
                RG_MAKE_ARRAY(exec, set->descriptors, plan->pass_count);
     }
+    if (!done)
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
     exec->image_set = &exec->image_sets[exec->parity % exec->parities];
-    return done ? VK_SUCCESS : VK_ERROR_OUT_OF_HOST_MEMORY;
+    return VK_SUCCESS;
 }
 
 static VkResult make_all(struct rg_exec *exec)

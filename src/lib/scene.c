@@ -66,8 +66,11 @@ static enum status set_option(firn_scene *scene, struct setup_image *image, cons
 static enum status set_options(firn_scene *scene, const char *const *options)
 {
     enum status status = STATUS_OK;
-    for (; options && *options && status == STATUS_OK; options += 2)
-        status = set_option(scene, &scene->given, options[0], options[1]);
+    for (size_t i = 0; options && options[i] && status == STATUS_OK; i += 2) {
+        status = set_option(scene, &scene->given, options[i], options[i + 1]);
+        if (!options[i + 1])
+            break; /* no pair follows */
+    }
     return status;
 }
 
