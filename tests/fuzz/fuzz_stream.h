@@ -65,7 +65,7 @@ static inline void fuzz_stream_make(struct memory_pipe *stream, bool is_model)
         .has_camera = true,
         .has_ior = true,
     };
-    const struct environment environment = { halfs, 2, 1 };
+    const struct environment environment = { .texels = halfs, .width = 2, .height = 1 };
     const struct pipe_sink sink = { memory_pipe_write, stream };
     FUZZ_CHECK(is_model ? model_pipe_write_model(&sink, &model)
                         : model_pipe_write_environment(&sink, &environment));
