@@ -109,7 +109,8 @@ static enum status find_shown(struct renderer *r, uint32_t sample_count)
 {
     const bool is_filtered =
         r->display_sums.planes && sample_count > 1 && weighted_mean_is_filtered(r->params.settings);
-    if (!r->shown.planes && !image_init_like(&r->shown, &r->sums, r->sums.height)) {
+    const bool exists = r->shown.planes || image_init_like(&r->shown, &r->sums, r->sums.height);
+    if (!exists || !r->shown.planes) {
         image_finish(&r->shown); /* the next call tries again */
         return log_out_of_memory(NULL);
     }

@@ -118,10 +118,20 @@ static void print_surroundings(FILE *out, const struct setup_scene *scene)
         fputs(" background=none", out);
 }
 
+/* Prints the options that change only PNG files. */
+static void print_png_options(FILE *out, const struct setup_image *p)
+{
+    if (p->show)
+        fprintf(out, " show=%s", p->show->name);
+    if (p->ocio)
+        fprintf(out, " ocio=%s", p->ocio);
+    if (p->png_bits == 16)
+        fputs(" png-bits=16", out);
+}
+
 static bool describe(const struct output *output, bool is_png, char **text)
 {
     const struct setup_image *p = output->image;
-    const struct frame_layer *show = is_png ? p->show : NULL;
     const struct camera *camera = &output->shot.camera;
     struct settings settings =
         frame_resolve_settings(&p->scene.settings, output->scene, p->refraction, p->height);
@@ -143,12 +153,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
         if (p->split)
             fprintf(out, " split=%s", p->split->refraction.name);
-        if (show)
-            fprintf(out, " show=%s", show->name);
-        if (is_png && p->ocio)
-            fprintf(out, " ocio=%s", p->ocio);
-        if (is_png && p->png_bits == 16)
-            fputs(" png-bits=16", out);
+        if (is_png)
+            print_png_options(out, p);
         print_transform(out, &p->scene);
         print_surroundings(out, &p->scene);
         if (p->camera)
