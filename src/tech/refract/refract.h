@@ -30,9 +30,10 @@ extern const struct rg_image refract_last_object; /* number of the last object h
 /* Packed layers: models that draw a full-screen triangle write them together with the image. */
 extern const struct rg_image refract_packed_path, refract_packed_light, refract_packed_counts;
 #define REFRACT_PACKED_TARGETS(first) \
-    [(first)] = { &refract_packed_path, RG_LOAD_CLEAR }, \
-    [(first) + 1] = { &refract_packed_light, RG_LOAD_CLEAR }, \
-    [(first) + 2] = { &refract_packed_counts, RG_LOAD_CLEAR }
+    [first] = { &refract_packed_path, RG_LOAD_CLEAR }, { &refract_packed_light, RG_LOAD_CLEAR }, \
+    { \
+        &refract_packed_counts, RG_LOAD_CLEAR \
+    }
 
 #define REFRACT_LAYER_TARGETS \
     [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR }, \
