@@ -26,7 +26,7 @@ FOLDERS = ('.ci', 'assets', 'completions', 'docs', 'graph', 'man', 'shaders', 's
 THEIR_DATA = ('lab_ladder_canvas.c.o',)
 # One that counts what a property of the process depends on: whether it is dumpable. Three with a
 # property of each thread: where its messages, cache files and assets are.
-PROCESS_DATA = ('file_reader_process.c.o', 'base_log.c.o', 'base_disk_cache.c.o',
+PROCESS_DATA = ('file_reader_child_posix.c.o', 'base_log.c.o', 'base_disk_cache.c.o',
                 'scene_bundled_assets.c.o')
 C = ('.c', '.h', '.cpp')
 GLSL = ('.vert', '.frag', '.comp', '.glsl')
@@ -102,6 +102,24 @@ MAY_INCLUDE_SYSTEM = {
     'src/tech/': (*C_STANDARD, 'cglm/struct.h'),
     'shaders/': ('stdint.h', 'cglm/struct.h', 'cglm/types-struct.h'),
 }
+
+# Headers and functions of POSIX, and those of C that MinGW-w64 lacks. They belong in files of
+# SYSTEM_FOLDERS named *_posix.c, beside which *_win.c does the same on Windows. The window and its
+# folder are not built for Windows. strdup() is in C23 and in MinGW-w64.
+SYSTEM_FOLDERS = ('src/base/', 'src/file/')
+SYSTEM_NAMES = re.compile(r'_(?:posix|win)\.[ch]$')
+POSIX_HEADER = re.compile(
+    r'#include <(?:sys/\S+|linux/\S+|netinet/\S+|(?:windows|io|process|threads|dirent|dlfcn|'
+    r'fcntl|fnmatch|ftw|glob|langinfo|libgen|poll|pthread|pwd|regex|sched|semaphore|signal|spawn|'
+    r'strings|syslog|termios|unistd|utime)\.h)>')
+POSIX_CALL = re.compile(
+    r'(?<![\w.>])(?:access|aligned_alloc|chdir|clock_gettime|close|dlopen|dlsym|execve?|execvp?|'
+    r'fdopen|fileno|flockfile|fmemopen|fork|fseeko|fstat|ftello|getcwd|getline|getpid|'
+    r'getrusage|gmtime_r|isatty|kill|localtime_r|lseek|lstat|mkdir|mkstemp|mmap|nanosleep|open|open_memstream|'
+    r'opendir|pipe|poll|posix_\w+|pthread_\w+|putenv|read|realpath|secure_getenv|setenv|sigaction|'
+    r'sig\w+set|stat|stpcpy|strcasecmp|strcasestr|strncasecmp|strndup|strnlen|strtok_r|sysconf|'
+    r'unlink|unsetenv|usleep|waitpid|write)\(|\b(?:clockid_t|NAME_MAX|off_t|PATH_MAX|pid_t|pthread_\w+|'
+    r'sigset_t|ssize_t|struct stat|struct timespec)\b')
 
 # Words that tell of where a line was written, not of what it is for. Not looked for in this file.
 LEAKS = (
@@ -267,6 +285,26 @@ def c_rule(file):
         yield from matches(file, NOT_OURS)
 
 
+def code_of(text):
+    """Returns C or GLSL with comments and strings blanked; lines keep their numbers."""
+    return re.sub(r'"(?:\\.|[^"\\\n])*"|/\*.*?\*/|//[^\n]*',
+                  lambda found: '\n' * found[0].count('\n'), text, flags=re.S)
+
+
+def system_rule(file):
+    """Finds functions and headers of one operating system outside the files for them."""
+    is_of_system = file.path.startswith(SYSTEM_FOLDERS) and SYSTEM_NAMES.search(file.path)
+    if (not file.ends(C) or not file.path.startswith('src/') or is_of_system
+            or file.path.startswith('src/view/')):
+        return
+    declared = re.compile(r'^(?:static |\w[\w ]*[ *])\w+\(')
+    for number, line in enumerate(code_of(file.text).splitlines(), 1):
+        found = POSIX_HEADER.match(line) or (
+            not declared.match(line) and POSIX_CALL.search(line))
+        if found:
+            yield number, f'not portable, belongs in src/base/*_posix.c: {found[0].strip("(")}'
+
+
 def texts(text):
     """Yields (line, is comment, text) of the comments and the strings of C or GLSL."""
     pattern = r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|/\*.*?\*/|//[^\n]*'
@@ -278,9 +316,7 @@ def texts(text):
 
 def identifiers(text):
     """Yields (line, identifier) of C or GLSL, outside comments and strings."""
-    code = re.sub(r'"(?:\\.|[^"\\\n])*"|/\*.*?\*/|//[^\n]*',
-                  lambda found: '\n' * found[0].count('\n'), text, flags=re.S)
-    for number, line in enumerate(code.splitlines(), 1):
+    for number, line in enumerate(code_of(text).splitlines(), 1):
         for name in re.findall(r'[A-Za-z_]\w*', line):
             yield number, name
 
@@ -299,7 +335,7 @@ def language_rule(file):
                 yield line, f'{name}: "{part}" is {PRIVATE_NAMES[part]}'
 
 
-RULES = (language_rule, layout_rule, function_rule, include_rule, leak_rule, c_rule)
+RULES = (language_rule, layout_rule, function_rule, include_rule, leak_rule, c_rule, system_rule)
 
 
 def check_file(file):
@@ -441,6 +477,15 @@ SAMPLES = (
     ('src/a.c', '    const float *aB[3];\n', 'capitals in a name'),
     ('src/a.c', 'static void getA(struct a *b)\n', 'capitals in a name'),
     ('src/a.c', '    VkResult r = VK_SUCCESS;\n', None),
+    ('src/app/a.c', '#include <unistd.h>\n', 'not portable'),
+    ('src/app/a.c', '#include <sys/stat.h>\n', 'not portable'),
+    ('src/app/a_posix.c', '#include <unistd.h>\n', 'not portable'),
+    ('src/base/a.c', '    return close(file) == 0;\n', 'not portable'),
+    ('src/base/a.h', '    sigset_t signals;\n', 'not portable'),
+    ('src/base/a_posix.c', '#include <unistd.h>\n    close(file);\n', None),
+    ('src/file/a_win.c', '#include <windows.h>\n', None),
+    ('src/app/a.c', 'static void write(int x)\n    x->read(y); /* open() */\n', None),
+    ('src/app/a.c', '    puts("kill(1)");\n', None),
 )
 # Comments and names in a private dialect.
 SPEECH = (

@@ -1,19 +1,17 @@
 /* cmd_farm.c: command firn farm: distributes a sequence with Slurm or GNU parallel. */
 #include <ctype.h>
-#include <errno.h>
-#include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include "src/app/app.h"
 #include "src/app/farm_script.h"
 #include "src/app/farm_status.h"
 #include "src/app/sequence_frame_list.h"
 #include "src/base/log.h"
+#include "src/base/process.h"
 #include "src/base/program.h"
 #include "src/base/shell_quote.h"
+#include "src/base/text_stream.h"
 
 enum {
     NAME_SIZE = 64,
@@ -75,30 +73,15 @@ static const char *find_program(char path[static PROGRAM_PATH_SIZE], const char 
     return is_relative && program_path(path, NULL) ? path : called;
 }
 
-static enum status run_script(char *text)
+static enum status run_script(const char *text)
 {
-    char shell[] = "sh", option[] = "-c";
-    char *const args[] = { shell, option, text, NULL };
-    posix_spawnattr_t attributes;
-    sigset_t signals;
-    pid_t process;
-    int result = 0;
-    extern char **environ;
-
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGPIPE); /* main() ignores it */
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setsigdefault(&attributes, &signals);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-    const int error = posix_spawn(&process, "/bin/sh", NULL, &attributes, args, environ);
-    posix_spawnattr_destroy(&attributes);
+    int code;
+    const int error = process_run_shell(text, &code);
     if (error) {
         log_error("cannot run /bin/sh: %s", strerror(error));
         return STATUS_FAILED;
     }
-    while (waitpid(process, &result, 0) < 0 && errno == EINTR)
-        ;
-    if (WIFEXITED(result) && WEXITSTATUS(result) == 0)
+    if (code == 0)
         return STATUS_OK;
     log_error("--submit: the script failed; run without --submit to print it");
     return STATUS_FAILED;
@@ -117,8 +100,7 @@ static enum status make_script(const struct app_options *o, const struct sequenc
         .program = find_program(path, o->run.program),
         .name = name,
     };
-    char *text = NULL;
-    size_t size;
+    struct text_stream stream;
     enum status status = STATUS_OK;
 
     if (shell_has_control(script.program)) {
@@ -126,11 +108,11 @@ static enum status make_script(const struct app_options *o, const struct sequenc
         return STATUS_USAGE;
     }
     name_job(name, o->run.outputs.paths[0]);
-    FILE *out = open_memstream(&text, &size);
+    FILE *out = text_stream_open(&stream);
     if (out)
         print(&script, out);
-    const bool ok = out && !ferror(out);
-    if (!out || fclose(out) || !ok) {
+    char *text = text_stream_close(&stream, NULL);
+    if (!text) {
         status = log_out_of_memory(NULL);
     } else if (o->farm.submit) {
         status = run_script(text);

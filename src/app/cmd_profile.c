@@ -8,6 +8,7 @@
 #include "src/app/progress.h"
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
+#include "src/base/text_stream.h"
 #include "src/file/atomic_file.h"
 #include "src/gpu/gpu_renderdoc_capture.h"
 #include "src/lab/profile/measure_frames.h"
@@ -78,12 +79,16 @@ static bool describe_settings(struct profile *p, const struct settings *settings
         return false;
     for (const struct setting *row = settings_next(NULL); row; row = settings_next(row)) {
         struct profile_setting *setting = &p->settings[p->setting_count++];
-        FILE *out = fmemopen(setting->value, sizeof(setting->value), "w");
-        if (!out)
+        struct text_stream stream;
+        FILE *out = text_stream_open(&stream);
+        if (out)
+            settings_print(settings, row, out);
+        char *value = text_stream_close(&stream, NULL);
+        if (!value)
             return false;
         snprintf(setting->name, sizeof(setting->name), "%s", row->name);
-        settings_print(settings, row, out);
-        fclose(out);
+        snprintf(setting->value, sizeof(setting->value), "%s", value);
+        free(value);
     }
     return true;
 }
@@ -198,11 +203,12 @@ static enum status check_reports(const struct report reports[static REPORT_COUNT
 
 static enum status write_report(const struct report *report, const struct profile_sweep *sweep)
 {
-    char *text = NULL;
+    struct text_stream stream;
     size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    enum status status = out ? report->write(sweep, out) : log_out_of_memory(NULL);
-    if (out && fclose(out) != 0 && status == STATUS_OK)
+    FILE *out = text_stream_open(&stream);
+    enum status status = out ? report->write(sweep, out) : STATUS_OK;
+    char *text = text_stream_close(&stream, &size);
+    if (!text && status == STATUS_OK)
         status = log_out_of_memory(NULL);
     if (status == STATUS_OK)
         status = file_io_write(report->path, text, size);

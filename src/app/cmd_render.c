@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/app/app.h"
 #include "src/app/options/command_options.h"
 #include "src/app/progress.h"
@@ -11,6 +10,7 @@
 #include "src/app/sample_sums_file.h"
 #include "src/app/sequence_frame_list.h"
 #include "src/base/clock.h"
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/base/signals.h"
@@ -76,7 +76,7 @@ static bool has_samples(const struct output *output, const char *path,
 static bool is_current(const struct job *job, const struct output *output, const char *path)
 {
     struct image_header head;
-    if (file_io_is_direct(path) || access(path, R_OK) != 0 ||
+    if (file_io_is_direct(path) || !file_is_readable(path) ||
         image_reader_check(&head, path, &job->o.image.scene.reader) != STATUS_OK)
         return false;
     const uint32_t samples =
@@ -294,9 +294,10 @@ static enum status load_view(struct job *job)
     const char *comma = p->ocio ? strrchr(p->ocio, ',') : NULL;
     if (!comma)
         return STATUS_OK;
-    char *config = strndup(p->ocio, (size_t)(comma - p->ocio));
+    char *config = strdup(p->ocio);
     if (!config)
         return log_out_of_memory(p->ocio);
+    config[comma - p->ocio] = '\0';
     const enum status status = ocio_view_load(&job->view, config, comma + 1, &p->scene.reader);
     free(config);
     return status;

@@ -7,6 +7,7 @@
 #include "src/app/progress.h"
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
+#include "src/base/text_stream.h"
 #include "src/file/atomic_file.h"
 #include "src/file/png.h"
 #include "src/lab/ladder/canvas.h"
@@ -38,14 +39,12 @@ struct job {
 /* Adds the default sweep: "material=ice,water,...". */
 static enum status sweep_materials(struct job *job)
 {
-    size_t size;
-    FILE *out = open_memstream(&job->materials, &size);
-    if (!out)
-        return log_out_of_memory(NULL);
-    for (const struct material_preset *m = material_presets; m->name; m++)
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
+    for (const struct material_preset *m = material_presets; out && m->name; m++)
         fprintf(out, "%s%s", m == material_presets ? "material=" : ",", m->name);
-    const bool failed = ferror(out) != 0;
-    if (fclose(out) || failed)
+    job->materials = text_stream_close(&stream, NULL);
+    if (!job->materials)
         return log_out_of_memory(NULL);
     job->o.sweeps.texts[job->o.sweeps.count++] = job->materials;
     return STATUS_OK;
@@ -115,21 +114,14 @@ static void write_label(const struct job *job, uint32_t point, char label[static
  * The caller frees the string. If out of memory, returns NULL. */
 static char *list_labels(const struct job *job)
 {
-    char *labels = NULL;
-    size_t size;
-    FILE *out = open_memstream(&labels, &size);
-    if (!out)
-        return NULL;
-    for (uint32_t i = 0; i < job->sweep.point_count; i++) {
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
+    for (uint32_t i = 0; out && i < job->sweep.point_count; i++) {
         char label[LABEL_SIZE];
         write_label(job, i, label);
         fprintf(out, "%s%s", i ? "," : "", label);
     }
-    const bool failed = ferror(out) != 0;
-    if (!fclose(out) && !failed)
-        return labels;
-    free(labels);
-    return NULL;
+    return text_stream_close(&stream, NULL);
 }
 
 /* Draws an image and its label into the sheet. */

@@ -2,6 +2,7 @@
 #include "src/app/farm_script.h"
 #include <stdlib.h>
 #include "src/base/shell_quote.h"
+#include "src/base/text_stream.h"
 
 /* Prints the arguments for firn render, without those that only firn farm has. */
 static void print_arguments(const struct farm_script *script, FILE *out)
@@ -79,15 +80,14 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
 /* Prints a task's command, quoted twice because GNU parallel passes it to another shell. */
 static void print_line(const struct farm_script *script, FILE *out)
 {
-    char *line = NULL;
-    size_t size;
-    FILE *text = open_memstream(&line, &size);
+    struct text_stream stream;
+    FILE *text = text_stream_open(&stream);
     if (text) {
         print_program(script, "render --resume --chunk ", text);
         fprintf(text, "{}/%u", script->task_count);
         print_arguments(script, text);
-        fclose(text);
     }
+    char *line = text_stream_close(&stream, NULL);
     if (line)
         shell_quote_word(line, out);
     free(line);

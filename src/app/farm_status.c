@@ -2,7 +2,7 @@
 #include "src/app/farm_status.h"
 #include <jansson.h>
 #include <stdlib.h>
-#include <unistd.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/file/image_receive.h"
 #include "src/setup/image_output.h"
@@ -40,7 +40,7 @@ struct job {
 static enum state check_file(const struct job *job, const struct output *output, const char *path)
 {
     struct image_header head;
-    if (access(path, F_OK) != 0)
+    if (file_info_of(path).kind == FILE_MISSING)
         return MISSING;
     if (image_reader_check(&head, path, &job->image.scene.reader) != STATUS_OK)
         return DAMAGED;

@@ -2,8 +2,8 @@
 #include "src/app/progress.h"
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/clock.h"
+#include "src/base/standard_streams.h"
 
 enum {
     BAR = 30
@@ -16,7 +16,7 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
         .frame_name = "frame",
         .step_name = step_name,
         .begin = clock_seconds(),
-        .visible = !quiet && isatty(STDERR_FILENO),
+        .visible = !quiet && standard_streams_is_terminal(),
     };
 }
 

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/clock.h"
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/file/atomic_file.h"
 #include "src/file/exr.h"
@@ -121,7 +121,7 @@ enum status sample_sums_file_load(void *user, struct reference_sums *sums)
     uint32_t samples = 0;
     struct image_reader *reader;
     struct image_header head;
-    if (access(file->path, F_OK) != 0)
+    if (file_info_of(file->path).kind == FILE_MISSING)
         return STATUS_OK;
     enum status status =
         image_reader_open(&reader, file->path, &file->output->image->scene.reader, &head);

@@ -18,6 +18,9 @@ enum {
  * the earlier one. NULL stands for the default folder. */
 const char *disk_cache_set_folder(const char *folder);
 
+/* Returns the folder of the calling thread, or NULL for the default folder. */
+const char *disk_cache_get_folder(void);
+
 struct disk_cache_file {
     const char *name; /* without folder; at most 100 characters */
     size_t size_max;  /* maximum bytes including the hash */
@@ -26,6 +29,9 @@ struct disk_cache_file {
     bool (*is_sound)(const void *user, const void *data, size_t size);
     const void *user; /* argument of is_sound() */
 };
+
+/* Returns the 64-bit FNV-1a hash of `data`, which detects damaged cache files. */
+uint64_t disk_cache_hash(const void *data, size_t size);
 
 /* Returns true if the last DISK_CACHE_HASH_SIZE bytes are the hash of the preceding bytes. */
 bool disk_cache_is_intact(const void *data, size_t size);

@@ -2,6 +2,7 @@
 #ifndef FIRN_BASE_MACHINE_H
 #define FIRN_BASE_MACHINE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -10,6 +11,12 @@ uint64_t machine_memory(void);
 
 /* Returns the limit of this process's address space in bytes, or 0 if there is none. */
 uint64_t machine_memory_limit(void);
+
+/* Returns the number of processor cores, at least 1. */
+uint32_t machine_core_count(void);
+
+/* Chooses huge pages, or small ones, for pages of this process. Failure only costs time. */
+void machine_advise_pages(void *begin, size_t size, bool is_huge);
 
 /* Writes the processor's name, truncated to `size` bytes, or "a processor". */
 void machine_processor(char *text, size_t size);

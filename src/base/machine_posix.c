@@ -1,6 +1,8 @@
 /* machine_posix.c: queries the machine by POSIX and, on Linux, by /proc. */
+#define _DEFAULT_SOURCE /* madvise() */
 #include <stdbool.h>
 #include <stdio.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #include "src/base/machine.h"
@@ -16,6 +18,17 @@ uint64_t machine_memory_limit(void)
     struct rlimit limit;
     const bool is_limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
     return is_limited ? limit.rlim_cur : 0;
+}
+
+uint32_t machine_core_count(void)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    return cores > 0 ? (uint32_t)cores : 1;
+}
+
+void machine_advise_pages(void *begin, size_t size, bool is_huge)
+{
+    (void)madvise(begin, size, is_huge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
 }
 
 void machine_processor(char *text, size_t size)

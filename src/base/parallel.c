@@ -1,9 +1,8 @@
 /* parallel.c: splits an index range over threads. */
 #include "src/base/parallel.h"
-#include <pthread.h>
 #include <stdatomic.h>
-#include <unistd.h>
 #include "src/base/log.h"
+#include "src/base/thread.h"
 
 enum {
     THREADS_MAX = 256
@@ -18,12 +17,6 @@ struct range {
     struct log_sink *sink; /* of the calling thread */
 };
 
-uint32_t parallel_core_count(void)
-{
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    return cores > 0 ? (uint32_t)cores : 1;
-}
-
 /* Processes the next index. Returns false if none is left. */
 static bool process_next(struct range *range)
 {
@@ -35,31 +28,30 @@ static bool process_next(struct range *range)
     return true;
 }
 
-static void *run(void *user)
+static void run(void *user)
 {
     struct range *range = user;
     log_set_sink(range->sink);
     while (process_next(range)) {
     }
-    return NULL;
 }
 
 bool parallel_for(uint32_t count, uint32_t thread_count, void (*fn)(void *user, uint32_t i),
                   void *user, parallel_progress_fn *progress, void *progress_user)
 {
     struct range range = { .count = count, .fn = fn, .user = user, .sink = log_get_sink() };
-    pthread_t threads[THREADS_MAX];
+    struct thread threads[THREADS_MAX];
     uint32_t started = 0;
     const uint32_t thread_max = thread_count < count ? thread_count : count;
     /* the calling thread works, too; the system may refuse further ones */
     while (started + 1 < thread_max && started < THREADS_MAX &&
-           !pthread_create(&threads[started], NULL, run, &range))
+           thread_start(&threads[started], run, &range))
         started++;
     while (process_next(&range)) {
         if (progress && !progress(progress_user, atomic_load(&range.done)))
             atomic_store(&range.is_stopped, true);
     }
     while (started)
-        pthread_join(threads[--started], NULL);
+        thread_join(&threads[--started]);
     return !atomic_load(&range.is_stopped);
 }

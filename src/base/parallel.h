@@ -6,8 +6,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-uint32_t parallel_core_count(void); /* number of processor cores, at least 1 */
-
 /* Called by the calling thread after each of its indices. Returning false skips the rest. */
 typedef bool parallel_progress_fn(void *user, uint32_t done);
 

@@ -4,13 +4,13 @@
 
 #include <stdbool.h>
 #include <string.h>
-#include <strings.h>
+#include "src/base/ascii.h"
 
 /* Returns true if a file name ends in an extension such as ".exr", ignoring case. */
 static inline bool path_ends_in(const char *path, const char *ending)
 {
     const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ending) == 0;
+    return dot && ascii_begins_equal(dot, ending, strlen(ending) + 1);
 }
 
 #endif

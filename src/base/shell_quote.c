@@ -1,8 +1,8 @@
 /* shell_quote.c: quotes and joins command-line arguments for a shell. */
 #include "src/base/shell_quote.h"
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
+#include "src/base/text_stream.h"
 
 void shell_quote_word(const char *word, FILE *out)
 {
@@ -26,19 +26,13 @@ bool shell_has_control(const char *word)
 
 char *shell_quote_join(char *const *args)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return NULL;
-    fputs("firn", out);
-    for (; *args; args++) {
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
+    if (out)
+        fputs("firn", out);
+    for (; out && *args; args++) {
         putc(' ', out);
         shell_quote_word(*args, out);
     }
-    if (fclose(out)) {
-        free(text);
-        text = NULL;
-    }
-    return text;
+    return text_stream_close(&stream, NULL);
 }

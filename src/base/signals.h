@@ -5,15 +5,13 @@
 #ifndef FIRN_BASE_SIGNALS_H
 #define FIRN_BASE_SIGNALS_H
 
-#include <pthread.h>
-#include <signal.h>
 #include <stdbool.h>
 #include "src/base/status.h"
+#include "src/base/thread.h"
 
 struct signals {
-    pthread_t thread; /* waits for the blocked signals */
-    pthread_mutex_t writing;
-    sigset_t signals;
+    struct thread thread; /* waits for the blocked signals */
+    struct mutex writing;
     bool begun;
     void (*last)(void *user, int code); /* callback before a signal ends the program; may be NULL */
     void *user;

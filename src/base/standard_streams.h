@@ -2,6 +2,7 @@
 #ifndef FIRN_BASE_STANDARD_STREAMS_H
 #define FIRN_BASE_STANDARD_STREAMS_H
 
+#include <stdbool.h>
 #include "src/base/status.h"
 
 /* Opens /dev/null for each closed standard stream. Otherwise an output file could get the stream's
@@ -9,6 +10,9 @@
  * and SIGXFSZ, because closed pipes and file size limits then become write errors. Must be called
  * before any file is opened. */
 void standard_streams_begin(void);
+
+/* Returns true if stderr is a terminal. */
+bool standard_streams_is_terminal(void);
 
 /* Flushes stdout at the end of the program and returns `status`. If output was lost, logs this and
  * returns STATUS_WRITE. If the reader has gone (`firn list | head`), ends silently with SIGPIPE. */

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/file/atomic_file.h"
 #include "src/file/exr.h"
@@ -35,7 +36,7 @@ static int64_t source_read(exr_const_context_t context, void *user, void *bytes,
 
     (void)context;
     (void)report;
-    if (offset > (uint64_t)source->size || fseeko(source->file, (off_t)offset, SEEK_SET) != 0)
+    if (offset > (uint64_t)source->size || !file_seek(source->file, (int64_t)offset))
         return -1;
     return (int64_t)fread(bytes, 1, size, source->file);
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/file/ocio_bake.h"
 
@@ -89,7 +89,7 @@ enum status ocio_view_load(struct ocio_view *view, const char *config, const cha
         log_error("--ocio: this build has no OpenColorIO");
         return STATUS_NO_DEVICE;
     }
-    if (access(config, R_OK) != 0) {
+    if (!file_is_readable(config)) {
         log_error("%s: %s", config, strerror(errno));
         return STATUS_NO_INPUT;
     }

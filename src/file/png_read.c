@@ -2,6 +2,7 @@
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/file/atomic_file.h"
 #include "src/file/png.h"
@@ -28,7 +29,7 @@ bool png_has_whole_chunks(FILE *file, int64_t size)
     bool has_ended = false;
     if (!is_png(file))
         return true;
-    while (!has_ended && at <= size && fseeko(file, (off_t)at, SEEK_SET) == 0 &&
+    while (!has_ended && at <= size && file_seek(file, at) &&
            fread(head, sizeof(head), 1, file) == 1) {
         at += 12 + (int64_t)png_get_uint_32(head);
         has_ended = memcmp(head + 4, "IEND", 4) == 0;

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "src/base/ascii.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
@@ -233,7 +233,7 @@ static bool contains(const char *name, const char *substring)
 {
     const size_t length = strlen(substring);
     for (; *name; name++) {
-        if (strncasecmp(name, substring, length) == 0)
+        if (ascii_begins_equal(name, substring, length))
             return true;
     }
     return length == 0;

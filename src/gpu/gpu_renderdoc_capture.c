@@ -2,11 +2,11 @@
  * loaded. */
 #include "src/gpu/gpu_renderdoc_capture.h"
 
-#include <dlfcn.h>
 #include <renderdoc_app.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "src/base/loaded_library.h"
 #include "src/base/log.h"
 
 /* Returns RenderDoc's interface, or NULL if its library is not loaded. */
@@ -14,13 +14,10 @@ static RENDERDOC_API_1_4_0 *find_renderdoc(void)
 {
     RENDERDOC_API_1_4_0 *api = NULL;
     pRENDERDOC_GetAPI get_api = NULL;
-    void *library = dlopen("librenderdoc.so", RTLD_NOW | RTLD_NOLOAD);
-    void *symbol = library ? dlsym(library, "RENDERDOC_GetAPI") : NULL;
+    void *symbol = loaded_library_find("renderdoc", "RENDERDOC_GetAPI");
     memcpy(&get_api, &symbol, sizeof(get_api)); /* ISO C forbids the cast */
     if (!get_api || get_api(eRENDERDOC_API_Version_1_4_0, (void **)&api) != 1)
         api = NULL;
-    if (library)
-        dlclose(library); /* the reference from dlopen() is dropped, but the library stays loaded */
     return api;
 }
 

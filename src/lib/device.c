@@ -1,10 +1,10 @@
 /* device.c: opens and closes devices, and routes their messages to the caller. */
-#define _GNU_SOURCE /* secure_getenv */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/disk_cache.h"
+#include "src/base/environment.h"
+#include "src/base/process.h"
 #include "src/lib/lib.h"
 #include "src/scene/bundled_assets.h"
 #include "src/version.h"
@@ -20,7 +20,7 @@ static _Thread_local char thread_message[LIB_MESSAGE_SIZE];
 static atomic_int opener;
 
 /* Held while a device is opened or closed, because the tables of loaded drivers are global. */
-static pthread_mutex_t opening = PTHREAD_MUTEX_INITIALIZER;
+static struct mutex opening = MUTEX_INITIALIZER;
 
 /* ---- messages ---- */
 
@@ -32,14 +32,14 @@ static void write_message(struct log_sink *base, enum log_level level, const cha
         snprintf(sink->error, LIB_MESSAGE_SIZE, "%s", text);
     if (!device || !device->log)
         return;
-    pthread_mutex_lock(&device->log_lock);
+    mutex_lock(&device->log_lock);
     device->log(device->log_user, (int)level, text);
-    pthread_mutex_unlock(&device->log_lock);
+    mutex_unlock(&device->log_lock);
 }
 
 bool lib_is_own(const firn *device)
 {
-    return device->owner == getpid();
+    return device->owner == process_id();
 }
 
 void lib_enter_alone(struct lib_call *call)
@@ -54,10 +54,10 @@ void lib_enter_alone(struct lib_call *call)
 /* Waits until no view is in flight. */
 static void wait_until_idle(firn *device)
 {
-    pthread_mutex_lock(&device->lock);
+    mutex_lock(&device->lock);
     while (device->pending)
-        pthread_cond_wait(&device->idle, &device->lock);
-    pthread_mutex_unlock(&device->lock);
+        condition_wait(&device->idle, &device->lock);
+    mutex_unlock(&device->lock);
 }
 
 bool lib_begin(struct lib_call *call, firn *device, bool waits)
@@ -139,7 +139,7 @@ enum status lib_write(void *to, const void *from, size_t size, const char *what)
  * Returns false when out of memory. */
 static bool copy(char **to, const char *option, const char *variable, const char *initial)
 {
-    const char *value = variable ? secure_getenv(variable) : NULL;
+    const char *value = variable ? environment_get_secure(variable) : NULL;
     const char *from = option ? option : value && value[0] ? value : initial;
     *to = from ? strdup(from) : NULL;
     return *to || !from;
@@ -175,10 +175,10 @@ static enum status open_gpu(firn *device, uint32_t flags)
     };
     if (!device->has_gpu)
         return STATUS_OK;
-    atomic_store(&opener, (int)getpid());
-    pthread_mutex_lock(&opening);
+    atomic_store(&opener, process_id());
+    mutex_lock(&opening);
     const enum status status = gpu_create(&device->gpu, &device->gpu_params);
-    pthread_mutex_unlock(&opening);
+    mutex_unlock(&opening);
     return status;
 }
 
@@ -189,12 +189,12 @@ static enum status open_device(struct lib_call *call, const struct firn_options 
     firn *device = calloc(1, sizeof(*device));
     if (!device)
         return log_out_of_memory(NULL);
-    device->owner = getpid();
+    device->owner = process_id();
     device->refs = 1;
     device->sink = (struct lib_sink){ { write_message }, device, device->message };
-    pthread_mutex_init(&device->log_lock, NULL);
-    pthread_mutex_init(&device->lock, NULL);
-    pthread_cond_init(&device->idle, NULL);
+    mutex_init(&device->log_lock);
+    mutex_init(&device->lock);
+    condition_init(&device->idle);
     enum status status = init(device, options);
     call->own.device = device;
     call->cache = disk_cache_set_folder(device->cache);
@@ -220,7 +220,7 @@ firn_status firn_open(const struct firn_options *options, firn **device)
     if (status == STATUS_OK && options)
         status = lib_read(&copied, sizeof(copied), options, "options");
     const int process = atomic_load(&opener);
-    if (status == STATUS_OK && process && process != (int)getpid()) {
+    if (status == STATUS_OK && process && process != process_id()) {
         log_error("%s", forked);
         status = STATUS_FAILED;
     }
@@ -234,13 +234,13 @@ void lib_release_device(firn *device)
     if (--device->refs)
         return;
     if (device->has_gpu) {
-        pthread_mutex_lock(&opening);
+        mutex_lock(&opening);
         gpu_destroy(&device->gpu);
-        pthread_mutex_unlock(&opening);
+        mutex_unlock(&opening);
     }
-    pthread_mutex_destroy(&device->log_lock);
-    pthread_mutex_destroy(&device->lock);
-    pthread_cond_destroy(&device->idle);
+    mutex_finish(&device->log_lock);
+    mutex_finish(&device->lock);
+    condition_finish(&device->idle);
     free(device->name);
     free(device->reader);
     free(device->cache);

@@ -1,7 +1,7 @@
 /* image_session.c: camera, exposure, pose and renderer of the images of a scene. */
 #include "src/lib/image_session.h"
-#include <pthread.h>
 #include "src/base/log.h"
+#include "src/base/thread.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
@@ -46,13 +46,12 @@ enum status image_session_pose(struct image_session *s, struct renderer_shot *sh
     return status;
 }
 
-static void *fill(void *user)
+static void fill(void *user)
 {
     struct filling *filling = user;
     struct session_scene *scene = filling->session->scene;
     log_set_sink(filling->sink);
     filling->missing = setup_fill_scene(&scene->scene, &filling->session->image->scene);
-    return NULL;
 }
 
 /* Loads textures and meshes unless they are loaded. */
@@ -70,16 +69,15 @@ static enum status fill_scene(struct image_session *s)
 static enum status open_device(struct image_session *s)
 {
     struct filling filling = { s, log_get_sink(), NULL };
-    pthread_t thread;
+    struct thread thread;
     if (s->gpu->device)
         return fill_scene(s);
     if (s->prefers_start)
         lavapipe_tuning_prefer_start();
-    const bool is_beside =
-        !s->scene->is_filled && pthread_create(&thread, NULL, fill, &filling) == 0;
+    const bool is_beside = !s->scene->is_filled && thread_start(&thread, fill, &filling);
     const enum status status = gpu_create(s->gpu, s->gpu_params);
     if (is_beside)
-        pthread_join(thread, NULL);
+        thread_join(&thread);
     else if (status == STATUS_OK && !s->scene->is_filled)
         fill(&filling);
     s->scene->is_filled = true;

@@ -11,10 +11,10 @@ static struct lib_job *job_of(firn_renderer *r, uint64_t number)
 
 static void finish_pending(firn *device)
 {
-    pthread_mutex_lock(&device->lock);
+    mutex_lock(&device->lock);
     if (--device->pending == 0)
-        pthread_cond_broadcast(&device->idle);
-    pthread_mutex_unlock(&device->lock);
+        condition_wake_all(&device->idle);
+    mutex_unlock(&device->lock);
 }
 
 /* Draws a view. Sends messages to the device's callback, and stores the error in the job. */
@@ -28,40 +28,39 @@ static void draw(firn_renderer *r, struct lib_job *job)
     log_set_sink(NULL);
 }
 
-static void *work(void *user)
+static void work(void *user)
 {
     firn_renderer *r = user;
     firn *device = r->scene->device;
     disk_cache_set_folder(device->cache);
     asset_set_folder(device->assets);
-    pthread_mutex_lock(&r->lock);
+    mutex_lock(&r->lock);
     while (!r->ends) {
         if (r->drawn == r->submitted) {
-            pthread_cond_wait(&r->changed, &r->lock);
+            condition_wait(&r->changed, &r->lock);
             continue;
         }
         struct lib_job *job = job_of(r, r->drawn);
         if (r->drawn >= r->cancelled) /* submitted after firn_cancel() */
             atomic_store(&r->is_cancelled, false);
-        pthread_mutex_unlock(&r->lock);
+        mutex_unlock(&r->lock);
         draw(r, job);
-        pthread_mutex_lock(&r->lock);
+        mutex_lock(&r->lock);
         r->drawn++;
-        pthread_cond_broadcast(&r->changed);
+        condition_wake_all(&r->changed);
         finish_pending(device);
     }
-    pthread_mutex_unlock(&r->lock);
-    return NULL;
+    mutex_unlock(&r->lock);
 }
 
 void lib_worker_end(firn_renderer *r)
 {
     if (r->has_worker) {
-        pthread_mutex_lock(&r->lock);
+        mutex_lock(&r->lock);
         r->ends = true;
-        pthread_cond_broadcast(&r->changed);
-        pthread_mutex_unlock(&r->lock);
-        pthread_join(r->worker, NULL);
+        condition_wake_all(&r->changed);
+        mutex_unlock(&r->lock);
+        thread_join(&r->worker);
     }
     for (uint32_t i = 0; i < LIB_IN_FLIGHT; i++)
         render_result_finish(&r->jobs[i].result);
@@ -70,7 +69,7 @@ void lib_worker_end(firn_renderer *r)
 static enum status start(firn_renderer *r)
 {
     if (!r->has_worker)
-        r->has_worker = pthread_create(&r->worker, NULL, work, r) == 0;
+        r->has_worker = thread_start(&r->worker, work, r);
     if (!r->has_worker)
         log_error("cannot start a thread");
     return r->has_worker ? STATUS_OK : STATUS_TRY_AGAIN;
@@ -91,16 +90,16 @@ static enum status submit(firn_renderer *r, const struct firn_camera *camera, ui
         status = start(r);
     if (status != STATUS_OK)
         return status;
-    pthread_mutex_lock(&device->lock);
+    mutex_lock(&device->lock);
     device->pending++;
-    pthread_mutex_unlock(&device->lock);
-    pthread_mutex_lock(&r->lock);
+    mutex_unlock(&device->lock);
+    mutex_lock(&r->lock);
     struct lib_job *job = job_of(r, r->submitted);
     job->camera = copied;
     job->ticket = ++r->submitted;
     *ticket = job->ticket;
-    pthread_cond_broadcast(&r->changed);
-    pthread_mutex_unlock(&r->lock);
+    condition_wake_all(&r->changed);
+    mutex_unlock(&r->lock);
     return STATUS_OK;
 }
 
@@ -108,9 +107,9 @@ static enum status submit(firn_renderer *r, const struct firn_camera *camera, ui
 static bool is_other_busy(const firn_renderer *r)
 {
     firn *device = r->scene->device;
-    pthread_mutex_lock(&device->lock);
+    mutex_lock(&device->lock);
     const uint64_t pending = device->pending;
-    pthread_mutex_unlock(&device->lock);
+    mutex_unlock(&device->lock);
     return pending && r->submitted == r->fetched;
 }
 
@@ -135,10 +134,10 @@ static enum status fetch(firn_renderer *r, uint64_t ticket, const struct firn_bu
     if (status != STATUS_OK)
         return status;
     struct lib_job *job = job_of(r, r->fetched);
-    pthread_mutex_lock(&r->lock);
+    mutex_lock(&r->lock);
     while (r->drawn <= r->fetched)
-        pthread_cond_wait(&r->changed, &r->lock);
-    pthread_mutex_unlock(&r->lock);
+        condition_wait(&r->changed, &r->lock);
+    mutex_unlock(&r->lock);
     status = job->status;
     if (status == STATUS_OK)
         status = lib_buffers_write(r, buffers, count, &job->result);
@@ -162,8 +161,8 @@ int firn_is_ready(firn_renderer *r)
 {
     if (!r || !lib_is_own(r->scene->device))
         return 0;
-    pthread_mutex_lock(&r->lock);
+    mutex_lock(&r->lock);
     const int is_ready = r->drawn > r->fetched;
-    pthread_mutex_unlock(&r->lock);
+    mutex_unlock(&r->lock);
     return is_ready;
 }

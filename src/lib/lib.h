@@ -3,10 +3,9 @@
 #ifndef FIRN_LIB_LIB_H
 #define FIRN_LIB_LIB_H
 
-#include <pthread.h>
 #include <stdatomic.h>
-#include <sys/types.h>
 #include "src/base/log.h"
+#include "src/base/thread.h"
 #include "src/lib/firn.h"
 #include "src/lib/image_session.h"
 
@@ -23,7 +22,7 @@ struct lib_sink {
 };
 
 struct firn {
-    pid_t owner; /* process that opened the device */
+    int owner; /* process that opened the device */
     uint32_t refs;
     struct gpu gpu;
     struct gpu_params gpu_params;
@@ -33,10 +32,10 @@ struct firn {
     char *name, *reader, *cache, *assets;
     struct lib_sink sink;
     char message[LIB_MESSAGE_SIZE];
-    pthread_mutex_t log_lock; /* held while `log` runs */
-    pthread_mutex_t lock;     /* guards `pending` */
-    pthread_cond_t idle;      /* signalled when `pending` becomes 0 */
-    uint32_t pending;         /* views in flight */
+    struct mutex log_lock; /* held while `log` runs */
+    struct mutex lock;     /* guards `pending` */
+    struct condition idle; /* signalled when `pending` becomes 0 */
+    uint32_t pending;      /* views in flight */
 };
 
 /* Copy of a caller's string; equal strings share one. */
@@ -92,9 +91,9 @@ struct firn_renderer {
     uint32_t version; /* firn_scene.version of `image`; 0 if it is not set yet */
     atomic_bool is_cancelled;
     /* views in flight, guarded by `lock` */
-    pthread_mutex_t lock;
-    pthread_cond_t changed;
-    pthread_t worker;
+    struct mutex lock;
+    struct condition changed;
+    struct thread worker;
     bool has_worker, ends;
     struct lib_job jobs[LIB_IN_FLIGHT];
     uint64_t submitted, drawn, fetched; /* numbers of views */

@@ -61,8 +61,8 @@ static void init(firn_renderer *r, firn_scene *scene, const struct firn_renderer
     r->width = options->width;
     r->height = options->height;
     r->samples = options->samples;
-    pthread_mutex_init(&r->lock, NULL);
-    pthread_cond_init(&r->changed, NULL);
+    mutex_init(&r->lock);
+    condition_init(&r->changed);
     r->session = (struct image_session){
         .image = &r->image,
         .scene = &scene->session,
@@ -83,8 +83,8 @@ static void release(firn_renderer *r)
         link = &(*link)->next;
     *link = r->next;
     image_session_close(&r->session);
-    pthread_mutex_destroy(&r->lock);
-    pthread_cond_destroy(&r->changed);
+    mutex_finish(&r->lock);
+    condition_finish(&r->changed);
     lib_release_scene(r->scene);
     free(r);
 }
@@ -175,10 +175,10 @@ void firn_cancel(firn_renderer *renderer)
 {
     if (!renderer || !lib_is_own(renderer->scene->device))
         return;
-    pthread_mutex_lock(&renderer->lock);
+    mutex_lock(&renderer->lock);
     renderer->cancelled = renderer->submitted;
     atomic_store(&renderer->is_cancelled, true);
-    pthread_mutex_unlock(&renderer->lock);
+    mutex_unlock(&renderer->lock);
 }
 
 static enum status convert(firn_renderer *renderer, const struct firn_camera *from,

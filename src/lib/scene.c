@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/options/set_option.h"
+#include "src/base/text_stream.h"
 #include "src/lib/scene_source.h"
 #include "src/settings/settings.h"
 
@@ -273,6 +274,22 @@ firn_status firn_scene_set(firn_scene *scene, const char *name, const char *valu
     return lib_leave(&call, status);
 }
 
+/* Writes a setting's value, truncated to `size` bytes. */
+static enum status print_setting(const struct settings *settings, const struct setting *row,
+                                 char *text, size_t size)
+{
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
+    if (out)
+        settings_print(settings, row, out);
+    char *value = text_stream_close(&stream, NULL);
+    if (!value)
+        return log_out_of_memory(NULL);
+    snprintf(text, size, "%s", value);
+    free(value);
+    return STATUS_OK;
+}
+
 firn_status firn_scene_get(firn_scene *scene, const char *name, char *text, size_t size)
 {
     struct lib_call call;
@@ -290,13 +307,7 @@ firn_status firn_scene_get(firn_scene *scene, const char *name, char *text, size
     }
     if (status == STATUS_OK)
         status = lib_scene_update(scene);
-    FILE *out = status == STATUS_OK ? fmemopen(text, size, "w") : NULL;
-    if (out) {
-        settings_print(&scene->image.scene.settings, row, out);
-        (void)fclose(out);
-        text[size - 1] = '\0';
-    } else if (status == STATUS_OK) {
-        status = log_out_of_memory(NULL);
-    }
+    if (status == STATUS_OK)
+        status = print_setting(&scene->image.scene.settings, row, text, size);
     return lib_leave(&call, status);
 }

@@ -1,8 +1,7 @@
 /* lavapipe_tuning.c: environment variables and memory page size for software Vulkan drivers. */
-#define _DEFAULT_SOURCE /* for madvise */
 #include "src/render/lavapipe_tuning.h"
-#include <stdlib.h>
-#include <sys/mman.h>
+#include "src/base/environment.h"
+#include "src/base/machine.h"
 
 bool lavapipe_tuning_is_cpu(const struct gpu *gpu)
 {
@@ -11,10 +10,10 @@ bool lavapipe_tuning_is_cpu(const struct gpu *gpu)
 
 void lavapipe_tuning_prefer_start(void)
 {
-    (void)setenv("GALLIVM_PERF", "nopt", 0); /* failure only costs time */
+    (void)environment_set_default("GALLIVM_PERF", "nopt"); /* failure only costs time */
 }
 
-/* madvise() works because a CPU device's memory is ordinary memory of this process. */
+/* Page sizes can be chosen because a CPU device's memory is ordinary memory of this process. */
 void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
                                    struct rg_exec *exec)
 {
@@ -32,8 +31,7 @@ void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct rg_plan *
         const uintptr_t begin = (start + page - 1) / page * page;
         const uintptr_t end = (start + (uintptr_t)plan->blocks[i].size) / page * page;
         if (begin < end)
-            (void)madvise((char *)mapped + (begin - start), end - begin,
-                          whole ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+            machine_advise_pages((char *)mapped + (begin - start), end - begin, whole);
         vkUnmapMemory(gpu->device, memory);
     }
 }

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/base/program.h"
 
@@ -127,7 +127,7 @@ static char *join_if_exists(const char *folder, const char *file, bool *lacks_me
         return NULL;
     }
     snprintf(path, size, "%s/%s", folder, file);
-    if (access(path, F_OK) == 0)
+    if (file_info_of(path).kind != FILE_MISSING)
         return path;
     free(path);
     return NULL;

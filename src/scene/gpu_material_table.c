@@ -65,8 +65,7 @@ static void write_row(vec4s *row, const struct material *m)
 
 vec4s *material_table_make(const struct model *model)
 {
-    vec4s *rows =
-        aligned_alloc(16, (model->material_count + (size_t)1) * MATERIAL_ROW_WIDTH * sizeof(*rows));
+    vec4s *rows = malloc((model->material_count + (size_t)1) * MATERIAL_ROW_WIDTH * sizeof(*rows));
     struct material none = material_make("");
     none.flags = MATERIAL_FROM_SETTINGS;
     if (!rows)
@@ -117,7 +116,7 @@ uint32_t material_table_uses(const struct model *model)
 vec4s *material_table_make_extras(const struct mesh *mesh)
 {
     const size_t size = (size_t)MESH_EXTRA_WIDTH * mesh_extra_row_count(mesh->vertex_count);
-    vec4s *rows = mesh->extras && size > 0 ? aligned_alloc(16, size * sizeof(*rows)) : NULL;
+    vec4s *rows = mesh->extras && size > 0 ? malloc(size * sizeof(*rows)) : NULL;
     if (!rows)
         return NULL;
     memset(rows, 0, size * sizeof(*rows));

@@ -41,7 +41,7 @@ bool punctual_light_is_valid(const struct light *light)
 
 vec4s *punctual_light_table_make(const struct light *lights, uint32_t count)
 {
-    vec4s *rows = aligned_alloc(16, (count + (size_t)1) * LIT_LIGHT_WIDTH * sizeof(*rows));
+    vec4s *rows = malloc((count + (size_t)1) * LIT_LIGHT_WIDTH * sizeof(*rows));
     for (uint32_t i = 0; rows && i < count; i++) {
         const struct light *m = &lights[i];
         vec4s *row = &rows[(size_t)i * LIT_LIGHT_WIDTH];

@@ -4,9 +4,9 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "shaders/ice/ice_nested.h"
 #include "shaders/trace/bvh_layout.h"
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/scene/bundled_assets.h"
@@ -121,7 +121,7 @@ static enum status check_file(const char *path, enum asset_kind kind)
     const bool is_scene = kind == ASSET_SCENE;
     char hint[SUGGEST_HINT_SIZE];
     struct suggest suggest = { .word = path };
-    if (access(path, F_OK) == 0 || errno != ENOENT)
+    if (file_info_of(path).kind != FILE_MISSING || errno != ENOENT)
         return STATUS_OK; /* opening the file logs the error */
     for (const struct scene_builtin *b = scene_builtins; is_scene && b->name; b++)
         suggest_offer(&suggest, b->name);

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
+#include "src/base/text_stream.h"
 #include "src/base/tile.h"
 #include "src/file/atomic_file.h"
 #include "src/file/exr.h"
@@ -135,9 +135,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
     const struct camera *camera = &output->shot.camera;
     struct settings settings =
         frame_resolve_settings(&p->scene.settings, output->scene, p->refraction, p->height);
-    size_t size;
-    FILE *out = open_memstream(text, &size);
-    bool ok = out != NULL;
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
 
     settings_set_value(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
@@ -166,10 +165,9 @@ static bool describe(const struct output *output, bool is_png, char **text)
         fprintf(out, " fov=%.9g", (double)camera->fov_deg);
         print_settings(out, &settings);
         print_cube_time(out, &p->scene.settings, output->scene);
-        ok = !ferror(out);
-        ok = !fclose(out) && ok;
     }
-    return ok;
+    *text = text_stream_close(&stream, NULL);
+    return *text;
 }
 
 enum status output_describe(struct output *output)

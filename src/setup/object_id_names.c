@@ -2,6 +2,7 @@
 #include "src/setup/object_id_names.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include "src/base/text_stream.h"
 
 /* Prints a line with an ID and a name. Control characters in the name are replaced. */
 static void print_line(FILE *out, uint32_t number, const char *name, const char *else_name)
@@ -16,9 +17,8 @@ char *object_names(const struct scene *scene)
 {
     const struct model *model = &scene->model;
     const uint32_t first = model->object_count + 1;
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
     if (!out)
         return NULL;
     for (uint32_t i = 0; i < model->object_count; i++)
@@ -27,9 +27,5 @@ char *object_names(const struct scene *scene)
         print_line(out, first, "", "surroundings");
     for (uint32_t i = 0; i < model->surroundings_object_count; i++)
         print_line(out, first + 1 + i, model->surroundings_names[i], "object");
-    const bool is_good = !ferror(out);
-    if (fclose(out) == 0 && is_good)
-        return text;
-    free(text);
-    return NULL;
+    return text_stream_close(&stream, NULL);
 }

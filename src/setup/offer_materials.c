@@ -4,10 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
+#include "src/base/ascii.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/base/shell_quote.h"
+#include "src/base/text_stream.h"
 
 enum {
     OFFERS_MAX = 4, /* options in a note */
@@ -33,7 +34,7 @@ static bool has_word(const char *name, const char *word)
 {
     const size_t length = strlen(word);
     for (size_t i = 0; i + length <= strlen(name); i++) {
-        if (strncasecmp(&name[i], word, length) == 0 &&
+        if (ascii_begins_equal(&name[i], word, length) &&
             (i == 0 || is_boundary(name[i - 1], name[i])) &&
             is_boundary(name[i + length - 1], name[i + length]))
             return true;
@@ -97,18 +98,18 @@ void offer_materials(const char *path, const struct model *model)
     struct offer offers[OFFERS_MAX];
     const bool is_gltf = path_ends_in(path, ".gltf") || path_ends_in(path, ".glb");
     const uint32_t count = is_gltf ? find_offers(model, offers) : 0;
-    char *text = NULL;
-    size_t size;
-    FILE *out = count > 0 ? open_memstream(&text, &size) : NULL;
-    if (!out)
+    struct text_stream stream;
+    if (!count)
         return;
-    for (uint32_t i = 0; i < count; i++) {
+    FILE *out = text_stream_open(&stream);
+    for (uint32_t i = 0; out && i < count; i++) {
         char option[MATERIAL_NAME_SIZE + 16];
         (void)snprintf(option, sizeof(option), "%s=%s", offers[i].name, offers[i].preset);
         fputs(" --material ", out);
         shell_quote_word(option, out);
     }
-    if (fclose(out) == 0)
+    char *text = text_stream_close(&stream, NULL);
+    if (text)
         log_note("%s: alpha-blended surfaces do not refract; to draw them as clear objects, use%s",
                  path, text);
     free(text);

@@ -2,8 +2,8 @@
 #include "src/app/options/output_path_conflicts.h"
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "src/app/options/option_values.h"
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 
@@ -17,20 +17,16 @@ enum status option_report(const struct option *option, void *at, const char *val
     return option_text(option, at, value);
 }
 
-/* Calls stat() for the folder that contains `path`. Returns false if the folder does not exist. */
-static bool stat_folder(const char *path, struct stat *info)
+/* Describes the folder that contains `path`. */
+static struct file_info folder_of(const char *path)
 {
     char folder[4096] = ".";
     const char *slash = strrchr(path, '/');
     if (!slash)
-        return stat(folder, info) == 0;
+        return file_info_of(folder);
     const int length = snprintf(folder, sizeof(folder), "%.*s", (int)(slash - path) + 1, path);
-    return (size_t)length < sizeof(folder) && stat(folder, info) == 0;
-}
-
-static bool is_same(const struct stat *a, const struct stat *b)
-{
-    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+    return (size_t)length < sizeof(folder) ? file_info_of(folder)
+                                           : (struct file_info){ .kind = FILE_MISSING };
 }
 
 static const char *name_of(const char *path)
@@ -42,14 +38,15 @@ static const char *name_of(const char *path)
 /* Returns true if two paths lead to the same regular file, which need not exist yet. */
 static bool are_same_file(const char *a, const char *b)
 {
-    struct stat infos[2];
     if (!strcmp(a, "-") || !strcmp(b, "-"))
         return false; /* another check refuses two outputs on stdout */
-    const bool has_a = stat(a, &infos[0]) == 0, has_b = stat(b, &infos[1]) == 0;
+    const struct file_info infos[2] = { file_info_of(a), file_info_of(b) };
+    const bool has_a = infos[0].kind != FILE_MISSING, has_b = infos[1].kind != FILE_MISSING;
     if (has_a && has_b)
-        return S_ISREG(infos[0].st_mode) && is_same(&infos[0], &infos[1]);
-    return !has_a && !has_b && !strcmp(name_of(a), name_of(b)) && stat_folder(a, &infos[0]) &&
-           stat_folder(b, &infos[1]) && is_same(&infos[0], &infos[1]);
+        return infos[0].kind == FILE_REGULAR && file_info_is_same(&infos[0], &infos[1]);
+    const struct file_info folders[2] = { folder_of(a), folder_of(b) };
+    return !has_a && !has_b && !strcmp(name_of(a), name_of(b)) &&
+           file_info_is_same(&folders[0], &folders[1]);
 }
 
 static enum status refuse(const struct option_file *written, const struct option_file *other)

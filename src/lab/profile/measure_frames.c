@@ -115,7 +115,7 @@ static void describe_host(char *text, size_t size)
 {
     char model[192];
     machine_processor(model, sizeof(model));
-    const uint32_t count = parallel_core_count();
+    const uint32_t count = machine_core_count();
     snprintf(text, size, "%s, %u thread%s", model, count, count == 1 ? "" : "s");
 }
 

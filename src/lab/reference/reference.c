@@ -103,7 +103,7 @@ enum status reference_create(struct reference **reference, const struct referenc
         return log_out_of_memory(NULL);
     r->request = *request;
     r->request.samples = request->samples ? request->samples : 1;
-    r->request.threads = request->threads ? request->threads : parallel_core_count();
+    r->request.threads = request->threads ? request->threads : machine_core_count();
     r->device = rtcNewDevice(NULL);
     if (!r->device) {
         const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;

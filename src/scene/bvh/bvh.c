@@ -7,6 +7,7 @@
 #include "shaders/inclusions/cracks.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/base/machine.h"
 #include "src/base/parallel.h"
 #include "src/file/half_float.h"
 #include "src/scene/bvh/bvh_node_encoding.h"
@@ -325,7 +326,7 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
 {
     const bool by_objects = params->rest && params->rest->by_objects;
     struct bvh_build_stats work = { .threads =
-                                        params->threads ? params->threads : parallel_core_count(),
+                                        params->threads ? params->threads : machine_core_count(),
                                     .cost_growth_max =
                                         by_objects ? object_growth_max : part_growth_max };
     struct bvh_part parts[BVH_COUNT] = { 0 };

@@ -4,23 +4,22 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 
 static enum status check_file(const char *path)
 {
-    struct stat info;
-    if (stat(path, &info) != 0 || access(path, R_OK) != 0) {
+    const struct file_info info = file_info_of(path);
+    if (info.kind == FILE_MISSING || !file_is_readable(path)) {
         log_error("%s: %s", path, strerror(errno));
         return STATUS_NO_INPUT;
     }
-    if (!S_ISREG(info.st_mode)) {
+    if (info.kind != FILE_REGULAR) {
         log_error("%s: not a regular file", path);
         return STATUS_NO_INPUT;
     }
-    if (info.st_size == 0) {
+    if (info.size == 0) {
         log_error("%s: expected a model, got an empty file", path);
         return STATUS_DATA;
     }

@@ -1,7 +1,7 @@
 /* model_format.c: detects the format of a model file by its suffix, and checks its first bytes. */
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
+#include "src/base/ascii.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/scene/import/importer.h"
@@ -38,7 +38,7 @@ static bool is_ply(const char *head, size_t size)
 /* Binary STL has no mark: the reader compares the facet count with the file's size. */
 static bool is_stl(const char *head, size_t size)
 {
-    return size >= 84 || strncasecmp(skip_blanks(head), "solid", 5) == 0;
+    return size >= 84 || ascii_begins_equal(skip_blanks(head), "solid", 5);
 }
 
 /* Returns true for any text, because OBJ has no signature. */

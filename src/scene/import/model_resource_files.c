@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 
@@ -77,7 +77,6 @@ static char *local_name(const struct model_import *import, const char *path)
 /* Returns true if a file exists within the model's folder; else records its name in *import. */
 static bool is_allowed(struct model_import *import, const char *path)
 {
-    struct stat info;
     char *name = local_name(import, path);
     if (!name)
         return false;
@@ -85,7 +84,7 @@ static bool is_allowed(struct model_import *import, const char *path)
     if (!is_inside && import->refused_file[0] == '\0')
         snprintf(import->refused_file, sizeof(import->refused_file), "%s", path);
     /* Opens only regular files, because opening a named pipe would block. */
-    const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
+    const bool is_there = is_inside && file_info_of(path).kind == FILE_REGULAR;
     if (is_inside && !is_there && import->missing_file[0] == '\0')
         snprintf(import->missing_file, sizeof(import->missing_file), "%s", name);
     free(name);
@@ -101,12 +100,12 @@ FILE *model_file_open(void *user, const char *path)
 
 const char *model_file_fault(const char *path)
 {
-    struct stat info, link;
-    if (stat(path, &info) != 0)
+    const enum file_kind kind = file_info_of(path).kind;
+    if (kind == FILE_MISSING)
         return "file not found";
-    if (!S_ISREG(info.st_mode))
+    if (kind != FILE_REGULAR)
         return "expected a regular file, not a folder, pipe or device";
-    return lstat(path, &link) == 0 && S_ISLNK(link.st_mode)
+    return file_is_link(path)
                ? "cannot be opened: expected a link to a file within the model's folder"
                : "cannot be opened: expected a readable file";
 }

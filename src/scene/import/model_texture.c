@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <webp/decode.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 #include "src/scene/import/importer.h"
 #include "src/scene/import/model_avif.h"
@@ -72,13 +72,13 @@ static enum status refuse(const char **fault, const char *what)
 static enum status read_file(const struct model_texture *texture, struct encoded *encoded,
                              const char **fault)
 {
-    struct stat info;
+    const struct file_info info = file_info_of(texture->file);
     /* Opens only regular files, because opening a named pipe would block. */
-    if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
+    if (info.kind != FILE_REGULAR)
         return refuse(fault, model_file_fault(texture->file));
-    if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
+    if (info.size <= 0 || info.size > FILE_SIZE_MAX)
         return refuse(fault, "expected a file of 1 byte to 256 MiB");
-    size_t size = (size_t)info.st_size;
+    size_t size = (size_t)info.size;
     FILE *file = fopen(texture->file, "rb");
     if (!file)
         return refuse(fault, model_file_fault(texture->file));
@@ -106,10 +106,9 @@ const char *model_texture_unsupported_format(const struct model_texture *texture
     };
 
     uint8_t head[12] = { 0 };
-    struct stat info;
     if (texture->bytes && texture->size >= sizeof(head))
         memcpy(head, texture->bytes, sizeof(head));
-    if (texture->file && stat(texture->file, &info) == 0 && S_ISREG(info.st_mode)) {
+    if (texture->file && file_info_of(texture->file).kind == FILE_REGULAR) {
         FILE *file = fopen(texture->file, "rb");
         if (file && fread(head, 1, sizeof(head), file) != sizeof(head))
             memset(head, 0, sizeof(head));

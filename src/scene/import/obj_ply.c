@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+#include "src/base/file_info.h"
 #include "src/base/log.h"
 
 void *obj_ply_array_grow(struct obj_ply_array *array, size_t count, size_t item_size)
@@ -25,16 +25,17 @@ void *obj_ply_array_grow(struct obj_ply_array *array, size_t count, size_t item_
 
 char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size, bool *is_found)
 {
-    struct stat info;
     FILE *file = model_file_open(import, path);
     char *bytes = NULL;
-    *is_found = file && fstat(fileno(file), &info) == 0;
+    const struct file_info info =
+        file ? file_info_of_open(file) : (struct file_info){ .kind = FILE_MISSING };
+    *is_found = info.kind != FILE_MISSING;
     if (!*is_found) {
         if (file)
             fclose(file);
         return NULL;
     }
-    const size_t size_max = info.st_size > 0 ? (size_t)info.st_size : 0;
+    const size_t size_max = info.size > 0 ? (size_t)info.size : 0;
     bytes = malloc(size_max + 1);
     if (bytes) {
         *size = fread(bytes, 1, size_max, file);

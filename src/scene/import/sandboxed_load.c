@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "src/base/log.h"
 #include "src/file/image_receive.h"
 #include "src/file/ocio_view.h"
@@ -155,5 +154,5 @@ int sandboxed_load_main(int argc, char **argv)
         log_error(READER_OPTION ": for internal use by firn only");
         return STATUS_USAGE;
     }
-    _exit((int)send_file(&job)); /* skips possibly compromised exit handlers */
+    _Exit((int)send_file(&job)); /* skips possibly compromised exit handlers */
 }

@@ -2,7 +2,7 @@
 #include "src/scene/import/text_scan.h"
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
+#include "src/base/ascii.h"
 
 struct text_scan text_line(struct text_scan *scan)
 {
@@ -33,7 +33,7 @@ bool text_take_word(struct text_scan *scan, const char *word)
     struct text_scan next = *scan;
     const struct text_scan found = text_word(&next);
     const size_t length = strlen(word);
-    if ((size_t)(found.end - found.at) != length || strncasecmp(found.at, word, length) != 0)
+    if ((size_t)(found.end - found.at) != length || !ascii_begins_equal(found.at, word, length))
         return false;
     *scan = next;
     return true;

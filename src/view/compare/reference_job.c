@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
+#include "src/base/machine.h"
 #include "src/base/parallel.h"
 #include "src/lab/reference/reference_sample_sums.h"
 #include "src/render/weighted_mean.h"
@@ -107,7 +108,7 @@ static void *run(void *user)
 /* Returns the number of threads for path tracing. One core is left to the window's thread. */
 static uint32_t thread_count(void)
 {
-    const uint32_t cores = parallel_core_count();
+    const uint32_t cores = machine_core_count();
     return cores > 2 ? cores - 1 : 1;
 }
 

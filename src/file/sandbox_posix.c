@@ -1,6 +1,5 @@
-/* sandbox.c: sandbox of reader processes: Landlock, seccomp filter, dropped capabilities. */
+/* sandbox_posix.c: sandbox of reader processes: Landlock, seccomp filter, dropped capabilities. */
 #define _GNU_SOURCE /* O_PATH, O_TMPFILE, syscall() */
-#include "src/file/sandbox.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -15,6 +14,7 @@
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include "src/file/sandbox.h"
 
 static int landlock_version(void)
 {

@@ -1,5 +1,4 @@
-/* standard_streams.c: replaces closed standard streams, and reports failed writes to stdout. */
-#include "src/base/standard_streams.h"
+/* standard_streams_posix.c: replaces closed standard streams; reports failed writes to stdout. */
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -7,6 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 #include "src/base/log.h"
+#include "src/base/standard_streams.h"
 
 void standard_streams_begin(void)
 {
@@ -17,6 +17,11 @@ void standard_streams_begin(void)
     }
     (void)signal(SIGPIPE, SIG_IGN);
     (void)signal(SIGXFSZ, SIG_IGN);
+}
+
+bool standard_streams_is_terminal(void)
+{
+    return isatty(STDERR_FILENO);
 }
 
 /* Returns true if the reader of stdout has closed its end of the pipe. */

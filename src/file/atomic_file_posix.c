@@ -1,6 +1,5 @@
-/* atomic_file.c: writes output files atomically, by a locked temporary file and rename(). */
+/* atomic_file_posix.c: writes output files atomically, by a locked temporary file and rename(). */
 #define _XOPEN_SOURCE 700 /* realpath() */
-#include "src/file/atomic_file.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -12,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/base/log.h"
+#include "src/file/atomic_file.h"
 
 enum {
     RANDOM_LENGTH = 6,
