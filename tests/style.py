@@ -115,11 +115,11 @@ POSIX_HEADER = re.compile(
 POSIX_CALL = re.compile(
     r'(?<![\w.>])(?:access|aligned_alloc|chdir|clock_gettime|close|dlopen|dlsym|execve?|execvp?|'
     r'fdopen|fileno|flockfile|fmemopen|fork|fseeko|fstat|ftello|getcwd|getline|getpid|'
-    r'getrusage|gmtime_r|isatty|kill|localtime_r|lseek|lstat|mkdir|mkstemp|mmap|nanosleep|open|open_memstream|'
-    r'opendir|pipe|poll|posix_\w+|pthread_\w+|putenv|read|realpath|secure_getenv|setenv|sigaction|'
+    r'getrusage|gmtime_r|isatty|kill|localtime_r|lseek|lstat|mkdir|mkstemp|mmap|nanosleep|'
+    r'open|open_memstream|opendir|pipe|poll|posix_\w+|pthread_\w+|putenv|read|realpath|secure_getenv|setenv|sigaction|'
     r'sig\w+set|stat|stpcpy|strcasecmp|strcasestr|strncasecmp|strndup|strnlen|strtok_r|sysconf|'
-    r'unlink|unsetenv|usleep|waitpid|write)\(|\b(?:clockid_t|NAME_MAX|off_t|PATH_MAX|pid_t|pthread_\w+|'
-    r'sigset_t|ssize_t|struct stat|struct timespec)\b')
+    r'unlink|unsetenv|usleep|waitpid|write)\(|'
+    r'\b(?:clockid_t|NAME_MAX|off_t|PATH_MAX|pid_t|pthread_\w+|sigset_t|ssize_t|struct stat|struct timespec)\b')
 
 # Words that tell of where a line was written, not of what it is for. Not looked for in this file.
 LEAKS = (
