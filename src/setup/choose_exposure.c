@@ -24,7 +24,7 @@ enum {
 static const float darkest = 0.32f; /* range of the median luminance, sRGB-encoded */
 static const float brightest = 0.42f;
 static const float clipped = 254.0f / 255; /* luminance at which highlights have lost detail */
-static const float clipped_share = 0.01f;  /* share of pixels that may be clipped */
+static const float clipped_fraction = 0.01f;  /* fraction of pixels that may be clipped */
 
 /* Radiance of the pixels that are metered. */
 struct meter {
@@ -60,7 +60,7 @@ static float median(struct meter *meter, int step)
 static bool clips(struct meter *meter, int step)
 {
     expose(meter, step);
-    const float share = clipped_share * (float)meter->count;
+    const float share = clipped_fraction * (float)meter->count;
     return meter->luminance[meter->count - 1 - (size_t)share] >= clipped;
 }
 
