@@ -97,7 +97,7 @@ struct firn_renderer {
     bool has_worker, ends;
     struct lib_job jobs[LIB_IN_FLIGHT];
     uint64_t submitted, drawn, fetched; /* numbers of views */
-    uint64_t cancelled;                 /* the first views, which firn_cancel() has ended */
+    uint64_t cancelled; /* number of the last view that firn_cancel() has cancelled */
 };
 
 /* ---- calls ---- */

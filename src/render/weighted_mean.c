@@ -12,7 +12,7 @@ enum {
 };
 
 /* Weight of a neighbour in the separable filter: a Gaussian of sigma 0.6 pixels. */
-static const float neighbour_share = 0.166f;
+static const float neighbour_weight = 0.166f;
 
 const struct frame_layer weighted_mean_alpha = { .planes = { "A" }, .mean = true };
 
@@ -136,14 +136,14 @@ static void weigh_row(const struct image *mean, uint32_t y, float scale, struct 
     }
 }
 
-/* Adds the filtered pixels of a row to `sums`. `share` is the filter weight of the row. */
-static void add_row(const struct pixel *row, uint32_t width, float share, struct pixel *sums)
+/* Adds the filtered pixels of a row to `sums`. `weight` is the filter weight of the row. */
+static void add_row(const struct pixel *row, uint32_t width, float weight, struct pixel *sums)
 {
     for (uint32_t x = 0; x < width; x++) {
         const struct pixel *left = &row[x ? x - 1 : 0], *right = &row[x + 1 < width ? x + 1 : x];
         for (uint32_t c = 0; c < 5; c++)
-            sums[x].values[c] += share * ((1.0f - 2.0f * neighbour_share) * row[x].values[c] +
-                                          neighbour_share * (left->values[c] + right->values[c]));
+            sums[x].values[c] += weight * ((1.0f - 2.0f * neighbour_weight) * row[x].values[c] +
+                                           neighbour_weight * (left->values[c] + right->values[c]));
     }
 }
 
@@ -173,9 +173,9 @@ bool weighted_mean_filter(struct image *mean, float scale)
         if (below > y)
             weigh_row(mean, below, scale, rows + (size_t)(below % 3) * width);
         memset(sums, 0, width * sizeof(*sums));
-        add_row(rows + (size_t)(above % 3) * width, width, neighbour_share, sums);
-        add_row(rows + (size_t)(y % 3) * width, width, 1.0f - 2.0f * neighbour_share, sums);
-        add_row(rows + (size_t)(below % 3) * width, width, neighbour_share, sums);
+        add_row(rows + (size_t)(above % 3) * width, width, neighbour_weight, sums);
+        add_row(rows + (size_t)(y % 3) * width, width, 1.0f - 2.0f * neighbour_weight, sums);
+        add_row(rows + (size_t)(below % 3) * width, width, neighbour_weight, sums);
         write_row(mean, y, sums);
     }
     free(rows);

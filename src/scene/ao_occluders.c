@@ -104,7 +104,7 @@ static bool contains(const struct extent *body, const struct extent *other)
 }
 
 /* Adds an object to an occluder. The object fills `fraction` of the occluder's volume. If another
- * object in the occluder directly encloses it, that object's share shrinks by `fraction`. */
+ * object in the occluder directly encloses it, that object's fraction shrinks by `fraction`. */
 static void add_member(struct ao_shape *shape, const struct object *objects, uint32_t object,
                        float fraction)
 {

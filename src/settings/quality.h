@@ -32,7 +32,7 @@ double quality_value(const struct quality_row *row, uint32_t level);
 /* Returns true if the setting of a row has the value of one of the quality levels. */
 bool quality_is_of_level(const struct settings *settings, const struct quality_row *row);
 
-/* Puts the values of a quality level with a source (settings_put()). */
+/* Sets the values of a quality level, with a source (settings_put()). */
 void quality_apply(struct settings *settings, uint32_t level, enum setting_source source);
 
 /* Returns the quality level that all settings match; QUALITY_COUNT if there is none. */

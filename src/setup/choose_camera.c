@@ -93,8 +93,9 @@ static struct camera frame_model(const struct scene *scene, const struct setup_i
     return framing_camera(&scene->framing, &view);
 }
 
-/* Enlarges the view of a file's camera of aspect ratio `aspect`, so that an image narrower than a
- * square and than that shows its whole width, at most that of a square. */
+/* If the image is narrower than a square and than `aspect`, the aspect ratio of a file's camera,
+ * enlarges the field of view until the image shows the width of that camera's view, or of a square
+ * view if this is narrower. */
 static void fit_width(struct camera *camera, float aspect, const struct setup_image *p)
 {
     const float least = aspect > 0.0f && aspect < 1.0f ? aspect : 1.0f;

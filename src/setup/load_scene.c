@@ -47,7 +47,7 @@ static bool is_ice_chosen(const struct setup_scene *options)
     return inclusions == MATERIAL_ICE || inclusions == MATERIAL_WHITE_CORE;
 }
 
-/* Puts the settings of --material, which --set overrides. */
+/* Sets the settings of --material, which --set overrides. */
 static void put_material(struct setup_scene *options, const struct scene *scene)
 {
     struct material_choice choice;

@@ -13,12 +13,12 @@
  * metres. Objects of built-in scenes stand for objects of width SETUP_BUILTIN_WIDTH. */
 float setup_absorption_scale(const char *name, const struct scene *scene);
 
-/* Puts a choice's index, and its dispersion, absorption, roughness and scattering medium if it has
- * any, with settings_put(). */
+/* Sets a choice's refractive index and, if it has any, its dispersion, absorption, roughness and
+ * scattering medium, with settings_put(). */
 void setup_put_material(struct settings *settings, const struct material_choice *choice,
                         float absorption_scale, enum setting_source source);
 
-/* Sets all settings of a material to those of a choice, which makes them the user's. */
+/* Sets all settings of a material to those of a choice, with the user as their source. */
 void setup_set_material(struct settings *settings, const struct material_choice *choice,
                         float absorption_scale);
 

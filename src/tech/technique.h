@@ -39,7 +39,7 @@ struct technique_config {
     /* refraction model; may be NULL in a pool and for purposes other than images */
     const struct technique *refraction;
     bool keeps_depth;      /* objects are redrawn on finished images */
-    bool is_limited;       /* draw only the pixels rays read */
+    bool is_limited;       /* draw only the pixels that rays read */
     bool may_exceed_image; /* the object may exceed the image */
     bool has_fast_queries; /* the device's ray queries are not emulated */
     /* images of layers that are requested or that techniques read; the list ends at NULL */
@@ -48,8 +48,8 @@ struct technique_config {
     uint32_t object_count; /* number of refractive objects with own passes; 0 counts as 1 */
     bool is_wide;          /* maps extend beyond the image (ice_gbuffer.h) */
     bool is_nested;        /* nested objects are rendered together (ice_nested.h) */
-    bool denoises_light;   /* traced lighting is denoised; before: the request allows it */
-    bool uses_queries;     /* rays use ray queries; before: the device has them */
+    bool denoises_light; /* traced lighting is denoised; initially true if the request allows it */
+    bool uses_queries;   /* rays use ray queries; initially true if the device has them */
 };
 
 /* Returns true if an image belongs to a requested layer, or to one that a technique reads. */

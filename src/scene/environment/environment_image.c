@@ -101,7 +101,8 @@ static bool find_first_layer(const struct image *image, const char *path, struct
     return first != NULL;
 }
 
-/* Chooses R, G and B, those of the first layer that has all, or Y. */
+/* Chooses the planes R, G and B; if they are missing, those of the first layer that has all three;
+ * otherwise Y. */
 static bool find_channels(const struct image *image, const char *path, struct planes *planes)
 {
     const uint32_t gray = find_plane(image, "", 0, "Y");
@@ -140,7 +141,7 @@ static bool add_planes(struct image *image, struct planes *planes, bool is_strip
     return done;
 }
 
-/* Copies the part of a row that is within the frame. `x` and `y` are the row's start in it. */
+/* Copies the part of a row that is within the frame. The row starts at (`x`, `y`) in the frame. */
 static void place_row(const struct image *image, uint32_t plane, int64_t x, int64_t y,
                       const float *row, uint32_t width)
 {

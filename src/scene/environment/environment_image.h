@@ -8,8 +8,8 @@
 #include "src/file/image.h"
 
 struct environment_image {
-    /* Planes R, G and B in linear Rec.709, or Y; and A of a strip of cube faces. Not negative and
-     * finite, except for colours with other primaries, which may become negative. */
+    /* Planes R, G and B in linear Rec.709, or Y; and A of a strip of cube faces. Values are finite,
+     * and not negative unless the file has other primaries. */
     struct image image;
     struct image_header head; /* of an EXR file, else {0} */
 };
