@@ -108,18 +108,23 @@ MAY_INCLUDE_SYSTEM = {
 # folder are not built for Windows. strdup() is in C23 and in MinGW-w64.
 SYSTEM_FOLDERS = ('src/base/', 'src/file/')
 SYSTEM_NAMES = re.compile(r'_(?:posix|win)\.[ch]$')
+POSIX_HEADERS = (
+    'dirent dlfcn fcntl fnmatch ftw glob io langinfo libgen poll process pthread pwd regex '
+    'sched semaphore signal spawn strings syslog termios threads unistd utime windows').split()
+POSIX_CALLS = (
+    'access aligned_alloc chdir clock_gettime close dlopen dlsym execve execvp execv fdopen '
+    'fileno flockfile fmemopen fork fseeko fstat ftello getcwd getline getpid getrusage '
+    'gmtime_r isatty kill localtime_r lseek lstat mkdir mkstemp mmap nanosleep open '
+    'open_memstream opendir pipe poll putenv read realpath secure_getenv setenv sigaction '
+    'sigaddset sigemptyset stat stpcpy strcasecmp strcasestr strncasecmp strndup strnlen '
+    'strtok_r sysconf unlink unsetenv usleep waitpid write').split()
+POSIX_TYPES = (
+    'NAME_MAX PATH_MAX clockid_t off_t pid_t sigset_t ssize_t').split()
 POSIX_HEADER = re.compile(
-    r'#include <(?:sys/\S+|linux/\S+|netinet/\S+|(?:windows|io|process|threads|dirent|dlfcn|'
-    r'fcntl|fnmatch|ftw|glob|langinfo|libgen|poll|pthread|pwd|regex|sched|semaphore|signal|spawn|'
-    r'strings|syslog|termios|unistd|utime)\.h)>')
+    rf'#include <(?:(?:sys|linux|netinet)/\S+|(?:{"|".join(POSIX_HEADERS)})\.h)>')
 POSIX_CALL = re.compile(
-    r'(?<![\w.>])(?:access|aligned_alloc|chdir|clock_gettime|close|dlopen|dlsym|execve?|execvp?|'
-    r'fdopen|fileno|flockfile|fmemopen|fork|fseeko|fstat|ftello|getcwd|getline|getpid|'
-    r'getrusage|gmtime_r|isatty|kill|localtime_r|lseek|lstat|mkdir|mkstemp|mmap|nanosleep|'
-    r'open|open_memstream|opendir|pipe|poll|posix_\w+|pthread_\w+|putenv|read|realpath|secure_getenv|setenv|sigaction|'
-    r'sig\w+set|stat|stpcpy|strcasecmp|strcasestr|strncasecmp|strndup|strnlen|strtok_r|sysconf|'
-    r'unlink|unsetenv|usleep|waitpid|write)\(|'
-    r'\b(?:clockid_t|NAME_MAX|off_t|PATH_MAX|pid_t|pthread_\w+|sigset_t|ssize_t|struct stat|struct timespec)\b')
+    rf'(?<![\w.>])(?:{"|".join(POSIX_CALLS)}|posix_\w+|pthread_\w+)\('
+    rf'|\b(?:{"|".join(POSIX_TYPES)}|pthread_\w+|struct stat|struct timespec)\b')
 
 # Words that tell of where a line was written, not of what it is for. Not looked for in this file.
 LEAKS = (

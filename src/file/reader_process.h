@@ -56,8 +56,9 @@ struct reader_params {
     const char *program; /* its main() must call sandboxed_load_main() */
     uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
     /* Idle limit in seconds; 0 for READER_IDLE_SECONDS. A child that uses no CPU time and sends
-     * nothing for longer is stopped. For example, it may wait for a FIFO or a file server. The total time that the parent waits is limited, too: to this number, plus the same number
-     * for each second of CPU time and for each 64 MiB of data. */
+     * nothing for longer is stopped. For example, it may wait for a FIFO or a file server. The
+     * total time that the parent waits is limited, too: to this number, plus the same number for
+     * each second of CPU time and for each 64 MiB of data. */
     uint32_t idle_seconds;
     uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */

@@ -1,6 +1,7 @@
 /*
- * Bytes become the words of a tree of two groups of triangles, behind a file's hash and key. What
- * is accepted has each triangle once, and ways and leaves that are no longer than allowed.
+ * fuzz_bvh.c: decodes the input as the topology of a BVH of two groups, with a file's hash and
+ * key. What is accepted has each triangle once, and ways and leaves that are no longer than
+ * allowed.
  */
 #include <stdbool.h>
 #include "src/scene/bvh/bvh_topology_cache.h"

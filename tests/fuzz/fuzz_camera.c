@@ -1,6 +1,7 @@
 /*
- * Bytes become options that place the camera, one a line: "eye 1,2,3". Each is taken or refused;
- * a camera that comes of them sees: its matrices are finite, its axes unit and square.
+ * fuzz_camera.c: parses the input as camera options, one per line, such as "eye 1,2,3". Each is
+ * taken or refused; a camera that comes of them sees: its matrices are finite, its axes unit and
+ * square.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /*
- * Bytes become an EXR file, which is read as a whole, to its end, row by row, as a reader process
- * sends it, and as a panorama. Whatever it is, all of them agree: they accept it with the same
+ * fuzz_exr.c: reads the input as an EXR file: as a whole, to its end, by rows, through a reader
+ * process, and as a panorama. Whatever it is, all of them agree: they accept it with the same
  * texels, or they refuse it.
  */
 #define _GNU_SOURCE /* memmem() */

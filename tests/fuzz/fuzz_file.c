@@ -1,4 +1,4 @@
-/* fuzz_file.c: bytes as a file that a reader opens by its name. */
+/* fuzz_file.c: stores the input in a file that a reader opens by its name. */
 #define _XOPEN_SOURCE 700 /* mkdtemp() */
 #include "tests/fuzz/fuzz_file.h"
 #include <dirent.h>

@@ -1,4 +1,7 @@
-/* Bytes become a list of frames: none is out of range, none comes twice, and there are some. */
+/*
+ * fuzz_frame_range.c: parses the input as a frame list: accepted lists are not empty, in range and
+ * without repetitions.
+ */
 #include <string.h>
 
 #include "src/app/options/frame_range.h"

@@ -1,4 +1,4 @@
-/* Bytes become a Radiance HDR file, which is read as a picture and as a panorama. */
+/* fuzz_hdr.c: reads the input as a Radiance HDR file, as an image and as a panorama. */
 #include "src/file/hdr.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_image.h"

@@ -1,16 +1,14 @@
 /*
- * Bytes become a model file and, after the first 0 of a file of text, a file beside it that it may
- * name. As in the program, a child reads it and sends the meshes through a pipe, and the parent
- * accepts them or reports why there are none.
- *
- * Draco, stb, libwebp and libavif are large and not instrumented; some broken files make them
- * crash, or work for hours. That is why a child reads: there, and nowhere else, it is allowed. So
- * their functions are wrapped (the linker's --wrap), and say in shared memory that one of them
- * runs. A crash at any other time is a fault, and so is an end without a status of the reader,
- * meshes that the parent does not accept and anything that the sanitizers find in the parent.
- *
- * The child is forked, which is a hundred times as fast as a new program. It returns its counters
- * of coverage, of which libFuzzer sees only the parent's.
+ * fuzz_model.c: reads the input as a model file and, after the first 0 of a text file, a second
+ * file that it may refer to. As in the program, a child reads it and sends the meshes through a
+ * pipe, and the parent accepts them or reports why there are none. Draco, stb, libwebp and libavif
+ * are large and not instrumented; some broken files make them crash, or work for hours. That is
+ * why a child reads: there, and nowhere else, it is allowed. So their functions are wrapped (the
+ * linker's --wrap), and say in shared memory that one of them runs. A crash at any other time is a
+ * fault, and so is an end without a status of the reader, meshes that the parent does not accept
+ * and anything that the sanitizers find in the parent. The child is forked, which is a hundred
+ * times as fast as a new program. It returns its counters of coverage, of which libFuzzer sees
+ * only the parent's.
  */
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
 #include <errno.h>

@@ -1,6 +1,6 @@
 /*
- * Bytes become what a reader of files sends back: as they are, or put into a sound stream here and
- * there. Whatever they are, a model that is taken is one that every pass may draw.
+ * fuzz_model_pipe.c: uses the input as the data that a reader process sends: alone, or inserted
+ * into a valid stream. Whatever they are, a model that is taken is one that every pass may draw.
  */
 #include <string.h>
 

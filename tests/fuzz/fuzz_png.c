@@ -1,6 +1,6 @@
 /*
- * Bytes become a PNG file, as they are and with the right checksum in each chunk, without which few
- * of them would be read.
+ * fuzz_png.c: reads the input as a PNG file, unchanged and with corrected chunk checksums, without
+ * which few files would be accepted.
  */
 #include <math.h>
 #include <string.h>

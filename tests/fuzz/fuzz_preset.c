@@ -1,7 +1,6 @@
 /*
- * Bytes become a file of settings, whose lines go through the pipe and come back the same; then
- * they are what the reader of such a file sends. Every line that is taken is text, and settings
- * take it or refuse it as a file's.
+ * fuzz_preset.c: reads the input as a preset, and as the data of the reader process of a preset.
+ * Every line that is taken is text, and settings take it or refuse it as a file's.
  */
 #include "src/file/preset.h"
 #include "src/settings/settings.h"

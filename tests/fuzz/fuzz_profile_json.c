@@ -1,6 +1,6 @@
 /*
- * Bytes become the file of a profile. What is accepted can be printed and compared, and what is
- * written of it is read and written again byte by byte.
+ * fuzz_profile_json.c: reads the input as a profile. What is accepted can be printed and compared,
+ * and what is written of it is read and written again byte by byte.
  */
 #include <string.h>
 #include "src/lab/profile/profile_reports.h"

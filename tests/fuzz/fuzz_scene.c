@@ -1,4 +1,4 @@
-/* fuzz_scene.c: what a model or a panorama that was accepted must be, for every pass draws it. */
+/* fuzz_scene.c: checks that accepted models and panoramas are valid for every pass. */
 #include "tests/fuzz/fuzz_scene.h"
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /*
- * Bytes become what --set is given. What is taken lies in its row's range and, printed, gives the
- * same again; what is refused changes nothing.
+ * fuzz_settings.c: passes the input to --set. What is taken lies in its row's range and, printed,
+ * gives the same again; what is refused changes nothing.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* The air's planes: denser towards the middle, inside the ice alone, lit as the scene is. */
+/* test_air.c: air planes: density towards the centre, clipping to the ice, lighting. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,8 +1,7 @@
 /*
- * test_box_projection.c: with refract.lookup=box every rung sees a box where it is.
- *
- * The sides of the box have positions as colours, and these are linear: what a pixel shows says
- * where its ray ended.
+ * test_box_projection.c: refract.lookup=box shows a box at its true position with every refraction
+ * model. The sides of the box have positions as colours, and these are linear: what a pixel shows
+ * says where its ray ended.
  */
 #include "tests/support/assertions.h"
 

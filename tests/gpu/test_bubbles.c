@@ -1,8 +1,6 @@
 /*
- * Bubbles against closed forms: what is reflected and what passes, the order in which they hide
- * each other, and that they are seen inside the ice alone.
- *
- * Surroundings are directions as colours: see picture.h.
+ * test_bubbles.c: bubbles against closed forms: reflection, transmission, order, and clipping to
+ * the ice. Surroundings are directions as colours: see picture.h.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /*
- * The ice's uneven surface: in closed form where the slopes are the same everywhere, in the mean
- * where they are not. The layer `exit` tells of the normal, by eq. 1 and 2.
+ * test_bump.c: bump mapping of the ice: in closed form for constant slopes, in the mean for
+ * others. The layer `exit` tells of the normal, by eq. 1 and 2.
  */
 #include <cglm/struct.h>
 #include <stdlib.h>

@@ -1,10 +1,8 @@
 /*
- * test_caustics.c: light on the pool's floor against closed forms.
- *
- * Below a surface z = A cos k x, with light from straight above, the focal depth is
- * h_f = n / ((n - 1) A k^2); where rays do not yet cross, light is 1 / (1 - h / h_f) below crests
- * and 1 / (1 + h / h_f) below troughs: vectors in tests/data/oracles.json. Those hold for small
- * slopes.
+ * test_caustics.c: caustics on the pool's floor, against closed forms. Below a surface z = A cos k
+ * x, with light from straight above, the focal depth is h_f = n / ((n - 1) A k^2); where rays do
+ * not yet cross, light is 1 / (1 - h / h_f) below crests and 1 / (1 + h / h_f) below troughs:
+ * vectors in tests/data/oracles.json. Those hold for small slopes.
  */
 #include <jansson.h>
 #include <math.h>

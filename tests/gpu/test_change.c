@@ -1,6 +1,7 @@
 /*
- * A renderer with other params draws what a new one draws, to the last bit, and leaves nothing
- * behind: another size, rung, setting of the plan, number of samples, and back.
+ * test_change.c: a renderer that is changed to other params draws images bit-identical to those of
+ * a new one, and leaks nothing: other size, refraction model, plan settings, sample count, and
+ * back.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /*
- * Cracks inside the ice: what is kept of them is compared with rays traced here, in double, without
- * anything of the device's depths.
+ * test_cracks.c: clipping of cracks to the ice, against rays traced here in double precision,
+ * without the device's depth maps.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -1,4 +1,7 @@
-/* Cracks that the rung bounce meets, and the light that it follows from there, in a ball. */
+/*
+ * test_cracks_hit.c: cracks that rays of the refraction model bounce hit in a ball, and the light
+ * along the reflected rays.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"

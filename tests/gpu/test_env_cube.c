@@ -1,4 +1,4 @@
-/* test_env_cube.c: every texel of the environment cube shows what lies in its direction. */
+/* test_env_cube.c: every texel of the environment cube shows the surroundings in its direction. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

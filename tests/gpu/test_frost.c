@@ -1,6 +1,6 @@
 /*
- * Frost against the closed form, in an environment of directions as colours: blurred by a round
- * lobe, such a colour comes nearer to gray by the mean cosine of the lobe.
+ * test_frost.c: frost against the closed form, in an environment of directions as colours: a round
+ * lobe moves such a colour towards grey by the mean cosine of the lobe.
  */
 #include <stdlib.h>
 

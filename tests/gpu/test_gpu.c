@@ -1,4 +1,4 @@
-/* test_gpu.c: the device, its choice, its validation and its cache. */
+/* test_gpu.c: device selection, validation and the pipeline cache. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

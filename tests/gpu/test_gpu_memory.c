@@ -1,4 +1,4 @@
-/* test_gpu_memory.c: buffers and images on lavapipe: what goes up is what comes back. */
+/* test_gpu_memory.c: upload and readback of buffers and images on lavapipe. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

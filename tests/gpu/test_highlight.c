@@ -1,6 +1,6 @@
 /*
- * Highlights on a sphere in an even gray, against the closed form: in every pixel, and where
- * they lie, by the direction halfway between light and eye.
+ * test_highlight.c: highlights on a sphere in an even grey environment, against the closed form:
+ * radiance in every pixel, and position by the half vector.
  */
 #include <stdlib.h>
 

@@ -1,9 +1,6 @@
 /*
- * test_ice_caustics.c: light that comes through the object, on a floor below it, against rays that
- * are computed by hand.
- *
- * The floor is looked at from below, where nothing hides it: the layer says how much light there
- * is.
+ * test_ice_caustics.c: light through the object onto a floor, against rays computed by hand. The
+ * floor is looked at from below, where nothing hides it: the layer says how much light there is.
  */
 #include <math.h>
 #include <string.h>

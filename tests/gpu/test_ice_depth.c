@@ -1,4 +1,7 @@
-/* Front, back and thickness of the ice against a sphere's closed form, and the ice that turns. */
+/*
+ * test_ice_depth.c: front depth, back depth and thickness of the ice, against a sphere's closed
+ * form, also with rotation.
+ */
 #include <math.h>
 
 #include "src/scene/generate/generate.h"

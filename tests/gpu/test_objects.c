@@ -1,6 +1,6 @@
 /*
- * Several refractive objects in one picture: each looks as it does alone, the nearest hides the
- * others in whatever order the file has them, and layers show the one that is seen.
+ * test_objects.c: several refractive objects in one image: each has the pixels that it has alone,
+ * the nearest one occludes the others in any file order, and layers show the visible one.
  */
 #include <cglm/struct.h>
 #include <math.h>

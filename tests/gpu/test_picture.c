@@ -1,4 +1,6 @@
-/* test_picture.c: pictures are the right way round, without holes and seams, and repeatable. */
+/*
+ * test_picture.c: images have the right orientation, no holes and no seams, and are reproducible.
+ */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,7 @@
-/* test_profile.c: what a profile says of a frame. How long anything takes is no test's business. */
+/*
+ * test_profile.c: contents of frame profiles, except durations. How long anything takes is no
+ * test's business.
+ */
 #include <math.h>
 #include <string.h>
 

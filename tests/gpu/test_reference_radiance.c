@@ -1,6 +1,6 @@
 /*
- * test_reference_radiance.c: what the traced reference shows around the object is what a device
- * draws: sky, surroundings, movers, textures, pictures; and the curve of PNG files.
+ * test_reference_radiance.c: the reference renderer and a device draw equal surroundings: sky,
+ * meshes, movers, textures, images; and equal tone curves.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -1,6 +1,5 @@
 /*
- * test_refraction_models.c: the rungs of refraction against closed forms, a traced mesh and each
- * other.
+ * test_refraction_models.c: refraction models against closed forms, a traced mesh and each other.
  */
 #include <cglm/struct.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* test_surroundings.c: textures, cut-outs, emitted colours and light on what lies around. */
+/* test_surroundings.c: textures, alpha cut-outs, emission and lighting of the surroundings. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>

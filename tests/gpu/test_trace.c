@@ -1,5 +1,7 @@
-/* test_trace.c: rays that meet a tree of triangles on a device, by shaders/trace/trace_bvh.glsl,
- * meet what they meet on the host. */
+/*
+ * test_trace.c: BVH traversal on a device (shaders/trace/trace_bvh.glsl) finds the hits that the
+ * host finds.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>

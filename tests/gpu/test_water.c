@@ -1,5 +1,7 @@
-/* test_water.c: level water against closed forms, by what it mirrors, refracts and absorbs; and
- * ice in it. */
+/*
+ * test_water.c: calm water against closed forms: reflection, refraction, absorption; and floating
+ * ice.
+ */
 #include <math.h>
 
 #include "tests/support/assertions.h"

@@ -1,6 +1,6 @@
 /*
- * test_wave.c: wave_function.h, run on a device, against vectors worked out elsewhere in double
- * precision (tests/data/oracles.json) and against closed forms.
+ * test_wave.c: wave_function.h on a device, against vectors computed in double precision by
+ * another program (tests/data/oracles.json) and against closed forms.
  */
 #include <math.h>
 

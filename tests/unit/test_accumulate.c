@@ -1,4 +1,4 @@
-/* Samples become planes. */
+/* test_accumulate.c: accumulation of samples into image planes. */
 #include "src/render/sample_accumulation.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Samples go where means are not known well. */
+/* test_adaptive.c: adaptive sampling: selection of noisy cells and sample counts. */
 #include "src/render/adaptive_sampling.h"
 
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /*
- * Every setting's row says what has to be made anew when it changes: the scene, if other things are
- * loaded or generated; the plan, if it has other rows, or pipelines other constants.
+ * test_affects.c: checks what each setting's row declares to be rebuilt when it changes: the
+ * scene, if other data is loaded or generated; the plan, if it has other passes or other
+ * specialisation constants.
  */
 #include <stdlib.h>
 #include <string.h>

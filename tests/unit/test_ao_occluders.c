@@ -1,4 +1,4 @@
-/* Bodies around objects, and the light that they bring. */
+/* test_ao_occluders.c: occluders fitted to objects, and the light that they transmit. */
 #include <cglm/struct.h>
 
 #include "src/scene/ao_occluder_transmission.h"

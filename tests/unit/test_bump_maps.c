@@ -1,4 +1,4 @@
-/* The map of the ice's surface: it repeats, has the slopes and smooth parts it promises. */
+/* test_bump_maps.c: generated bump maps: periodicity, slopes and smooth regions. */
 #include "src/scene/ice_bump_map.h"
 
 #include <math.h>

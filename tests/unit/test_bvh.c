@@ -1,4 +1,4 @@
-/* Trees of triangles: rays meet what they meet of all triangles, one by one. */
+/* test_bvh.c: BVH traversal agrees with testing all triangles one by one. */
 #include <cglm/struct.h>
 #include <float.h>
 #include <math.h>

@@ -1,4 +1,7 @@
-/* Shapes of trees in files: what comes back is what was written, and nothing else is taken. */
+/*
+ * test_bvh_cache.c: cached BVH topologies: round trip through a file, and rejection of invalid
+ * files.
+ */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* test_camera.c: where points land in pictures and on the faces of cube maps. */
+/* test_camera.c: projection of points to images and to cube map faces. */
 #include "src/scene/camera.h"
 
 #include <cglm/struct.h>

@@ -1,4 +1,4 @@
-/* Points inside closed meshes. */
+/* test_closed_mesh.c: point-in-mesh tests of closed meshes. */
 #include <cglm/struct.h>
 #include <math.h>
 

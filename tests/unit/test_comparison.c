@@ -1,4 +1,4 @@
-/* test_comparison.c: two pictures, layer by layer, and what it is made of. */
+/* test_comparison.c: comparison of two images, layer by layer. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* test_cracks_reflectance.c: what cracks reflect, against sums of complex amplitudes. */
+/* test_cracks_reflectance.c: reflectance of cracks, against sums of complex amplitudes. */
 #include <complex.h>
 #include <math.h>
 

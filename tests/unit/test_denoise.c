@@ -1,4 +1,4 @@
-/* Noisy light on surfaces becomes smooth, and stays on its surface. */
+/* test_denoise.c: denoising of lighting: noise falls, and edges between surfaces stay sharp. */
 #include <math.h>
 #include <string.h>
 #include "src/render/denoise.h"

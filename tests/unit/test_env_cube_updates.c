@@ -1,4 +1,7 @@
-/* When the environment cube and the caustic maps are due. */
+/*
+ * test_env_cube_updates.c: conditions under which the environment cube and the caustic maps are
+ * redrawn.
+ */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include "src/render/frame/env_cube_updates.h"

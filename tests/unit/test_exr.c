@@ -1,4 +1,4 @@
-/* test_exr.c: EXR pictures out and in again, to the bit, and damaged ones refused. */
+/* test_exr.c: EXR files: bit-identical round trip, and rejection of damaged files. */
 #include <OpenEXR/openexr.h>
 #include <math.h>
 #include <stdio.h>

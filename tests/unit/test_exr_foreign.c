@@ -1,4 +1,4 @@
-/* test_exr_foreign.c: EXR pictures as others write them, by the library's own interface. */
+/* test_exr_foreign.c: EXR files as other programs write them, made with the OpenEXR library. */
 #include <OpenEXR/openexr.h>
 #include <stdio.h>
 #include <stdlib.h>

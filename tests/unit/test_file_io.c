@@ -1,4 +1,4 @@
-/* test_file_io.c: files that are whole or not there. */
+/* test_file_io.c: atomic output files: complete or absent after each failure. */
 #include <dirent.h>
 #include <fcntl.h>
 #include <limits.h>

@@ -1,6 +1,8 @@
 /*
- * test_flip.c: FLIP step by step. The numbers are the papers' formulas, worked out in double by
- * hand; tests/support/flip.py has the same as a program, for whole pictures.
+ * test_flip.c: each step of FLIP, against values computed by hand in double precision from the
+ * papers' formulas; tests/support/flip.py computes whole images in the same way. The numbers are
+ * the papers' formulas, worked out in double by hand; tests/support/flip.py has the same as a
+ * program, for whole pictures.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Names of files with a frame's number in them. */
+/* test_frame_name.c: frame-number fields in file names. */
 #include <stdlib.h>
 #include "src/app/frame_name.h"
 #include "tests/support/assertions.h"

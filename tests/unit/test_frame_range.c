@@ -1,4 +1,4 @@
-/* Lists of frames: what they mean, and what is refused. */
+/* test_frame_range.c: frame lists: parsing, and rejection of invalid ones. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

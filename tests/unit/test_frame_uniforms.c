@@ -1,4 +1,4 @@
-/* What shaders are told of camera and time, against closed forms. */
+/* test_frame_uniforms.c: uniform data of camera and time, against closed forms. */
 #include <cglm/struct.h>
 #include <math.h>
 

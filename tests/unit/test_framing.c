@@ -1,4 +1,4 @@
-/* test_framing.c: where the default camera of a model file shows its geometry. */
+/* test_framing.c: framing of a model file by the default camera. */
 #include "src/scene/geometry/framing.h"
 
 #include <cglm/struct.h>

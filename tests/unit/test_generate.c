@@ -1,4 +1,7 @@
-/* test_generate.c: the built-in objects are sound solids of the promised counts and sizes. */
+/*
+ * test_generate.c: built-in objects are closed meshes with the requested triangle counts and
+ * sizes.
+ */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>

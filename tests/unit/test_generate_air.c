@@ -1,4 +1,7 @@
-/* test_generate_air.c: planes through the middle of the object; pictures that are dense there. */
+/*
+ * test_generate_air.c: generated air planes pass near the object's centre, and their textures are
+ * dense there.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,7 @@
-/* test_generate_bubbles.c: bubbles within the object that do not overlap, and their shapes. */
+/*
+ * test_generate_bubbles.c: generated bubbles are inside the object, do not overlap, and have the
+ * requested shapes.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,7 @@
-/* Cracks: curved, irregular sheets across a box, as their seed says. */
+/*
+ * test_generate_cracks.c: generated cracks are curved, irregular sheets across a box, reproducible
+ * by seed.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 

@@ -1,4 +1,7 @@
-/* test_gltf.c: features of glTF, each compared with numbers by hand or with its plain twin. */
+/*
+ * test_gltf.c: features of glTF, each compared with values computed by hand or with an equivalent
+ * plain file.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <meshoptimizer.h>

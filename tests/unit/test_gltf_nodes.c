@@ -1,5 +1,7 @@
-/* test_gltf_nodes.c: what nodes of a glTF file hold beside meshes: cameras, lights, the
- * animations that move them, and names that make them refractive. */
+/*
+ * test_gltf_nodes.c: nodes of glTF files: cameras, lights, their animations, and names that make
+ * meshes refractive.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,7 @@
-/* test_gltf_skin_morph.c: animations, skins and morph targets of glTF, compared with numbers by
- * hand. */
+/*
+ * test_gltf_skin_morph.c: animations, skins and morph targets of glTF, against values computed by
+ * hand.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>

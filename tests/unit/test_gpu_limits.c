@@ -1,4 +1,4 @@
-/* test_gpu_limits.c: pictures that a device cannot hold, said before it tries. */
+/* test_gpu_limits.c: images that exceed the device's limits are refused before any allocation. */
 #include <sys/resource.h>
 #include "src/gpu/gpu.h"
 #include "tests/support/assertions.h"

@@ -1,4 +1,4 @@
-/* test_image_files.c: PNG out, Radiance HDR in. */
+/* test_image_files.c: writing of PNG files and reading of Radiance HDR files. */
 #include <fcntl.h>
 #include <math.h>
 #include <png.h>

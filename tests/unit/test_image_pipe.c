@@ -1,4 +1,7 @@
-/* test_image_pipe.c: the head of a picture comes through the same, and nothing else does. */
+/*
+ * test_image_pipe.c: image headers through the reader's pipe: round trip, and rejection of invalid
+ * data.
+ */
 #include <math.h>
 #include "src/file/image_receive.h"
 #include "tests/support/assertions.h"

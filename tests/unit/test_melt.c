@@ -1,4 +1,4 @@
-/* test_melt.c: ice melts by its law, without leaps, and what is in it follows. */
+/* test_melt.c: melting follows its law continuously, and inclusions follow the surface. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

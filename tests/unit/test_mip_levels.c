@@ -1,5 +1,4 @@
-/* test_mip_levels.c: means of four, level after level, and the noise that is looked up in a table.
- */
+/* test_mip_levels.c: mip levels by box filtering, and cached noise. */
 #include <string.h>
 #include "src/file/half_float.h"
 #include "src/scene/generate/noise.h"

@@ -1,4 +1,4 @@
-/* test_model.c: model files, written here and read back. */
+/* test_model.c: model files written by the test and read back. */
 #include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,4 @@
-/* test_model_colors.c: colours of model files that no surface can have, and the
- * materials of MTL files. */
+/* test_model_colors.c: out-of-range colours of model files, and materials of MTL files. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

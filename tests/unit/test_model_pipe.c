@@ -1,4 +1,6 @@
-/* test_model_pipe.c: what goes through comes out the same, and nothing else does. */
+/*
+ * test_model_pipe.c: models through the reader's pipe: round trip, and rejection of invalid data.
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

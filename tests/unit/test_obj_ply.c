@@ -1,4 +1,4 @@
-/* test_obj_ply.c: the statements of OBJ and the properties of PLY. */
+/* test_obj_ply.c: statements of OBJ files and properties of PLY files. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* test_pixel_filter.c: where the samples of a pixel are. */
+/* test_pixel_filter.c: distribution of sample positions in a pixel. */
 #include "src/render/pixel_filter.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /*
- * The plans of the program's frames, as text, are those of tests/golden/plan_*.txt; those of small
- * graphs, one for each thing that a graph can do, feature_*.txt.
+ * test_plans.c: plans of the program's frames, as text, are equal to tests/golden/plan_*.txt, and
+ * those of small graphs, one for each feature, to feature_*.txt.
  *
  * test-plans FOLDER            compares
  * test-plans FOLDER --update   writes the files anew, to be read in the diff

@@ -1,4 +1,4 @@
-/* Words in PNG files, and files that are looked at again. */
+/* test_png.c: text chunks of PNG files, and checks of existing files. */
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>

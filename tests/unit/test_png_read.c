@@ -1,4 +1,4 @@
-/* test_png_read.c: PNG files of other programs, and damaged ones, as planes of light. */
+/* test_png_read.c: PNG files of other programs, and damaged ones, read as linear planes. */
 #include <math.h>
 #include <png.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* test_preset.c: lines come through the pipe the same, and nothing else does. */
+/* test_preset.c: presets through the reader's pipe: round trip, and rejection of invalid data. */
 #include "src/file/preset.h"
 #include "tests/support/assertions.h"
 #include "tests/support/memory_pipe.h"

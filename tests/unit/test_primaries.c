@@ -1,4 +1,4 @@
-/* test_primaries.c: matrices from other primaries to those of Rec.709. */
+/* test_primaries.c: conversion matrices from other RGB primaries to Rec.709. */
 #include <math.h>
 #include "src/file/color_primaries.h"
 #include "tests/support/assertions.h"

@@ -1,4 +1,4 @@
-/* Profiles as JSON, and back. */
+/* test_profile_json.c: profiles as JSON: round trip. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

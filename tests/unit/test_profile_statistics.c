@@ -1,4 +1,4 @@
-/* Numbers whose answers are known, or are counted here one by one. */
+/* test_profile_statistics.c: timing statistics, against known results and brute force. */
 #include <math.h>
 #include <stdlib.h>
 #include "src/lab/profile/statistics.h"

@@ -1,4 +1,4 @@
-/* Parameters, the product of their values, and reports of a sweep. */
+/* test_profile_sweep.c: parameter sweeps: combinations of values, and reports. */
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Tables for people: of a profile, and of two. */
+/* test_profile_table.c: text tables of one profile and of a comparison of two. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/lab/profile/profile_reports.h"

@@ -1,4 +1,4 @@
-/* What tracing programs take for granted, and the samples as comma-separated values. */
+/* test_profile_trace.c: Chrome traces as tracing programs expect them, and CSV files. */
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>

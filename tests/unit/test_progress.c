@@ -1,4 +1,4 @@
-/* test_progress.c: what a line of progress says. */
+/* test_progress.c: text of the progress bar. */
 #include <string.h>
 #include "src/app/progress.h"
 #include "tests/support/assertions.h"

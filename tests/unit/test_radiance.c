@@ -1,4 +1,7 @@
-/* test_radiance.c: textures and environment pictures of the traced reference, between texels. */
+/*
+ * test_radiance.c: bilinear filtering of textures and environment images in the reference
+ * renderer.
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

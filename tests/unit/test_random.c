@@ -1,4 +1,4 @@
-/* test_random.c: numbers are spread evenly, repeatable, and unrelated between seeds and parts. */
+/* test_random.c: random numbers: even distribution, reproducibility, independence of seeds. */
 #include "src/scene/generate/random.h"
 
 #include <cglm/struct.h>

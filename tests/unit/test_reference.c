@@ -1,6 +1,6 @@
 /*
- * The traced reference against closed forms: sphere, slab, prism, absorption, dispersion, white
- * furnace. Pictures of one pixel, whose ray is the camera's axis.
+ * test_reference.c: the reference renderer against closed forms: sphere, slab, prism, absorption,
+ * dispersion, white furnace. Pictures of one pixel, whose ray is the camera's axis.
  */
 #include <cglm/struct.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /*
- * Cloudy ice in the traced reference against closed forms: depths below a surface, what passes
- * along a straight ray, how light is turned, and that none is lost.
+ * test_reference_cloud.c: scattering media in the reference renderer, against closed forms: depth
+ * below a surface, transmittance along a ray, phase function, conservation of energy.
  */
 #include <cglm/struct.h>
 #include <math.h>

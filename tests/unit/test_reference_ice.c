@@ -1,4 +1,7 @@
-/* The traced reference of what is in and on ice against closed forms. */
+/*
+ * test_reference_ice.c: inclusions and surface effects of ice in the reference renderer, against
+ * closed forms.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

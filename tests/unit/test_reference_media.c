@@ -1,6 +1,6 @@
 /*
- * The traced reference in several media against closed forms: slabs inside each other, the view
- * from under water, thin walls, rough balls; and which medium is where objects overlap.
+ * test_reference_media.c: nested media in the reference renderer, against closed forms: slabs
+ * inside each other, the view from under water, thin walls, rough balls, priorities.
  */
 #include <cglm/struct.h>
 #include <stdlib.h>

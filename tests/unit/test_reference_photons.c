@@ -1,6 +1,6 @@
 /*
- * The sun's light through ice in the traced reference against closed forms: a slab, a ball's focus,
- * the shadow's edge.
+ * test_reference_photons.c: caustics of the sun in the reference renderer, against closed forms: a
+ * slab, a ball's focus, the shadow's edge.
  */
 #include <cglm/struct.h>
 #include <math.h>

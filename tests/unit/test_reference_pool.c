@@ -1,6 +1,6 @@
 /*
- * The pool in the traced reference against closed forms: the view from under water, the sun's light
- * on the floor below water at rest and below one cosine.
+ * test_reference_pool.c: the pool in the reference renderer, against closed forms: the view from
+ * under water, sunlight on the floor below calm water and below a cosine wave.
  */
 #include <cglm/struct.h>
 #include <math.h>

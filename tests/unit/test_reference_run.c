@@ -1,4 +1,6 @@
-/* How the traced reference runs: threads, samples, layers, progress, limits of memory. */
+/*
+ * test_reference_run.c: the reference renderer: threads, samples, layers, progress, memory limits.
+ */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>

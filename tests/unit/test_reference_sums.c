@@ -1,4 +1,7 @@
-/* Sums of the reference as planes of a file: every bit returns, and other numbers are refused. */
+/*
+ * test_reference_sums.c: sample sums of the reference in files: bit-identical round trip, and
+ * rejection of invalid values.
+ */
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* test_sandboxed_load.c: readers of files that crash, hang, want too much or lie. */
+/* test_sandboxed_load.c: reader processes that crash, hang, exceed limits or send wrong data. */
 #define _GNU_SOURCE /* for resource.h's and fcntl.h's names */
 #include <errno.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-/* The rows of all groups are in order, and values go in and out by name. */
+/* test_settings.c: order of the setting groups, and access to values by name. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /*
- * Rows and shaders agree, as rg_compile() checks, and so do the structs that C and GLSL share. Each
- * row that a frame can have is looked at: all techniques are asked for their rows, with each two
- * values of all settings that may change these.
+ * test_shaders.c: passes agree with their shaders, as rg_compile() checks, and so do the structs
+ * that C and GLSL share. Each row that a frame can have is looked at: all techniques are asked for
+ * their rows, with each two values of all settings that may change these.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,7 @@
-/* Signals that end a program, but not at any time. Each is tried in a child process. */
+/*
+ * test_signals.c: termination signals and the times at which they are delayed. Each is tried in a
+ * child process.
+ */
 #include <dirent.h>
 #include <sched.h>
 #include <signal.h>

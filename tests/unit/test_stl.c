@@ -1,4 +1,6 @@
-/* test_stl.c: ASCII and binary STL: facets, welding, normals, and lines about damaged files. */
+/*
+ * test_stl.c: ASCII and binary STL files: facets, welding, normals, and errors of damaged files.
+ */
 #include <cglm/struct.h>
 #include <stdio.h>
 #include <string.h>

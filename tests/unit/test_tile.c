@@ -1,4 +1,4 @@
-/* test_tile.c: tiles of pictures of many sizes: nothing twice, nothing left out. */
+/* test_tile.c: tilings of images of many sizes cover each pixel exactly once. */
 #include <stdlib.h>
 #include "src/base/tile.h"
 #include "tests/support/assertions.h"

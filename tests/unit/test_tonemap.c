@@ -1,4 +1,4 @@
-/* test_tonemap.c: tone curves, against values that were computed from the published formulas. */
+/* test_tonemap.c: tone curves, against values computed from the published formulas. */
 #include "shaders/output/tonemap.h"
 #include "tests/support/assertions.h"
 

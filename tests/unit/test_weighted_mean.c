@@ -1,4 +1,4 @@
-/* Weighted means of samples antialias highlights. */
+/* test_weighted_mean.c: weighted means of samples antialias highlights. */
 #include "src/render/weighted_mean.h"
 
 #include "src/file/half_float.h"
