@@ -70,6 +70,15 @@ def length_faults(page, text):
         yield f'{page}: {images} images, at least {words // WORDS_PER_IMAGE}'
 
 
+def strip_faults(root):
+    """Compares the settings that docs/strips.txt and the page of settings list."""
+    listed = re.findall(r'(?m)^\| `([a-z_]+\.[a-z_]+)` \|',
+                        (root / 'docs/reference/settings.md').read_text('utf-8'))
+    strips = re.findall(r'(?m)^([a-z_]+\.[a-z_]+) ', (root / 'docs/strips.txt').read_text('utf-8'))
+    for name in sorted(set(listed) ^ set(strips)):
+        yield f'docs/strips.txt: {name}: in the list of settings or in that of strips, not in both'
+
+
 def faults(root):
     sys.path.insert(0, str(root / 'man'))
     import figures
@@ -82,6 +91,7 @@ def faults(root):
             yield f'{page}: differs from docs/figures.json: run man/figures.py'
         if is_for_users(page):
             yield from length_faults(page, text)
+    yield from strip_faults(root)
     written = [text for page, text in texts.items()
                if page.startswith('docs/') and page not in GENERATED]
     words = sum(map(count_words, written))

@@ -62,7 +62,7 @@ static bool append_argument(char command[static COMMAND_SIZE], const char *argum
 static HANDLE make_token(void)
 {
     SID low = {
-        SID_REVISION, 1, SECURITY_MANDATORY_LABEL_AUTHORITY, { SECURITY_MANDATORY_LOW_RID }
+        SID_REVISION, 1, { SECURITY_MANDATORY_LABEL_AUTHORITY }, { SECURITY_MANDATORY_LOW_RID }
     };
     TOKEN_MANDATORY_LABEL label = { { &low, SE_GROUP_INTEGRITY } };
     HANDLE own = NULL, restricted = NULL;

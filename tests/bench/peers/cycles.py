@@ -16,7 +16,7 @@ import tempfile
 
 SIZE = (512, 384)
 FIRN_SAMPLES = {'rough': 16}  # of the error that is compared; 1 in other scenes
-CYCLES_SAMPLES = (1, 8, 64)
+CYCLES_SAMPLES = (2, 32)
 SETTINGS = ('Cycles, CPU: 64 bounces of each kind, caustics on, clamping off, filter glossy 0, no '
             'adaptive sampling, no denoising; firn: -r trace --plain; both: samples at pixel '
             'centres')
