@@ -123,7 +123,7 @@ static void switch_off_ice_effects(struct setup_scene *options, const struct sce
         switch_off(options, &highlight);
 }
 
-/* Switches off bubbles and cracks in ice with walls that are thinner than they are. */
+/* Switches off bubbles and cracks in ice whose walls are thinner than the bubbles and cracks. */
 static void clear_thin_walls(struct setup_scene *options, const struct scene *scene,
                              bool is_verbose)
 {
