@@ -302,8 +302,11 @@ def system_rule(file):
     if (not file.ends(C) or not file.path.startswith('src/') or is_of_system
             or file.path.startswith('src/view/')):
         return
+    code = code_of(file.text)
+    if not POSIX_CALL.search(code) and not re.search(POSIX_HEADER.pattern, code):
+        return
     declared = re.compile(r'^(?:static |\w[\w ]*[ *])\w+\(')
-    for number, line in enumerate(code_of(file.text).splitlines(), 1):
+    for number, line in enumerate(code.splitlines(), 1):
         found = POSIX_HEADER.match(line) or (
             not declared.match(line) and POSIX_CALL.search(line))
         if found:

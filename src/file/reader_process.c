@@ -199,7 +199,7 @@ static bool repeat_log(const struct reader *reader)
     const bool is_quiet = reader->params.no_warnings;
     bool is_error = false;
     for (const char *line = reader->log_text; *line && !is_error;) {
-        const size_t length = strcspn(line, "\n");
+        const size_t length = strcspn(line, "\r\n");
         if (strncmp(line, prefix, prefix_size) == 0) {
             const char *text = line + prefix_size;
             const int size = (int)(length - prefix_size);
@@ -213,7 +213,8 @@ static bool repeat_log(const struct reader *reader)
             else if (is_note && !is_quiet)
                 log_note("%.*s", size - (int)note_size, text + note_size);
         }
-        line += length + (line[length] == '\n');
+        line += length;
+        line += strspn(line, "\r\n");
     }
     return is_error;
 }

@@ -1,5 +1,5 @@
-/* test_system.c: the interfaces to the operating system in src/base and src/file, natively and under
- * Wine. Without arguments, runs in the current folder, which must be writable. */
+/* test_system.c: the interfaces to the operating system in src/base and src/file, natively and
+ * under Wine. The current folder must be writable. */
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
