@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-static inline char ascii_lower(char c)
+static inline int ascii_lower(char c)
 {
-    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
 }
 
 /* Returns true if the first `size` characters are equal, or the whole texts if they are shorter. */

@@ -16,7 +16,7 @@ enum reader_child_pipe {
 struct reader_child;
 
 /* Starts params->program, whose default limits are resolved. Returns 0 or an errno. */
-int reader_child_start(struct reader_child **child, const struct reader_params *params,
+int reader_child_start(struct reader_child **started, const struct reader_params *params,
                        char *const *arguments);
 
 /* Returns true until the end of a pipe was read, or reader_child_close() was called for it. */
