@@ -32,9 +32,9 @@ static mat4s rotation_of(const struct object_transform *t)
     return glms_rotate(rotation, glm_rad(t->rotate_deg.x), (vec3s){ { 1.0f, 0.0f, 0.0f } });
 }
 
-/* Transforms the vertices of a mesh whose bytes in `is_part` are not 0. Returns false if a
+/* Transforms vertices of a mesh about the centre of their bounding box. Returns false if a
  * coordinate is too large. */
-static bool transform_vertices(struct mesh *mesh, const uint8_t *is_part,
+static bool transform_vertices(struct mesh *mesh, const uint32_t *vertices, uint32_t count,
                                const struct object_transform *t)
 {
     const mat4s rotation = rotation_of(t);
@@ -42,153 +42,181 @@ static bool transform_vertices(struct mesh *mesh, const uint8_t *is_part,
     vec3s low = { { INFINITY, INFINITY, INFINITY } };
     vec3s high = { { -INFINITY, -INFINITY, -INFINITY } };
     bool is_in_range = true;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (is_part[i]) {
-            low = glms_vec3_minv(low, mesh->vertices[i].position);
-            high = glms_vec3_maxv(high, mesh->vertices[i].position);
-        }
+    for (uint32_t i = 0; i < count; i++) {
+        low = glms_vec3_minv(low, mesh->vertices[vertices[i]].position);
+        high = glms_vec3_maxv(high, mesh->vertices[vertices[i]].position);
     }
     const vec3s center = glms_vec3_scale(glms_vec3_add(low, high), 0.5f);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        struct mesh_vertex *v = &mesh->vertices[i];
-        if (!is_part[i])
-            continue;
+    for (uint32_t i = 0; i < count; i++) {
+        struct mesh_vertex *v = &mesh->vertices[vertices[i]];
         const vec3s p = glms_vec3_scale(glms_vec3_sub(v->position, center), scale);
         v->position =
             glms_vec3_add(glms_mat4_mulv3(rotation, p, 0.0f), glms_vec3_add(center, t->move));
         v->normal = glms_mat4_mulv3(rotation, v->normal, 0.0f);
-        if (mesh->extras)
-            mesh->extras[i].tangent = glms_mat4_mulv3(rotation, mesh->extras[i].tangent, 0.0f);
+        if (mesh->extras) {
+            vec3s *tangent = &mesh->extras[vertices[i]].tangent;
+            *tangent = glms_mat4_mulv3(rotation, *tangent, 0.0f);
+        }
         is_in_range = is_in_range && glms_vec3_max(glms_vec3_abs(v->position)) <= coordinate_max;
     }
     return is_in_range;
 }
 
-/* ---- triangles of an object ---- */
+static bool has_name(const struct object_transform *t, const char *name)
+{
+    return strcmp(t->name, name) == 0;
+}
 
-/* Part of a mesh: one object's triangles. */
-struct part {
-    struct mesh *mesh;
-    uint32_t first_index, index_count;   /* range of refractive objects */
-    uint32_t first_vertex, vertex_count; /* range of surroundings objects */
-    bool is_refractive;
+/* ---- transformed refractive objects ---- */
+
+/* Vertex of the refractive objects' mesh. */
+struct vertex_use {
+    uint32_t user_count; /* number of objects that use it */
+    uint32_t visit;      /* number of the last visit; counts objects, in two passes */
+    uint32_t copy;       /* its index in the object that visited it last */
 };
 
-static struct part refractive_part(struct model *model, uint32_t i)
+/* Returns how many objects use each vertex; NULL when out of memory. The caller frees it. */
+static struct vertex_use *count_users(const struct model *model)
 {
-    return (struct part){ .mesh = &model->object,
-                          .first_index = model->objects[i].first_index,
-                          .index_count = model->objects[i].index_count,
-                          .is_refractive = true };
+    struct vertex_use *uses = calloc(model->object.vertex_count + (size_t)1, sizeof(*uses));
+    for (uint32_t k = 0; uses && k < model->object_count; k++) {
+        const struct object *object = &model->objects[k];
+        for (uint32_t i = 0; i < object->index_count; i++) {
+            struct vertex_use *use = &uses[model->object.indices[object->first_index + i]];
+            use->user_count += use->visit != k + 1;
+            use->visit = k + 1;
+        }
+    }
+    return uses;
 }
 
-static struct part surroundings_part(struct model *model, uint32_t i)
+/* Appends copies of vertices to a mesh. Returns false when out of memory. */
+static bool append_copies(struct mesh *mesh, const uint32_t *vertices, uint32_t count)
 {
-    const uint32_t first = model->surroundings_starts[i];
-    const uint32_t end = i + 1 < model->surroundings_object_count
-                             ? model->surroundings_starts[i + 1]
-                             : model->surroundings.vertex_count;
-    return (struct part){ .mesh = &model->surroundings,
-                          .first_vertex = first,
-                          .vertex_count = end - first };
-}
-
-/* Returns true if the triangle that begins at `index` belongs to the part. */
-static bool has_triangle(const struct part *part, uint32_t index)
-{
-    return part->is_refractive
-               ? index >= part->first_index && index - part->first_index < part->index_count
-               : part->mesh->indices[index] >= part->first_vertex &&
-                     part->mesh->indices[index] - part->first_vertex < part->vertex_count;
-}
-
-/* Appends a copy of each vertex v with to[v] > 0; to[v] is the index of the copy. Returns false
- * when out of memory. */
-static bool append_copies(struct mesh *mesh, const uint32_t *to, uint32_t count)
-{
-    const uint32_t first = mesh->vertex_count;
     struct mesh copy;
     bool is_good = mesh_init(&copy, count, 0) && (!mesh->extras || mesh_add_extras(&copy));
-    for (uint32_t v = 0; v < first && is_good; v++) {
-        if (!to[v])
-            continue;
-        copy.vertices[to[v] - first] = mesh->vertices[v];
+    for (uint32_t i = 0; i < count && is_good; i++) {
+        copy.vertices[i] = mesh->vertices[vertices[i]];
         if (mesh->extras)
-            copy.extras[to[v] - first] = mesh->extras[v];
+            copy.extras[i] = mesh->extras[vertices[i]];
     }
-    is_good = is_good && mesh_append(mesh, &copy);
+    is_good = is_good && (!count || mesh_append(mesh, &copy));
     mesh_finish(&copy);
     return is_good;
 }
 
-/* Makes a part use copies of the vertices that other triangles use, too. `is_part` marks the part's
- * vertices. Returns false when out of memory. */
-static bool unshare(const struct part *part, const uint8_t *is_part)
+/* Makes each object with the name of `t` use copies of the vertices that other objects use, too.
+ * `list` has room for all indices of the mesh. Returns false when out of memory. */
+static bool unshare(struct model *model, const struct object_transform *t, uint32_t *list)
 {
-    struct mesh *mesh = part->mesh;
-    uint32_t *to = calloc(mesh->vertex_count, sizeof(*to));
+    struct mesh *mesh = &model->object;
+    struct vertex_use *uses = count_users(model);
     uint32_t count = 0;
-    for (uint32_t i = 0; to && i < mesh->index_count; i++) {
-        const uint32_t v = mesh->indices[i];
-        if (is_part[v] && !to[v] && !has_triangle(part, i - i % 3))
-            to[v] = mesh->vertex_count + count++;
+    for (uint32_t k = 0; uses && k < model->object_count; k++) {
+        const struct object *object = &model->objects[k];
+        for (uint32_t i = 0; has_name(t, object->name) && i < object->index_count; i++) {
+            uint32_t *index = &mesh->indices[object->first_index + i];
+            struct vertex_use *use = &uses[*index];
+            const uint32_t visit = model->object_count + k + 1;
+            if (use->visit != visit && use->user_count > 1) {
+                use->user_count--;
+                use->copy = mesh->vertex_count + count;
+                list[count++] = *index;
+            } else if (use->visit != visit) {
+                use->copy = *index;
+            }
+            use->visit = visit;
+            *index = use->copy;
+        }
     }
-    const bool is_good = to && (!count || append_copies(mesh, to, count));
-    for (uint32_t i = 0; is_good && count && i < part->index_count; i++) {
-        uint32_t *index = &mesh->indices[part->first_index + i];
-        *index = to[*index] ? to[*index] : *index;
-    }
-    free(to);
-    return is_good;
+    free(uses);
+    return uses && append_copies(mesh, list, count);
 }
 
-/* Returns a byte for each vertex of a part's mesh, 1 for those of the part; NULL when out of
- * memory. The caller frees it. */
-static uint8_t *mark(const struct part *part)
+/* Lists the vertices of an object whose bytes in `is_listed` are 0, and sets these bytes. Returns
+ * their number. */
+static uint32_t list_vertices(const struct model *model, uint32_t object, uint8_t *is_listed,
+                              uint32_t *list)
 {
-    const struct mesh *mesh = part->mesh;
-    uint8_t *is_part = calloc(mesh->vertex_count + (size_t)1, 1);
-    for (uint32_t i = 0; is_part && i < mesh->index_count; i++)
-        is_part[mesh->indices[i]] |= has_triangle(part, i - i % 3);
-    return is_part;
+    const uint32_t *indices = &model->object.indices[model->objects[object].first_index];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->objects[object].index_count; i++) {
+        if (!is_listed[indices[i]])
+            list[count++] = indices[i];
+        is_listed[indices[i]] = 1;
+    }
+    return count;
 }
 
-static enum status transform_part(const struct part *part, const struct object_transform *t,
-                                  const char *path)
+/* Transforms the refractive objects with the name of `t`. */
+static enum status transform_refractive(struct model *model, const struct object_transform *t)
 {
-    uint8_t *is_part = mark(part);
-    const bool is_good = is_part && (!part->is_refractive || unshare(part, is_part));
-    free(is_part);
-    is_part = is_good ? mark(part) : NULL;
-    enum status status = is_part ? STATUS_OK : log_out_of_memory("--transform");
-    if (status == STATUS_OK && !transform_vertices(part->mesh, is_part, t)) {
-        log_error("%s: --transform %s makes its coordinates larger than 1000000 metres", path,
-                  t->name);
-        status = STATUS_DATA;
+    struct mesh *mesh = &model->object;
+    uint32_t *list = malloc((mesh->index_count + (size_t)1) * sizeof(*list));
+    uint8_t *is_listed = NULL;
+    if (list && unshare(model, t, list))
+        is_listed = calloc(mesh->vertex_count + (size_t)1, 1);
+    enum status status = is_listed ? STATUS_OK : STATUS_TRY_AGAIN;
+    for (uint32_t k = 0; k < model->object_count && status == STATUS_OK; k++) {
+        if (!has_name(t, model->objects[k].name))
+            continue;
+        const uint32_t count = list_vertices(model, k, is_listed, list);
+        status = transform_vertices(mesh, list, count, t) ? STATUS_OK : STATUS_DATA;
     }
-    free(is_part);
+    free(list);
+    free(is_listed);
+    return status;
+}
+
+/* ---- transformed surroundings ---- */
+
+static uint32_t end_vertex(const struct model *model, uint32_t object)
+{
+    return object + 1 < model->surroundings_object_count ? model->surroundings_starts[object + 1]
+                                                         : model->surroundings.vertex_count;
+}
+
+/* Transforms the surroundings objects with the name of `t`. */
+static enum status transform_surroundings(struct model *model, const struct object_transform *t)
+{
+    struct mesh *mesh = &model->surroundings;
+    uint8_t *is_used = calloc(mesh->vertex_count + (size_t)1, 1);
+    uint32_t *list = malloc((mesh->vertex_count + (size_t)1) * sizeof(*list));
+    enum status status = is_used && list ? STATUS_OK : STATUS_TRY_AGAIN;
+    for (uint32_t i = 0; i < mesh->index_count && status == STATUS_OK; i++)
+        is_used[mesh->indices[i]] = 1;
+    for (uint32_t k = 0; k < model->surroundings_object_count && status == STATUS_OK; k++) {
+        uint32_t count = 0;
+        if (!has_name(t, model->surroundings_names[k]))
+            continue;
+        for (uint32_t v = model->surroundings_starts[k]; v < end_vertex(model, k); v++) {
+            if (is_used[v])
+                list[count++] = v;
+        }
+        status = transform_vertices(mesh, list, count, t) ? STATUS_OK : STATUS_DATA;
+    }
+    free(is_used);
+    free(list);
     return status;
 }
 
 /* ---- hidden objects ---- */
 
-/* Removes the triangles of a part. Its vertices stay, so that ranges of vertices stay valid, but
- * take the position of a remaining one, because bounding boxes count them. Returns false when out
- * of memory. */
-static bool remove_triangles(const struct part *part)
+/* Removes the triangles whose bytes in `is_hidden` are not 0. Their vertices stay, so that ranges
+ * of vertices stay valid, but take the position of a remaining one, because bounding boxes count
+ * them. Returns false when out of memory. */
+static bool remove_triangles(struct mesh *mesh, const uint8_t *is_hidden)
 {
-    struct mesh *mesh = part->mesh;
     uint32_t kept = 0;
     uint8_t *is_used = calloc(mesh->vertex_count + (size_t)1, 1);
     if (!is_used)
         return false;
-    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
-        if (has_triangle(part, i))
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        if (is_hidden[i / 3])
             continue;
-        for (uint32_t k = 0; k < 3; k++) {
-            is_used[mesh->indices[i + k]] = 1;
-            mesh->indices[kept++] = mesh->indices[i + k];
-        }
+        is_used[mesh->indices[i]] = 1;
+        mesh->indices[kept++] = mesh->indices[i];
     }
     mesh->index_count = kept;
     for (uint32_t v = 0; v < mesh->vertex_count && kept; v++) {
@@ -199,58 +227,91 @@ static bool remove_triangles(const struct part *part)
     return true;
 }
 
-/* Removes refractive object `i` and its triangles. */
-static bool remove_object(struct model *model, uint32_t i)
+/* Removes the refractive objects with the name of `t`, and their triangles. */
+static enum status hide_refractive(struct model *model, const struct object_transform *t)
 {
-    const struct part part = refractive_part(model, i);
-    if (!remove_triangles(&part))
-        return false;
-    for (uint32_t k = i + 1; k < model->object_count; k++) {
-        model->objects[k].first_index -= part.index_count;
-        model->objects[k - 1] = model->objects[k];
+    uint8_t *is_hidden = calloc(model->object.index_count / 3 + (size_t)1, 1);
+    uint32_t kept = 0, removed = 0;
+    if (!is_hidden)
+        return STATUS_TRY_AGAIN;
+    for (uint32_t k = 0; k < model->object_count; k++) {
+        const struct object object = model->objects[k];
+        if (has_name(t, object.name)) {
+            memset(&is_hidden[object.first_index / 3], 1, object.index_count / 3);
+            removed += object.index_count;
+            continue;
+        }
+        model->objects[kept] = object;
+        model->objects[kept++].first_index -= removed;
     }
-    model->object_count--;
-    if (!model->object_count)
+    const bool is_good = remove_triangles(&model->object, is_hidden);
+    free(is_hidden);
+    model->object_count = kept;
+    if (!kept)
         model->object.vertex_count = 0;
-    return true;
+    return is_good ? STATUS_OK : STATUS_TRY_AGAIN;
+}
+
+/* Removes the triangles of the surroundings objects with the name of `t`. */
+static enum status hide_surroundings(struct model *model, const struct object_transform *t)
+{
+    struct mesh *mesh = &model->surroundings;
+    uint8_t *is_inside = calloc(mesh->vertex_count + (size_t)1, 1); /* of each vertex */
+    uint8_t *is_hidden = calloc(mesh->index_count / 3 + (size_t)1, 1);
+    bool is_good = is_inside && is_hidden;
+    for (uint32_t k = 0; k < model->surroundings_object_count && is_good; k++) {
+        const uint32_t first = model->surroundings_starts[k];
+        if (has_name(t, model->surroundings_names[k]))
+            memset(&is_inside[first], 1, end_vertex(model, k) - first);
+    }
+    for (uint32_t i = 0; i < mesh->index_count && is_good; i += 3)
+        is_hidden[i / 3] = is_inside[mesh->indices[i]];
+    is_good = is_good && remove_triangles(mesh, is_hidden);
+    free(is_inside);
+    free(is_hidden);
+    return is_good ? STATUS_OK : STATUS_TRY_AGAIN;
 }
 
 /* ---- all of a model ---- */
 
-/* Applies a transform to a part. Sets *removes if a refractive object is to be removed instead. */
-static enum status apply_to(const struct part *part, const struct object_transform *t,
-                            const char *path, bool *removes)
+/* Returns true if a refractive object has the name of `t`. */
+static bool is_refractive(const struct model *model, const struct object_transform *t)
 {
-    *removes = t->is_hidden && part->is_refractive;
-    if (*removes)
-        return STATUS_OK;
-    if (t->is_hidden)
-        return remove_triangles(part) ? STATUS_OK : log_out_of_memory("--hide");
-    return moves(t) ? transform_part(part, t, path) : STATUS_OK;
+    for (uint32_t k = 0; k < model->object_count; k++) {
+        if (has_name(t, model->objects[k].name))
+            return true;
+    }
+    return false;
+}
+
+static bool is_in_surroundings(const struct model *model, const struct object_transform *t)
+{
+    for (uint32_t k = 0; k < model->surroundings_object_count; k++) {
+        if (has_name(t, model->surroundings_names[k]))
+            return true;
+    }
+    return false;
 }
 
 static enum status apply(struct model *model, const struct object_transform *t, const char *path,
                          bool *is_found)
 {
+    const bool refractive = is_refractive(model, t), other = is_in_surroundings(model, t);
     enum status status = STATUS_OK;
-    bool removes;
-    for (uint32_t i = model->object_count; i-- && status == STATUS_OK;) {
-        const struct part part = refractive_part(model, i);
-        if (strcmp(model->objects[i].name, t->name) != 0)
-            continue;
-        *is_found = true;
-        status = apply_to(&part, t, path, &removes);
-        if (removes && !remove_object(model, i))
-            status = log_out_of_memory("--hide");
-    }
-    for (uint32_t i = 0; i < model->surroundings_object_count && status == STATUS_OK; i++) {
-        const struct part part = surroundings_part(model, i);
-        if (strcmp(model->surroundings_names[i], t->name) != 0)
-            continue;
-        *is_found = true;
-        status = apply_to(&part, t, path, &removes);
-    }
-    return status;
+    *is_found = refractive || other;
+    if (refractive && t->is_hidden)
+        status = hide_refractive(model, t);
+    else if (refractive && moves(t))
+        status = transform_refractive(model, t);
+    if (other && status == STATUS_OK && t->is_hidden)
+        status = hide_surroundings(model, t);
+    else if (other && status == STATUS_OK && moves(t))
+        status = transform_surroundings(model, t);
+    if (status == STATUS_DATA)
+        log_error("%s: --transform %s makes its coordinates larger than 1000000 metres", path,
+                  t->name);
+    return status == STATUS_TRY_AGAIN ? log_out_of_memory(t->is_hidden ? "--hide" : "--transform")
+                                      : status;
 }
 
 enum status object_transform_apply(struct model *model, const struct object_transform *all,

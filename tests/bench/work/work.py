@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""work.py: measures CPU time of `firn info` for models with many parts, and its growth.
+"""work.py: measures CPU time of firn for models with many parts, and its growth.
 
 Usage: work.py FIRN [--check]
 
@@ -101,6 +101,18 @@ def nodes(count, material=None):
     return model
 
 
+def named(count, material=None):
+    """Objects of two names, of which one is moved and the other hidden."""
+    model = nodes(count, material)
+    for i, node in enumerate(model.json['nodes']):
+        node['name'] = ('moved', 'hidden')[i % 2]
+    return model
+
+
+def opaque_named(count):
+    return named(count, OPAQUE)
+
+
 def opaque_nodes(count):
     return nodes(count, OPAQUE)
 
@@ -154,8 +166,11 @@ def shells(count):
     return model
 
 
-KINDS = (one_place, nested, pairs, nodes, opaque_nodes, materials, primitives, animations, channels,
-         shells)
+KINDS = (one_place, nested, pairs, nodes, opaque_nodes, named, opaque_named, materials, primitives,
+         animations, channels, shells)
+COMMAND = 'info', '--no-cache'
+COMMANDS = dict.fromkeys((named, opaque_named), (
+    'graph', '-r', 'trace', '--transform', 'moved=1,0,0', '--hide', 'hidden'))
 
 
 def seconds(firn, kind, count):
@@ -164,8 +179,8 @@ def seconds(firn, kind, count):
         path = pathlib.Path(folder) / 'model.gltf'
         kind(count).write(path)
         before = os.times()
-        done = subprocess.run([firn, 'info', '--no-cache', path], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, check=False)
+        done = subprocess.run([firn, *COMMANDS.get(kind, COMMAND), path],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False)
         after = os.times()
     lines = done.stderr.decode().splitlines()
     errors = [line for line in lines if not line.startswith(('firn: note:', 'firn: warning:'))]
