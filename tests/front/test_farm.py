@@ -196,7 +196,10 @@ class Status(Farm):
         (self.folder / 'a.3.exr').write_bytes((self.folder / 'a.3.exr').read_bytes()[:-9])
         (self.folder / 'a.4.exr').write_bytes((self.folder / 'a.5.exr').read_bytes())
         (self.folder / 'a.6.png').write_bytes(b'no PNG')
-        lines = self.status(*self.words, code=1).splitlines()
+        done = self.firn('farm', 'status', *self.words)
+        self.assertEqual(sorted(line.split(':')[1] for line in done.stderr.decode().splitlines()),
+                         [' a.3.exr', ' a.6.png'])  # each damaged file in one line
+        lines = done.stdout.decode().splitlines()
         self.assertEqual([line.split()[:3] for line in lines],
                          [['done', '2', '1,5'], ['stale', '1', '4'], ['damaged', '2', '3,6'],
                           ['missing', '1', '2']])

@@ -103,6 +103,24 @@ class Reader(Case):
         if has_landlock():
             self.refuse(DATA, 'graph', 'a.gltf', names=['a.bin', 'expected a link'])
 
+    def test_libraries_that_are_no_files(self):
+        """An OBJ file is drawn without them, and a warning says what they are."""
+        (self.folder / 'a.obj').write_text('mtllib a.mtl\n' + TENT)
+        library = self.folder / 'a.mtl'
+
+        def warns(what):
+            said = self.succeed('graph', 'a.obj', '-q', env=NO_DRIVER).stderr.decode()
+            self.assertRegex(said, f'^firn: warning: a.obj: refers to a.mtl: {what}[^\n]*\n$')
+        os.mkfifo(library)
+        warns('expected a regular file')
+        library.unlink()
+        library.symlink_to('/dev/zero')
+        warns('expected a regular file')
+        library.unlink()
+        library.symlink_to('/etc/passwd')
+        if has_landlock():
+            warns('cannot be opened: expected a link')
+
     def test_many_libraries(self):
         (self.folder / 'a.obj').write_text(TENT + 'mtllib a.obj\n' * 257)
         self.refuse(DATA, 'graph', 'a.obj', names=['at most 256'])

@@ -42,7 +42,7 @@ struct model_import {
     uint32_t collapsed_triangles; /* degenerate triangles of far shapes */
     uint32_t doubled_triangles;   /* dropped by model_drop_doubled_faces() */
     struct shell_counts shells;   /* numbers of changed shells */
-    char missing_file[256];       /* first missing referenced file, else "" */
+    char missing_file[256];       /* first referenced file that cannot be opened, else "" */
     bool has_large_texture;       /* a warning about downsampling was logged */
 };
 
@@ -67,7 +67,8 @@ MUST_USE enum status model_load_obj_ply(struct model_import *import, const char 
 /* ---- files ---- */
 
 /* Opens the model file or a file that the model refers to. `user` is a struct model_import. If the
- * file is missing or outside the model's folder, records its name in *user and returns NULL. */
+ * file cannot be opened or is outside the model's folder, records its name in *user and returns
+ * NULL. */
 FILE *model_file_open(void *user, const char *path);
 
 /* Returns a description of why model_file_open() returned NULL for a file. */

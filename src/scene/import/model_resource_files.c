@@ -74,28 +74,30 @@ static char *local_name(const struct model_import *import, const char *path)
     return strdup(strncmp(path, import->path, folder) == 0 ? path + folder : path);
 }
 
-/* Returns true if a file exists within the model's folder; else records its name in *import. */
-static bool is_allowed(struct model_import *import, const char *path)
+/* Opens a file within the model's folder, or records its name in *import and returns NULL. */
+static FILE *open_inside(struct model_import *import, const char *path)
 {
+    FILE *file = NULL;
     char *name = local_name(import, path);
     if (!name)
-        return false;
+        return NULL;
     const bool is_inside = model_file_clean(name, false);
     if (!is_inside && import->refused_file[0] == '\0')
         snprintf(import->refused_file, sizeof(import->refused_file), "%s", path);
     /* Opens only regular files, because opening a named pipe would block. */
-    const bool is_there = is_inside && file_info_of(path).kind == FILE_REGULAR;
-    if (is_inside && !is_there && import->missing_file[0] == '\0')
+    if (is_inside && file_info_of(path).kind == FILE_REGULAR)
+        file = fopen(path, "rb");
+    if (is_inside && !file && import->missing_file[0] == '\0')
         snprintf(import->missing_file, sizeof(import->missing_file), "%s", name);
     free(name);
-    return is_there;
+    return file;
 }
 
 FILE *model_file_open(void *user, const char *path)
 {
     struct model_import *import = user;
     const bool is_model = strcmp(path, import->path) == 0; /* the model file may be anywhere */
-    return is_model || is_allowed(import, path) ? fopen(path, "rb") : NULL;
+    return is_model ? fopen(path, "rb") : open_inside(import, path);
 }
 
 const char *model_file_fault(const char *path)

@@ -223,6 +223,17 @@ static enum status refuse_outside(const struct model_import *import)
     return STATUS_DATA;
 }
 
+static enum status warn_of_missing(const struct model_import *import)
+{
+    char *path = model_file_join(import->path, import->missing_file);
+    if (!path)
+        return log_out_of_memory(import->path);
+    log_warning("%s: refers to %s: %s; its materials are left out", import->path,
+                import->missing_file, model_file_fault(path));
+    free(path);
+    return STATUS_OK;
+}
+
 enum status model_load_obj_ply(struct model_import *import, const char *suffix, struct model *model,
                                enum model_role default_role)
 {
@@ -237,8 +248,7 @@ enum status model_load_obj_ply(struct model_import *import, const char *suffix, 
     if (obj_ply.colors && obj_ply.material_count == 0 && default_role == MODEL_BY_MATERIALS)
         obj_ply_note_undrawn(obj_ply.undrawn, "vertex colours"); /* ice shows no vertex colours */
     if (status == STATUS_OK && import->missing_file[0])
-        log_warning("%s: refers to %s, which does not exist; its materials are left out",
-                    import->path, import->missing_file);
+        status = warn_of_missing(import);
     if (status == STATUS_OK) {
         warn(import, " of its materials", obj_ply.undrawn_materials);
         warn(import, "", obj_ply.undrawn);
