@@ -7,25 +7,27 @@ import tempfile
 import time
 
 XDND = pathlib.Path(__file__).with_name('xdnd.py')
-PATIENCE = 120  # seconds until something that should happen is taken for missing
+PATIENCE = 120  # seconds until an event that should happen is considered missing
+HANG = 10 * PATIENCE  # seconds until a program of the desktop is considered to hang
 
 
 def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None, again=PATIENCE / 4):
     """
-    The first true value of happens(). A failure quotes words(). What act() does is done first, and
-    again if it is in vain: on a busy machine a key or a click now and then reaches no window.
+    Returns the first true value of happens(). A failure quotes words(). Calls act() first, and again
+    after `again` seconds in vain, because on a busy machine a key or a click now and then reaches no
+    window. Only time asleep counts: on a busy machine, act() and happens() take longer, too.
     """
-    begin = time.monotonic()
-    end = begin + patience
-    next_act = 0.0
-    while time.monotonic() < end:
-        if act and time.monotonic() > next_act:
-            next_act = time.monotonic() + again
+    waited = next_act = 0.0
+    while waited < patience:
+        if act and waited >= next_act:
+            next_act = waited + again
             act()
         value = happens()
         if value:
             return value
-        time.sleep(min(0.02 + (time.monotonic() - begin) / 10, 0.2))  # looking takes time, too
+        pause = min(0.02 + waited / 10, 0.2)
+        time.sleep(pause)
+        waited += pause
     raise AssertionError(f'{what}: not after {patience:.0f} seconds\n{words()}')
 
 
@@ -75,7 +77,7 @@ class Desktop:
             process.wait(timeout=PATIENCE / 12)
         except subprocess.TimeoutExpired:
             process.kill()
-            process.wait(timeout=PATIENCE)
+            process.wait(timeout=HANG)
 
     def close(self):
         for process in reversed(self.processes):
@@ -83,11 +85,11 @@ class Desktop:
 
     def ask(self, *command):
         return subprocess.run(command, env=self.env, capture_output=True, text=True,
-                              timeout=PATIENCE, check=False).stdout
+                              timeout=HANG, check=False).stdout
 
     def do(self, *words):
         """xdotool"""
-        subprocess.run(['xdotool', *map(str, words)], env=self.env, timeout=PATIENCE, check=True,
+        subprocess.run(['xdotool', *map(str, words)], env=self.env, timeout=HANG, check=True,
                        stdout=subprocess.DEVNULL)
 
     def find(self, title):
@@ -98,14 +100,14 @@ class Desktop:
     def pixels(self, window):
         """RGB bytes of what the screen shows of it."""
         return subprocess.run(['import', '-window', window, '-depth', '8', 'rgb:-'], env=self.env,
-                              capture_output=True, timeout=PATIENCE, check=True).stdout
+                              capture_output=True, timeout=HANG, check=True).stdout
 
     def drop(self, window, *files):
         """Whether it takes the files."""
         return subprocess.run([sys.executable, XDND, window, *map(str, files)], env=self.env,
-                              timeout=2 * PATIENCE, check=False).returncode == 0
+                              timeout=HANG, check=False).returncode == 0
 
     def leave(self, window):
         """Drags something over it, and is gone before it answers."""
-        subprocess.run([sys.executable, XDND, window, '--leave'], env=self.env, timeout=PATIENCE,
+        subprocess.run([sys.executable, XDND, window, '--leave'], env=self.env, timeout=HANG,
                        check=True)
