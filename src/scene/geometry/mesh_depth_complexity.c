@@ -3,7 +3,10 @@
 #include <cglm/struct.h>
 
 enum {
-    SIDE = 48 /* lines per side of the grid */
+    SIDE = 48,               /* lines per side of the grid */
+    TESTS_MIN = 1 << 22,     /* lower bound of the limit of tests of a triangle and a line */
+    TESTS_PER_TRIANGLE = 16, /* of that limit */
+    HITS_MAX = 3,            /* more hits do not change the result */
 };
 
 /* Grid of parallel lines along one axis, spread over the other two. */
@@ -11,7 +14,8 @@ struct grid {
     vec3s across[2];
     vec2s first; /* minimum corner of the mesh's bounding rectangle in the `across` axes */
     vec2s step;  /* spacing of lines */
-    unsigned char hits[SIDE * SIDE]; /* number of triangles that each line hits, at most 255 */
+    unsigned char hits[SIDE * SIDE]; /* triangles that each line hits, at most HITS_MAX */
+    uint64_t tests_left;
 };
 
 /* Orthogonal directions, oblique to the faces of man-made objects. A line parallel to a slightly
@@ -47,6 +51,8 @@ static float area(vec2s a, vec2s b, vec2s c)
     return glms_vec2_cross(glms_vec2_sub(b, a), glms_vec2_sub(c, a));
 }
 
+/* Counts the lines that hit a triangle. Leaves it out if the limit of tests does not suffice, which
+ * only thousands of triangles as large as the mesh exceed. */
 static void rasterise(struct grid *grid, const vec2s *corners)
 {
     const float whole = area(corners[0], corners[1], corners[2]);
@@ -54,16 +60,21 @@ static void rasterise(struct grid *grid, const vec2s *corners)
     const vec2s high = glms_vec2_maxv(glms_vec2_maxv(corners[0], corners[1]), corners[2]);
     const vec2s from = glms_vec2_div(glms_vec2_sub(low, grid->first), grid->step);
     const vec2s to = glms_vec2_div(glms_vec2_sub(high, grid->first), grid->step);
+    const uint64_t columns = (uint64_t)(to.x - from.x) + 2, rows = (uint64_t)(to.y - from.y) + 2;
+    if (columns * rows > grid->tests_left)
+        return;
+    grid->tests_left -= columns * rows;
     for (int y = (int)from.y; y <= (int)to.y && y < SIDE; y++) {
         for (int x = (int)from.x; x <= (int)to.x && x < SIDE; x++) {
+            unsigned char *hits = &grid->hits[y * SIDE + x];
+            if (*hits == HITS_MAX)
+                continue;
             const vec2s center = { { (float)x + 0.5f, (float)y + 0.5f } };
             const vec2s at = glms_vec2_add(grid->first, glms_vec2_mul(center, grid->step));
-            unsigned char *hits = &grid->hits[y * SIDE + x];
             const bool is_hit = area(at, corners[0], corners[1]) * whole > 0.0f &&
                                 area(at, corners[1], corners[2]) * whole > 0.0f &&
                                 area(at, corners[2], corners[0]) * whole > 0.0f;
-            if (is_hit && *hits < 255)
-                (*hits)++;
+            *hits = (unsigned char)(*hits + is_hit);
         }
     }
 }
@@ -74,6 +85,7 @@ static void count_lines(struct grid *grid, const struct mesh *mesh, uint32_t cou
     fit_grid(grid, mesh);
     if (!(grid->step.x > 0.0f && grid->step.y > 0.0f))
         return;
+    grid->tests_left = TESTS_MIN + (uint64_t)TESTS_PER_TRIANGLE * (mesh->index_count / 3);
     for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
         vec2s corners[3];
         for (uint32_t k = 0; k < 3; k++)

@@ -131,6 +131,18 @@ def primitives(count):
     return model
 
 
+def overlapping(count):
+    """One primitive of triangles as large as itself."""
+    model = Model()
+    turns = [i * 2.4 for i in range(count)]
+    points = [(math.cos(turn), math.sin(turn), i / count) for i, turn in enumerate(turns)]
+    corners = [k for i in range(count) for k in (i, (i + 377) % count, (i + 610) % count)]
+    row = {'attributes': {'POSITION': model.vectors(points)}, 'material': 0,
+           'indices': model.add(struct.pack(f'<{3 * count}I', *corners), 5125, 'SCALAR', 3 * count)}
+    model.json['meshes'] = [{'primitives': [row]}]
+    return model
+
+
 def animated(count, channels):
     model = Model(OPAQUE)
     model.place([{'mesh': 0, 'translation': at} for at in grid(count if channels else 1)])
@@ -167,7 +179,7 @@ def shells(count):
 
 
 KINDS = (one_place, nested, pairs, nodes, opaque_nodes, named, opaque_named, materials, primitives,
-         animations, channels, shells)
+         overlapping, animations, channels, shells)
 COMMAND = 'info', '--no-cache'
 COMMANDS = dict.fromkeys((named, opaque_named), (
     'graph', '-r', 'trace', '--transform', 'moved=1,0,0', '--hide', 'hidden'))
