@@ -184,10 +184,10 @@ class Firn(unittest.TestCase):
         both = np.isfinite(flows[0]).all(axis=1) & np.isfinite(flows[1]).all(axis=1)
         self.assertGreater(both.sum(), 30)
         self.assertLess(np.median(np.linalg.norm(flows[0] - flows[1], axis=1)[both]), 0.5)
-        rows = np.nonzero(frame.object)[0]
-        above = rows < np.median(rows)
-        self.assertGreater(np.nanmedian(flows[0][above, 1]), 0)
-        self.assertLess(np.nanmedian(flows[0][~above, 1]), 0)
+        for axis, at in ((1, np.nonzero(frame.object)[0]), (0, np.nonzero(frame.object)[1])):
+            before = at < np.median(at)
+            self.assertGreater(np.nanmedian(flows[0][before, axis]), 0)
+            self.assertLess(np.nanmedian(flows[0][~before, axis]), 0)
 
     def test_mistakes(self):
         """Errors become exceptions, and the device remains usable."""

@@ -409,6 +409,23 @@ static void test_lens_keeps_the_focus(void **state)
     assert_true(widest <= 1.0001f * radius && widest > 0.9f * radius);
 }
 
+static void test_directions_of_the_sun(void **state)
+{
+    (void)state;
+
+    static const struct {
+        float azimuth, elevation;
+        vec3s direction;
+    } rows[] = { { 0, 0, { { 0, 0, 1 } } },
+                 { 90, 0, { { 1, 0, 0 } } },
+                 { -90, 60, { { -0.5F, 0.866025F, 0 } } } };
+
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        const vec3s found = environment_direction(rows[i].azimuth, rows[i].elevation);
+        CHECK_NEAR(glms_vec3_distance(found, rows[i].direction), 0, 1e-5);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -425,6 +442,7 @@ int main(void)
         cmocka_unit_test(test_bubbles_are_sorted),
         cmocka_unit_test(test_sun_sees_all_of_it),
         cmocka_unit_test(test_lens_keeps_the_focus),
+        cmocka_unit_test(test_directions_of_the_sun),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,7 @@
 
 #include "shaders/water/water.h"
 #include "src/file/srgb.h"
+#include "src/scene/stage/stage.h"
 #include "src/scene/stage/stage_textures.h"
 #include "tests/support/assertions.h"
 
@@ -482,6 +483,24 @@ static void test_stage(void **state)
     mesh_finish(&mesh);
 }
 
+/* The floor is just below a model, wherever that is. */
+static void test_stage_is_below_its_subject(void **state)
+{
+    (void)state;
+    const struct stage_params stage = { .ground = STAGE_SHADOW };
+    const struct environment environment = { 0 };
+    const struct box subject = { { { 3, -2, 5 } }, { { 4, 0, 7 } } };
+    struct model model = { 0 };
+    assert_int_equal(stage_add(&model, &stage, subject, &environment), STATUS_OK);
+    const struct box floor = mesh_box(&model.surroundings);
+    CHECK_NEAR(floor.min.y, -2, 0.002);
+    CHECK_NEAR(floor.max.y, floor.min.y, 0);
+    assert_true(floor.max.y < subject.min.y);
+    CHECK_NEAR(box_center(floor).x, 3.5, 0.1);
+    CHECK_NEAR(box_center(floor).z, 6, 0.1);
+    model_finish(&model);
+}
+
 /* Opposite edges of the textures differ no more than neighbouring columns and rows. */
 static void test_floor_textures(void **state)
 {
@@ -605,6 +624,7 @@ int main(void)
         cmocka_unit_test(test_landscape),
         cmocka_unit_test(test_floor),
         cmocka_unit_test(test_stage),
+        cmocka_unit_test(test_stage_is_below_its_subject),
         cmocka_unit_test(test_floor_textures),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_pool),

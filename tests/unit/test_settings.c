@@ -419,6 +419,28 @@ static void test_levels_of_quality(void **state)
     assert_string_equal(qualities[quality_find(&defaults)].name, "normal");
 }
 
+static void test_values_of_levels(void **state)
+{
+    (void)state;
+
+    static const struct {
+        uint32_t level;
+        const char *assignment;
+    } rows[] = { { 0, "env_cube.size=256" },   { 0, "trace.min_branch=0.1" },
+                 { 2, "refract.steps=12" },    { 2, "trace.footprint=on" },
+                 { 2, "ground.light=traced" }, { 2, "tonemap.resolve=filtered" } };
+
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        struct settings settings = settings_default();
+        quality_apply(&settings, rows[i].level, SETTING_QUALITY);
+        const struct settings found = settings;
+        assert_int_equal(settings_assign(&settings, rows[i].assignment, SETTING_QUALITY, NULL),
+                         STATUS_OK);
+        assert_true(settings_equal(&settings, &found));
+    }
+    assert_int_equal(qualities[2].samples, 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -436,6 +458,7 @@ int main(void)
         cmocka_unit_test(test_unusual_numbers),
         cmocka_unit_test(test_setting_again),
         cmocka_unit_test(test_levels_of_quality),
+        cmocka_unit_test(test_values_of_levels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
