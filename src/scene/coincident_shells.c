@@ -417,14 +417,23 @@ static void measure(struct join *join, uint32_t count)
     }
 }
 
-/* Copies the sorted triangles to `faces`. */
-static void copy_faces(struct join *join, uint32_t count)
+/* Copies the sorted triangles to `faces`. Returns false when out of memory. */
+static bool copy_faces(struct join *join, uint32_t count)
 {
-    for (uint32_t i = 0; i < join->triangle_count; i++) {
-        const struct object *object = object_of_index(join->objects, count, join->order[i] * 3);
-        join->faces[i] = face_at(join, join->order[i]);
-        join->faces[i].object = (uint32_t)(object - join->objects);
+    uint32_t *object_of = calloc(join->triangle_count + (size_t)1, sizeof(*object_of));
+    if (!object_of)
+        return false;
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t first = join->objects[k].first_index / 3;
+        for (uint32_t i = 0; i < join->objects[k].index_count / 3; i++)
+            object_of[first + i] = k;
     }
+    for (uint32_t i = 0; i < join->triangle_count; i++) {
+        join->faces[i] = face_at(join, join->order[i]);
+        join->faces[i].object = object_of[join->order[i]];
+    }
+    free(object_of);
+    return true;
 }
 
 static bool allocate(struct join *join, uint32_t count)
@@ -452,10 +461,9 @@ bool coincident_shells_find(struct coincident_shells *shells, const struct objec
     bool done = allocate(&join, count);
     if (done) {
         measure(&join, count);
-        done = sort_triangles(&join);
+        done = sort_triangles(&join) && copy_faces(&join, count);
     }
     if (done) {
-        copy_faces(&join, count);
         build_tree(&join);
         join.tests_left = tests_max(&join);
         join.own_tests_left = join.tests_left;

@@ -51,10 +51,12 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
     return done;
 }
 
-/* Maximum cost of the point-in-mesh tests of object_assign_ranks(), in triangles and boxes. For
- * objects that overlap densely, such as thousands of copies in one place, the cost is quadratic or
- * worse in their number. */
+/* Maximum cost of the point-in-mesh tests of object_assign_ranks(), in triangles. For objects that
+ * overlap densely, such as thousands of copies in one place, the cost is quadratic or worse in their
+ * number. */
 #define COST_MAX (3u << 23)
+
+#define BOX_COST 4 /* cost of a pair of overlapping boxes; the boxes are far apart in memory */
 
 /* Search for the objects that one object encloses. */
 struct enclosure {
@@ -104,7 +106,7 @@ static bool visit_candidate(void *user, uint32_t i)
     struct enclosure *enclosure = user;
     const struct object *objects = enclosure->objects;
     const uint32_t k = enclosure->index;
-    enclosure->cost++;
+    enclosure->cost += BOX_COST;
     if (i == k || !box_contains(&objects[k].box, &objects[i].box))
         return enclosure->cost < COST_MAX;
     const struct mesh container = object_mesh(&objects[k], enclosure->mesh);
