@@ -130,8 +130,9 @@ static bool unshare(struct model *model, const struct object_transform *t, uint3
             *index = use->copy;
         }
     }
+    const bool is_good = uses && append_copies(mesh, list, count);
     free(uses);
-    return uses && append_copies(mesh, list, count);
+    return is_good;
 }
 
 /* Lists the vertices of an object whose bytes in `is_listed` are 0, and sets these bytes. Returns
