@@ -2,10 +2,12 @@
 
 Usage: mutants.py FIRN COUNT SEED [--trace] FILE_OR_FOLDER...
 
-Each mutant goes to `firn info`; to `firn diff` and every fourth to `firn graph --env` if it is an
-image; with --trace also to a render of 48 x 36 pixels. Prints and keeps those that end in anything
-but success, or one error line with 65 or 66; that a sanitizer reports; or that need more than a
-minute of CPU time. Exits with 1 if there are any.
+Models go to `firn info`; JPEG, WebP, AVIF and every other PNG too, as the texture of a quad; other
+images to `firn diff`, and every fourth to `firn graph --env`; settings to `firn graph --preset`.
+With --trace, what `firn info` accepts is also rendered, 48 x 36 pixels. Prints and keeps those that
+end in anything but success, or one error line with 65 or 66; that a sanitizer reports; or that need
+more than a minute of CPU time. Prints the exit codes for each format. Exits with 1 if there was a
+fault.
 """
 import concurrent.futures
 import json
@@ -14,12 +16,27 @@ import pathlib
 import random
 import resource
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 
 MODELS = {'.gltf', '.glb', '.obj', '.ply', '.stl'}
 IMAGES = {'.exr', '.hdr', '.png'}
+TEXTURES = {'.jpg', '.jpeg', '.webp', '.avif'}
+SETTINGS = '.set'
+QUAD = {'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0}],
+        'meshes': [{'primitives': [{'attributes': {'POSITION': 0, 'TEXCOORD_0': 1}, 'mode': 5,
+                                    'material': 0}]}],
+        'materials': [{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}}],
+        'textures': [{'source': 0}],
+        'buffers': [{'byteLength': 80, 'uri': 'quad.bin'}],
+        'bufferViews': [{'buffer': 0, 'byteLength': 48},
+                        {'buffer': 0, 'byteOffset': 48, 'byteLength': 32}],
+        'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 4, 'type': 'VEC3',
+                       'min': [0, 0, 0], 'max': [1, 1, 0]},
+                      {'bufferView': 1, 'componentType': 5126, 'count': 4, 'type': 'VEC2'}]}
+QUAD_DATA = struct.pack('<20f', 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 0, 0, 1, 1, 1)
 WORDS = (0, 1, 2, 3, 4, 5, 0x7f, 0x80, 0xff, 0x100, 0x7fff, 0x8000, 0xffff, 0x10000, 0x7fffffff,
          0x80000000, 0xfffffffe, 0xffffffff, 0x7f800000, 0xff800000, 0x7fc00000, 0x7149f2ca,
          0x00000001, 0x3f800000)
@@ -123,21 +140,35 @@ def fault_of(command):
     return f'{done.returncode}: {text[:2000]}', done.returncode
 
 
-def commands(firn, mutant, number, traces):
-    if mutant.suffix in MODELS:
-        yield [firn, 'info', mutant]
+def textured(image):
+    """Writes a model with the image as its texture beside it. Returns its path."""
+    path = image.parent / 'quad.gltf'
+    path.write_text(json.dumps({**QUAD, 'images': [{'uri': image.name}]}))
+    path.with_suffix('.bin').write_bytes(QUAD_DATA)
+    return path
+
+
+def commands(firn, mutant, turn, traces):
+    is_texture = mutant.suffix in TEXTURES or mutant.suffix == '.png' and turn % 2
+    if mutant.suffix in MODELS or is_texture:
+        model = textured(mutant) if is_texture else mutant
+        yield [firn, 'info', '--no-cache', model]
         if traces:
-            yield [firn, 'render', mutant, '-q', '-r', 'trace', '--size', '48x36', '--samples', '1',
+            yield [firn, 'render', model, '-q', '-r', 'trace', '--size', '48x36', '--samples', '1',
                    '-o', mutant.parent / 'out.exr']
+    elif mutant.suffix == SETTINGS:
+        yield [firn, 'graph', 'sphere', '--preset', mutant]
     else:
         yield [firn, 'diff', mutant, mutant]
-        if number % 4 == 0 and mutant.suffix != '.png':
+        if turn % 4 == 0 and mutant.suffix != '.png':
             yield [firn, 'graph', 'sphere', '--env', mutant]
 
 
-def run(firn, number, seed, files, traces, kept):
+def run(firn, number, seed, groups, traces, kept):
+    """Runs a mutant; formats take turns. Returns the format, a description of a fault, the code."""
     pick = random.Random(f'{seed} {number}')
-    path, other = pick.choice(files), pick.choice(files)
+    path = pick.choice(groups[number % len(groups)])
+    other = pick.choice(pick.choice(groups))
     with tempfile.TemporaryDirectory() as folder:
         for beside in path.parent.iterdir() if path.suffix in ('.gltf', '.obj') else ():
             if beside.is_file() and beside.stat().st_size < 1 << 22:
@@ -145,14 +176,14 @@ def run(firn, number, seed, files, traces, kept):
         mutant = pathlib.Path(folder) / f'mutant{path.suffix}'
         mutant.write_bytes(mutate(path, pick, other.read_bytes()))
         code = None
-        for command in commands(firn, mutant, number, traces):
+        for command in commands(firn, mutant, number // len(groups), traces):
             fault, code = fault_of(command)
             if fault:
                 shutil.copy(mutant, kept / f'{seed}-{number}{path.suffix}')
-                return f'{path.name} ({seed} {number}): {command[1]}: {fault}', code
+                return path.suffix, f'{path.name} ({seed} {number}): {command[1]}: {fault}', code
             if code:
                 break
-    return None, code
+    return path.suffix, None, code
 
 
 def main():
@@ -160,20 +191,26 @@ def main():
     firn, count, seed = words[0], int(words[1]), words[2]
     files = [path for word in map(pathlib.Path, words[3:])
              for path in (sorted(word.rglob('*')) if word.is_dir() else [word])
-             if path.suffix in MODELS | IMAGES and 0 < path.stat().st_size < 1 << 20]
+             if path.suffix in MODELS | IMAGES | TEXTURES | {SETTINGS} and
+             0 < path.stat().st_size < 1 << 20]
+    suffixes = sorted({path.suffix for path in files})
+    groups = [[path for path in files if path.suffix == suffix] for suffix in suffixes]
     kept = pathlib.Path(f'mutants-{seed}')
     kept.mkdir(exist_ok=True)
-    codes, faults = {}, 0
+    codes, faults = {}, 0  # number of runs for each pair of format and exit code
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = [pool.submit(run, firn, number, seed, files, '--trace' in sys.argv, kept)
+        jobs = [pool.submit(run, firn, number, seed, groups, '--trace' in sys.argv, kept)
                 for number in range(count)]
         for job in concurrent.futures.as_completed(jobs):
-            fault, code = job.result()
-            codes[code] = codes.get(code, 0) + 1
+            suffix, fault, code = job.result()
+            codes[suffix, code] = codes.get((suffix, code), 0) + 1
             if fault:
                 faults += 1
                 print(fault, flush=True)
-    print(f'{count} mutants of {len(files)} files; exit codes {codes}; {faults} faults')
+    for suffix in suffixes:
+        rows = {code: n for (of, code), n in sorted(codes.items(), key=str) if of == suffix}
+        print(f'{suffix[1:]}: {sum(rows.values())}, exit codes {rows}')
+    print(f'{count} mutants of {len(files)} files, {faults} faults')
     return 1 if faults else 0
 
 
