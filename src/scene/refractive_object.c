@@ -52,8 +52,8 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
 }
 
 /* Maximum cost of the point-in-mesh tests of object_assign_ranks(), in triangles. For objects that
- * overlap densely, such as thousands of copies in one place, the cost is quadratic or worse in their
- * number. */
+ * overlap densely, such as thousands of copies in one place, the cost is at least quadratic in
+ * their number. */
 #define COST_MAX (3u << 23)
 
 #define BOX_COST 4 /* cost of a pair of overlapping boxes; the boxes are far apart in memory */

@@ -13,9 +13,9 @@ HANG = 10 * PATIENCE  # seconds until a program of the desktop is considered to 
 
 def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None, again=PATIENCE / 4):
     """
-    Returns the first true value of happens(). A failure quotes words(). Calls act() first, and again
-    after `again` seconds in vain, because on a busy machine a key or a click now and then reaches no
-    window. Only time asleep counts: on a busy machine, act() and happens() take longer, too.
+    Returns the first true value of happens(). A failure quotes words(). Calls act() first, and
+    again after `again` seconds in vain, because on a busy machine a key or a click now and then
+    reaches no window. Only time asleep counts: act() and happens() take longer there, too.
     """
     waited = next_act = 0.0
     while waited < patience:
