@@ -56,7 +56,7 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
  * their number. */
 #define COST_MAX (3u << 23)
 
-#define BOX_COST 4 /* cost of a pair of overlapping boxes; the boxes are far apart in memory */
+#define BOX_COST 8 /* cost of a pair of overlapping boxes; the boxes are far apart in memory */
 
 /* Search for the objects that one object encloses. */
 struct enclosure {
