@@ -1,4 +1,5 @@
 /* load_scene.c: loads the scene that options describe, and completes its settings. */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,6 +10,7 @@
 #include "src/scene/gpu_material_table.h"
 #include "src/settings/scene_settings.h"
 #include "src/setup/offer_materials.h"
+#include "src/setup/offer_up_axis.h"
 #include "src/setup/setup.h"
 #include "src/setup/setup_material.h"
 #include "src/tech/frame_media.h"
@@ -292,6 +294,19 @@ static void note_blended(const struct setup_scene *options, const struct scene *
         offer_materials(options->name, &scene->model);
 }
 
+/* Logs a note that offers --up z if a file seems to lie on its side, unless its orientation is set.
+ */
+static void note_up_axis(const struct setup_scene *options, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    const struct model_transform *turn = &options->model_transform;
+    const bool is_turned = turn->is_z_up || glms_vec3_norm2(turn->rotate_deg) > 0.0f ||
+                           (options->has_transform && !(turn->scale > 0.0f)); /* --up y */
+    if (!options->quiet && !is_turned && !scene_is_known(options->name))
+        offer_up_axis(options->name,
+                      model->object.index_count ? &model->object : &model->surroundings);
+}
+
 /* Logs a note if --material makes a file's objects nearly black, which may be a matter of scale. */
 static void note_opaque(const struct setup_scene *options, const struct scene *scene)
 {
@@ -321,6 +336,7 @@ static void finish_settings_callback(void *user, const struct scene *scene,
     note_blended(settings_callback_data->options, scene);
     put_material(settings_callback_data->options, scene);
     note_opaque(settings_callback_data->options, scene);
+    note_up_axis(settings_callback_data->options, scene);
     setup_choose_stage(settings_callback_data->options, scene);
     setup_choose_stage_settings(settings_callback_data->options);
     switch_off_ice_effects(settings_callback_data->options, scene);

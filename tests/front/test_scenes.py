@@ -289,6 +289,22 @@ class Scenes(Case):
             self.assertNotIn(b'note', self.succeed('graph', name, env=NO_DRIVER).stderr)
         self.assertNotIn(b'note', self.succeed('info', 'a.obj', env=NO_DRIVER).stderr)
 
+    def test_a_mesh_that_lies_on_its_side(self):
+        faces = 'f 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n'  # a pyramid
+        base = ((0, 0), (2, 0), (2, 2), (0, 2))
+        for name, up, words, is_said in (
+                ('z.obj', 3, (), True), ('z.obj', 3, ('--up', 'z'), False),
+                ('z.obj', 3, ('--up', 'y'), False), ('z.obj', 3, ('--scale', '0.1'), True),
+                ('z.obj', 3, ('-q',), False), ('y.obj', 3j, (), False), ('low.obj', 0.5, (), False)):
+            points = [(*p, 0) for p in base] + [(1, 1, abs(up))]
+            if isinstance(up, complex):
+                points = [(x, z, -y) for x, y, z in points]
+            (self.folder / name).write_text(''.join(f'v {x} {y} {z}\n' for x, y, z in points) +
+                                            faces)
+            done = self.succeed('graph', name, '-r', 'paper', '--material', 'glass', *words,
+                                env=NO_DRIVER)
+            self.assertEqual(b'use --up z' in done.stderr, is_said, (name, words))
+
     def test_a_mesh_with_materials_is_drawn_with_them(self):
         wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
         (self.folder / 'wood.gltf').write_text(boxes((wood, [0, 0, 0], 1)))
