@@ -1,6 +1,7 @@
 /* offer_up_axis.c: suggests --up z for a model that lies on its side. */
 #include "src/setup/offer_up_axis.h"
 #include <cglm/struct.h>
+#include <math.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
 
@@ -33,7 +34,9 @@ static float base_area(const struct mesh *mesh, const struct box *box, int axis)
     return all > 0.0f ? (float)sum / all : 0.0f;
 }
 
-bool up_axis_is_z(const struct mesh *mesh)
+/* Returns true if a mesh has a flat base towards -Z and none towards -Y, and is not a plaque that
+ * is thin along Z. */
+static bool stands_on_z(const struct mesh *mesh)
 {
     const struct box box = mesh_box(mesh);
     const vec3s extent = glms_vec3_sub(box.max, box.min);
@@ -48,7 +51,7 @@ void offer_up_axis(const char *path, const struct mesh *mesh)
     bool has_axis = true;
     for (size_t i = 0; i < sizeof(suffixes) / sizeof(suffixes[0]); i++)
         has_axis = has_axis && !path_ends_in(path, suffixes[i]);
-    if (!has_axis && up_axis_is_z(mesh))
+    if (!has_axis && stands_on_z(mesh))
         log_note("%s: its flat base faces -Z, so it seems to lie on its side; if its up axis is Z, "
                  "use --up z",
                  path);

@@ -4,10 +4,6 @@
 
 #include "src/scene/geometry/mesh.h"
 
-/* Returns true if a mesh has a flat base towards -Z and none towards -Y, and is not a plaque that
- * is thin along Z. */
-bool up_axis_is_z(const struct mesh *mesh);
-
 /* Logs a note that offers --up z for an OBJ, PLY or STL file whose mesh stands on its -Z side. The
  * up axis of these formats is not defined. */
 void offer_up_axis(const char *path, const struct mesh *mesh);

@@ -290,20 +290,21 @@ class Scenes(Case):
         self.assertNotIn(b'note', self.succeed('info', 'a.obj', env=NO_DRIVER).stderr)
 
     def test_a_mesh_that_lies_on_its_side(self):
-        faces = 'f 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n'  # a pyramid
+        """A pyramid that stands on -Z, is flat, or stands on -Y."""
         base = ((0, 0), (2, 0), (2, 2), (0, 2))
-        for name, up, words, is_said in (
-                ('z.obj', 3, (), True), ('z.obj', 3, ('--up', 'z'), False),
-                ('z.obj', 3, ('--up', 'y'), False), ('z.obj', 3, ('--scale', '0.1'), True),
-                ('z.obj', 3, ('-q',), False), ('y.obj', 3j, (), False), ('low.obj', 0.5, (), False)):
-            points = [(*p, 0) for p in base] + [(1, 1, abs(up))]
-            if isinstance(up, complex):
+        faces = 'f 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n'
+        for name, tip in (('z.obj', 3), ('low.obj', 0.5), ('y.obj', 3)):
+            points = [(*p, 0) for p in base] + [(1, 1, tip)]
+            if name == 'y.obj':
                 points = [(x, z, -y) for x, y, z in points]
-            (self.folder / name).write_text(''.join(f'v {x} {y} {z}\n' for x, y, z in points) +
-                                            faces)
-            done = self.succeed('graph', name, '-r', 'paper', '--material', 'glass', *words,
-                                env=NO_DRIVER)
-            self.assertEqual(b'use --up z' in done.stderr, is_said, (name, words))
+            (self.folder / name).write_text(
+                ''.join(f'v {x} {y} {z}\n' for x, y, z in points) + faces)
+        for words, is_said in ((('z.obj',), True), (('z.obj', '--scale', '0.1'), True),
+                               (('z.obj', '--up', 'z'), False), (('z.obj', '--up', 'y'), False),
+                               (('z.obj', '-q'), False), (('low.obj',), False),
+                               (('y.obj',), False)):
+            done = self.succeed('graph', *words, '-r', 'paper', '-m', 'glass', env=NO_DRIVER)
+            self.assertEqual(b'use --up z' in done.stderr, is_said, words)
 
     def test_a_mesh_with_materials_is_drawn_with_them(self):
         wood = {'name': 'wood', 'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
@@ -352,7 +353,7 @@ class Scenes(Case):
         (self.folder / 'a.obj').write_text('mtllib gone.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n'
                                            'f 1 2 3\n')
         self.assertEqual(self.succeed('graph', 'a.obj', '-q', env=NO_DRIVER).stderr,
-                         b'firn: warning: a.obj: refers to gone.mtl: file not found; its '
+                         b'firn: warning: a.obj: refers to gone.mtl, which does not exist; its '
                          b'materials are left out\n')
         head = ('ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
                 'property float z\n')
