@@ -24,9 +24,11 @@
 #define ICE_CAUSTICS_SHADOW_MAP_REACH 6.0f /* width relative to the light-space view */
 
 /* Bindings of the passes that accumulate photons. */
-#define ICE_CAUSTICS_LANDED 1 /* landing points; green: 2, blue: 3 */
-#define ICE_CAUSTICS_COUNTS 4 /* counts of red, green, blue photons */
-#define ICE_CAUSTICS_NORMAL 5 /* w: 1 where ice is lit */
+#define ICE_CAUSTICS_LANDED    1 /* landing points; green: 2, blue: 3 */
+#define ICE_CAUSTICS_COUNTS    4 /* counts of red, green, blue photons */
+#define ICE_CAUSTICS_NORMAL    5 /* w: 1 where ice is lit */
+#define ICE_CAUSTICS_REFLECTED 6 /* landing points of light that the outside reflects */
+#define ICE_CAUSTICS_LATER     7 /* landing points of light that leaves at the second exit */
 
 /* Binding in shaders that look up the caustic map (lib/sun_light_space.glsl). */
 #define ICE_CAUSTICS_MAP 9 /* rgb: caustics; a: ice shadow coverage */

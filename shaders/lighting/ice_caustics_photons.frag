@@ -1,6 +1,8 @@
 /* ice_caustics_photons.frag: photon pass, with one photon per light-space texel of the ice's front
- * faces. Writes each photon's energy and landing point in the caustic map. Reads the faces from
- * depth and normal maps. With REFRACT_BUMP, the faces are rasterised again with bump mapping. */
+ * faces. Writes the energy and landing point in the caustic map of each photon's three branches:
+ * the first exit, the exit after one internal Fresnel reflection, and the reflection by the front
+ * face. Reads the faces from depth and normal maps. With REFRACT_BUMP, the faces are rasterised
+ * again with bump mapping. */
 #version 460
 #ifndef REFRACT_BUMP
 #define REFRACT_PHOTONS
@@ -27,6 +29,9 @@ layout(location = 0) in vec3 ray; /* view ray at view-space depth 1 */
 layout(location = 0) out vec4 landing_red;
 layout(location = 1) out vec4 landing_green;
 layout(location = 2) out vec4 landing_blue;
+/* rgb: fraction of each channel's energy that arrives; a: index of the landing texel */
+layout(location = 3) out vec4 landing_reflected;
+layout(location = 4) out vec4 landing_later;
 
 const int ground_steps = 24;
 const int ground_halvings = 12;
@@ -122,6 +127,29 @@ bool find_front()
 }
 #endif
 
+/* Returns the output of a branch that carries all channels along one path. */
+vec4 landing_of(vec3 point, vec3 dir, vec3 energy)
+{
+    vec3 landing = land(point, dir);
+    vec2 texel = floor(landing.xy * float(ICE_CAUSTICS_SIZE));
+    bool is_in_map = all(greaterThanEqual(texel, vec2(0.0))) &&
+                     all(lessThan(texel, vec2(ICE_CAUSTICS_SIZE))) && landing.z > 0.0;
+    return is_in_map ? vec4(energy, texel.x + float(ICE_CAUSTICS_SIZE) * texel.y) : vec4(0.0);
+}
+
+/* Continues the path of the green channel, which has left with transmittance `leaving`, by internal
+ * reflection to its next exit. `entered` is the energy that has entered the ice. */
+vec4 land_later(refract_path exit_ray, float leaving, float entered)
+{
+    const int channel = 1;
+    float leaving_later;
+    refract_path later = exit_ray;
+    later.dir = march_reflected;
+    march_continue(march_space_of_frame(), frame.etas[channel], later, leaving_later);
+    float energy = leaving > 0.0 ? entered * (1.0 - leaving) * leaving_later : 0.0;
+    return landing_of(later.point, later.dir, energy * exp(-frame.absorb * later.path));
+}
+
 void main()
 {
 #ifdef REFRACT_PHOTONS
@@ -131,6 +159,7 @@ void main()
     vec3 e = sun_ray(normalize(eye_to_point));
     vec3 n_f = refract_front_normal();
     vec4 landed[3];
+    float reflectance = optics_fresnel(e, n_f, frame.etas[1]);
     refract_path exit_ray;
     float leaving;
     vec3 landing;
@@ -139,11 +168,14 @@ void main()
         if (i < constant_refract_colors) {
             exit_ray = march_path(e, n_f, channel, leaving);
             landing = land(exit_ray.point, exit_ray.dir);
+            if (i == 0u)
+                landing_later = land_later(exit_ray, leaving, 1.0 - reflectance);
             leaving *= 1.0 - optics_fresnel(e, n_f, frame.etas[channel]);
         }
         float energy = leaving * exp(-frame.absorb[channel] * exit_ray.path);
         landed[channel] = vec4(landing.xy, landing.z * energy, 0.0);
     }
+    landing_reflected = landing_of(refract_front_point(), reflect(e, n_f), vec3(reflectance));
     landing_red = landed[0];
     landing_green = landed[1];
     landing_blue = landed[2];

@@ -6,6 +6,8 @@ layout(local_size_x = ICE_CAUSTICS_GROUP, local_size_y = ICE_CAUSTICS_GROUP) in;
 layout(set = 0, binding = ICE_CAUSTICS_LANDED) uniform sampler2D landing_red;
 layout(set = 0, binding = ICE_CAUSTICS_LANDED + 1) uniform sampler2D landing_green;
 layout(set = 0, binding = ICE_CAUSTICS_LANDED + 2) uniform sampler2D landing_blue;
+layout(set = 0, binding = ICE_CAUSTICS_REFLECTED) uniform sampler2D landing_reflected;
+layout(set = 0, binding = ICE_CAUSTICS_LATER) uniform sampler2D landing_later;
 layout(set = 0, binding = ICE_CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
 
 /* Adds a photon to the map. Weights are integers, so photon order does not change the sum. */
@@ -18,10 +20,24 @@ void splat(vec4 landed, int channel)
         imageAtomicAdd(counts, texel + ivec2(channel * ICE_CAUSTICS_SIZE, 0), weight);
 }
 
+/* Adds a branch that carries all channels. */
+void splat_channels(vec4 landed)
+{
+    int at = int(landed.a);
+    ivec2 texel = ivec2(at % ICE_CAUSTICS_SIZE, at / ICE_CAUSTICS_SIZE);
+    for (int channel = 0; channel < 3; channel++) {
+        uint weight = uint(landed[channel] * ICE_CAUSTICS_WEIGHT + 0.5);
+        if (weight > 0u)
+            imageAtomicAdd(counts, texel + ivec2(channel * ICE_CAUSTICS_SIZE, 0), weight);
+    }
+}
+
 void main()
 {
     ivec2 photon = ivec2(gl_GlobalInvocationID.xy);
     splat(texelFetch(landing_red, photon, 0), 0);
     splat(texelFetch(landing_green, photon, 0), 1);
     splat(texelFetch(landing_blue, photon, 0), 2);
+    splat_channels(texelFetch(landing_reflected, photon, 0));
+    splat_channels(texelFetch(landing_later, photon, 0));
 }

@@ -8,6 +8,8 @@
 #ifdef MARCH_GROUND
 /* Returns true if a point is in the ground, where no air is below the ice. */
 bool march_is_in_ground(vec3 point);
+
+vec3 march_reflected; /* direction of internal reflection where the last path has left */
 #endif
 
 #ifdef REFRACT_MEDIUM
@@ -39,6 +41,9 @@ void march_continue(march_space space, float eta, inout refract_path path, out f
             leaving = 1.0;
             break;
         }
+#endif
+#ifdef MARCH_GROUND
+        march_reflected = reflect(path.dir, n);
 #endif
         bool total = optics_refract_k(path.dir, n, 1.0 / eta) < 0.0;
         leaving = 1.0 - optics_fresnel(path.dir, n, 1.0 / eta);

@@ -22,6 +22,8 @@ layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
 layout(location = 0) out vec4 landing_red;
 layout(location = 1) out vec4 landing_green;
 layout(location = 2) out vec4 landing_blue;
+layout(location = 3) out vec4 landing_reflected; /* unused: paths choose a branch at random */
+layout(location = 4) out vec4 landing_later;
 
 const uint photon_texel_seed = 50u;
 const uint photon_sun_seed = 51u;
@@ -137,6 +139,8 @@ void main()
     for (int channel = 0; channel < 3; channel++)
         landed[channel] = vec4(at, path.throughput[channel], 0.0);
 #endif
+    landing_reflected = vec4(0.0);
+    landing_later = vec4(0.0);
     landing_red = landed[0];
     landing_green = landed[1];
     landing_blue = landed[2];

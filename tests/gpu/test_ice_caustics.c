@@ -95,6 +95,14 @@ static double landing(double from_axis, double below)
     return fabs(x - (below + y) * tan(2 * turned));
 }
 
+/* Returns how far from the axis the light lands that a unit ball's outside reflects there. */
+static double reflected_landing(double from_axis, double below)
+{
+    const double turned = pi - 2 * asin(from_axis);
+    const double y = sqrt(1 - from_axis * from_axis);
+    return turned < pi / 2 ? from_axis + (below + y) * tan(turned) : INFINITY;
+}
+
 /* Light that lands within a radius, over what falls on the ball. */
 static double expected_within(double radius, double below)
 {
@@ -105,11 +113,13 @@ static double expected_within(double radius, double below)
         const double passed = 1 - fresnel(b);
         if (landing(b, below) < radius)
             sum += passed * passed * 2 * b / count;
+        if (reflected_landing(b, below) < radius)
+            sum += (1 - passed) * 2 * b / count;
     }
     return sum;
 }
 
-/* Without the shadow all above 1 has come through the ball. */
+/* Without the shadow all above 1 has come through the ball or from its outside. */
 static double seen_within(const struct lit_floor *lit, double radius)
 {
     double sum = 0;
@@ -125,12 +135,12 @@ static void check_ball(struct gpu *gpu, double below, bool roof)
 {
     static const char *const no_shadow[] = { "sky.sun_elevation=90", "ice_caustics.shadow=off",
                                              "ice_caustics.ground=off", NULL };
-    static const double radii[] = { 0.15, 0.2, 0.35, 0.5, 0.8, 1.6 };
+    static const double radii[] = { 0.15, 0.2, 0.35, 0.5, 0.8, 1.6, 2.4 };
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
     add_level(&scene, 20, (float)-below);
     if (roof)
         add_level(&scene, 20, 3);
-    struct lit_floor lit = draw(gpu, &scene, (float)-below, 3.4, no_shadow);
+    struct lit_floor lit = draw(gpu, &scene, (float)-below, 5, no_shadow);
     for (size_t i = 0; i < sizeof(radii) / sizeof(radii[0]); i++) {
         const double seen = seen_within(&lit, radii[i]);
         const double expected = expected_within(radii[i], below);
@@ -197,30 +207,41 @@ struct slab_light {
     double shift;   /* along x, in the air below the slab */
     double inside;  /* the same, in the slab */
     double through; /* share of light that two surfaces and the way leave */
+    double outside; /* fraction that the right side reflects */
+    double inside_left; /* fraction that the left side reflects inside */
 };
 
-/* The sun stands on +x, 50 degrees high. */
-static struct slab_light slab_light_of(double below, double absorption)
+/* The sun stands on +x, `elevation` degrees high. */
+static struct slab_light slab_light_of(double below, double absorption, double elevation)
 {
-    const double sine = cos(50 * pi / 180);
+    const double sine = cos(elevation * pi / 180);
     const double sine_inside = sine / index_ratio;
     const double cosine_inside = sqrt(1 - sine_inside * sine_inside);
     return (struct slab_light){
         .shift = (below - slab.y) * sine / sqrt(1 - sine * sine),
         .inside = 2 * slab.y * sine_inside / cosine_inside,
         .through = pow(1 - fresnel(sine), 2) * exp(-absorption * 2 * slab.y / cosine_inside),
+        .outside = fresnel(sin(elevation * pi / 180)),
+        .inside_left = fresnel(fmin(cosine_inside * index_ratio, 1)),
     };
 }
 
 /* Which light a place on the floor gets: 0 that of the sun alone, 1 that comes from the upper side
- * through the lower, 2 the same and as much that the left side has turned back (totally), -1 some
- * of several. */
+ * through the lower, 2 the same and as much that the left side has turned back (totally), 3 that of
+ * the sun and what the right side reflects, -1 some of several. */
 static int slab_zone(const struct slab_light *light, struct vec at)
 {
     const double margin = 0.05;
     const double leaves = at.x + light->shift;
     const double enters = leaves + light->inside;
     const double turned = at.x - light->shift + slab.x; /* from the left side's lower edge */
+    const double mirrored = at.x - slab.x - light->shift; /* from the right side's lower edge */
+    const double mirrored_all = light->shift / (0.9 - slab.y) * 2 * slab.y;
+    if (fabs(at.z) < slab.z + margin && at.x > slab.x + margin && mirrored > -margin &&
+        mirrored < mirrored_all + margin)
+        return fabs(at.z) < slab.z - margin && mirrored > margin && mirrored < mirrored_all - margin
+                   ? 3
+                   : -1;
     if (fabs(at.z) > slab.z + margin || at.x > slab.x + margin)
         return 0;
     if (fabs(at.z) > slab.z - margin || leaves < -slab.x + margin || enters > slab.x - margin)
@@ -235,10 +256,10 @@ static void a_slab_takes_its_share(void **state)
     static const char *const slanted[] = { "sky.sun_elevation=50", "sky.sun_azimuth=90",
                                            "absorb.green=0.7", NULL };
     const double below = 0.9;
-    const struct slab_light light = slab_light_of(below, 0.7);
-    const double expected[3] = { 1, light.through, 2 * light.through };
-    double sums[3] = { 0 };
-    double counts[3] = { 0 };
+    const struct slab_light light = slab_light_of(below, 0.7, 50);
+    const double expected[4] = { 1, light.through, 2 * light.through, 1 + light.outside };
+    double sums[4] = { 0 };
+    double counts[4] = { 0 };
     struct scene scene = slab_scene();
     add_level(&scene, 20, (float)-below);
     struct lit_floor lit = draw(*state, &scene, (float)-below, 5, slanted);
@@ -249,12 +270,39 @@ static void a_slab_takes_its_share(void **state)
         sums[zone] += (double)lit.light[i];
         counts[zone]++;
     }
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         print_message("%zu: %.4f of %.4f, %.0f pixels\n", i, sums[i] / counts[i], expected[i],
                       counts[i]);
         assert_true(counts[i] > 2000);
         CHECK_NEAR(sums[i] / counts[i], expected[i], 0.01);
     }
+    render_result_finish(&lit.result);
+    scene_finish(&scene);
+}
+
+/* At a low sun, the left side reflects only a part, which leaves through the lower side. It lands
+ * where the sun shines, too. */
+static void light_leaves_after_a_partial_reflection(void **state)
+{
+    static const char *const low[] = { "sky.sun_elevation=25", "sky.sun_azimuth=90", NULL };
+    const double below = 0.9, margin = 0.08;
+    const struct slab_light light = slab_light_of(below, 0, 25);
+    double sum = 0, count = 0;
+    struct scene scene = slab_scene();
+    add_level(&scene, 20, (float)-below);
+    struct lit_floor lit = draw(*state, &scene, (float)-below, 3, low);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        const struct vec at = picture_at(lit.position, i);
+        const double turned = at.x - light.shift + slab.x;
+        if (fabs(at.z) > slab.z - margin || turned < margin || turned > light.inside - margin)
+            continue;
+        sum += (double)lit.light[i];
+        count++;
+    }
+    const double expected = 1 + light.through * light.inside_left;
+    print_message("%.4f of %.4f, %.0f pixels\n", sum / count, expected, count);
+    assert_true(count > 2000 && expected > 1.1);
+    CHECK_NEAR(sum / count, expected, 0.01);
     render_result_finish(&lit.result);
     scene_finish(&scene);
 }
@@ -295,6 +343,7 @@ int main(void)
         cmocka_unit_test(a_ball_gathers_light),
         cmocka_unit_test(a_roof_is_not_in_the_way),
         cmocka_unit_test(a_slab_takes_its_share),
+        cmocka_unit_test(light_leaves_after_a_partial_reflection),
         cmocka_unit_test(surroundings_shade_each_other),
     };
     return RUN_ON_DEVICE(tests);

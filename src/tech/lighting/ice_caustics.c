@@ -9,12 +9,13 @@
  * surroundings behind the ice, and splatted into a map. Splatting needs no photon search structure
  * and has a fixed cost. The map is perpendicular to the sunlight, so all texels receive equal light
  * on any slope, and energy is preserved. A photon carries the light transmitted by Fresnel's
- * equations at its entry and exit, less absorption.
+ * equations at its entry and exit, less absorption. Two branches are followed beside it: the light
+ * that the front face reflects, and the light that its exit reflects, up to the next exit.
  *
- * Limits: light is lost that is partially reflected inside, leaves the map or is reflected by the
- * ice's outside. Ground that the sun cannot see behind the ice gets no caustics. Rays end at the
- * first surface in the sun's view, even where they would pass behind it or through a cut-out. The
- * map is blurred by the 3 x 3 texel filter. Cracks, air, bubbles and frost transmit all light.
+ * Limits: light is lost that is partially reflected inside twice or leaves the map. Ground that the
+ * sun cannot see behind the ice gets no caustics. Rays end at the first surface in the sun's view,
+ * even where they would pass behind it or through a cut-out. The map is blurred by the 3 x 3 texel
+ * filter. Cracks, air, bubbles and frost transmit all light.
  *
  * The shadow map is the depth of all surroundings from the sun. Look-ups are offset along the
  * surface normal against shadow acne (Holbert 2011, "Saying Goodbye to Shadow Acne"). It extends to
@@ -77,6 +78,10 @@ static const struct rg_image landing_green =
     SUN_VIEW_IMAGE("ice_caustics.landed_green", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 static const struct rg_image landing_blue =
     SUN_VIEW_IMAGE("ice_caustics.landed_blue", VK_FORMAT_R32G32B32A32_SFLOAT, false);
+static const struct rg_image landing_reflected =
+    SUN_VIEW_IMAGE("ice_caustics.landed_reflected", VK_FORMAT_R32G32B32A32_SFLOAT, false);
+static const struct rg_image landing_later =
+    SUN_VIEW_IMAGE("ice_caustics.landed_later", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
 const struct rg_image ice_caustics_ground = MAP("ice_caustics.ground", VK_FORMAT_D32_SFLOAT);
 const struct rg_image ice_caustics_shadow_map = {
@@ -202,7 +207,8 @@ static const struct rg_pass passes[] = {
     {
         .name = "ice_caustics.photons",
         .color = RG_TARGETS({ &landing_red, RG_LOAD_CLEAR }, { &landing_green, RG_LOAD_CLEAR },
-                            { &landing_blue, RG_LOAD_CLEAR }),
+                            { &landing_blue, RG_LOAD_CLEAR }, { &landing_reflected, RG_LOAD_CLEAR },
+                            { &landing_later, RG_LOAD_CLEAR }),
         .uses = photon_uses,
         .vert = &ice_caustics_photons_vert,
         .frag = &ice_caustics_photons_frag,
@@ -226,6 +232,8 @@ static const struct rg_pass passes[] = {
             FRAME_READ(landing_red, ICE_CAUSTICS_LANDED),
             FRAME_READ(landing_green, ICE_CAUSTICS_LANDED + 1),
             FRAME_READ(landing_blue, ICE_CAUSTICS_LANDED + 2),
+            FRAME_READ(landing_reflected, ICE_CAUSTICS_REFLECTED),
+            FRAME_READ(landing_later, ICE_CAUSTICS_LATER),
             { .image = &counts, .access = RG_STORAGE_READ_WRITE, .binding = ICE_CAUSTICS_COUNTS }),
         .comp = &ice_caustics_splat_comp,
         .record = record_splat,
