@@ -204,10 +204,10 @@ static struct scene slab_scene(void)
 }
 
 struct slab_light {
-    double shift;   /* along x, in the air below the slab */
-    double inside;  /* the same, in the slab */
-    double through; /* share of light that two surfaces and the way leave */
-    double outside; /* fraction that the right side reflects */
+    double shift;       /* along x, in the air below the slab */
+    double inside;      /* the same, in the slab */
+    double through;     /* share of light that two surfaces and the way leave */
+    double outside;     /* fraction that the right side reflects */
     double inside_left; /* fraction that the left side reflects inside */
 };
 
@@ -234,7 +234,7 @@ static int slab_zone(const struct slab_light *light, struct vec at)
     const double margin = 0.05;
     const double leaves = at.x + light->shift;
     const double enters = leaves + light->inside;
-    const double turned = at.x - light->shift + slab.x; /* from the left side's lower edge */
+    const double turned = at.x - light->shift + slab.x;   /* from the left side's lower edge */
     const double mirrored = at.x - slab.x - light->shift; /* from the right side's lower edge */
     const double mirrored_all = light->shift / (0.9 - slab.y) * 2 * slab.y;
     if (fabs(at.z) < slab.z + margin && at.x > slab.x + margin && mirrored > -margin &&

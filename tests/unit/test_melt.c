@@ -378,6 +378,47 @@ static void water_stays_at_the_foot(void **state)
     }
 }
 
+/* A meniscus of twice the water's height stands at the ice, and is gone with the ice. */
+static void the_meniscus_goes_with_the_ice(void **state)
+{
+    static const float rings[5] = { 0.7f, 1.0f, 1.5f, 2.0f, 2.5f };
+    static const float lost[2] = { 0.2f, 1.0f };
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct material film = material_make("film");
+        struct model model = bare(generate_fine_ball);
+        struct mesh *mesh = &model.surroundings;
+        struct melted melted;
+        const struct box box = mesh_box(&model.object);
+        film.flags |= MATERIAL_IS_WATER_LAYER;
+        model.materials = (struct material[]){ model.materials[0], film };
+        model.material_count = 2;
+        assert_true(mesh_init(mesh, 5 * AROUND, 4 * AROUND * 6));
+        for (uint32_t k = 0; k < mesh->vertex_count; k++) {
+            const float turn = (float)(k % AROUND) / (float)AROUND * 2 * GLM_PIf;
+            const float out = rings[k / AROUND] * box.max.x;
+            mesh->vertices[k].position =
+                (vec3s){ { out * cosf(turn), box.min.y + (k < AROUND ? 0.02f : 0.01f),
+                           out * sinf(turn) } };
+            mesh->vertices[k].normal = (vec3s){ { 0, 1, 0 } };
+            mesh->vertices[k].material = 2u << MESH_SURFACE_SHIFT;
+        }
+        for (uint32_t k = 0; k < mesh->index_count; k++) {
+            const uint32_t at = k / 6, next = at / AROUND * AROUND + (at + 1) % AROUND;
+            mesh->indices[k] = (const uint32_t[]){ at, next,          next + AROUND,
+                                                   at, next + AROUND, at + AROUND }[k % 6];
+        }
+        assert_int_equal(
+            melt_model(&model, &(struct melting){ .lost_fraction = lost[i] }, 0, &melted),
+            STATUS_OK);
+        CHECK_NEAR(mesh->vertices[0].position.y - box.min.y, i ? 0.01 : 0.02, 5e-4);
+        CHECK_NEAR(mesh->vertices[2 * AROUND].position.y - box.min.y, 0.01, 1e-5);
+        melted_finish(&melted);
+        mesh_finish(&model.object);
+        mesh_finish(&model.surroundings);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -389,6 +430,7 @@ int main(void)
         cmocka_unit_test(cracks_open_at_the_surface),
         cmocka_unit_test(films_spread),
         cmocka_unit_test(water_stays_at_the_foot),
+        cmocka_unit_test(the_meniscus_goes_with_the_ice),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

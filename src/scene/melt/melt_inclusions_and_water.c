@@ -15,6 +15,13 @@
 
 #define COVERED_MAX 0.9f /* maximum fraction of the water's radius that ice covers */
 
+/* Size of the ice, relative to its initial one, below which the meniscus around it flattens. */
+#define MENISCUS_FLATTENS 0.3f
+
+/* Water is level between these fractions of the way from the ice to the water's edge. */
+#define LEVEL_FROM 0.3f
+#define LEVEL_TO   0.7f
+
 #define HOLLOW 3.0f /* maximum factor by which a water layer thickens over hollows of the ground */
 
 enum {
@@ -217,7 +224,8 @@ static struct outline outline_of(const struct object *object, const struct mesh 
 }
 
 /* Returns the new horizontal radius of a water vertex. Below the ice, water moves with the ice's
- * outline. Outside, the motion blends quadratically into the motion of the water's edge. */
+ * outline. Outside, the motion blends smoothly into the motion of the water's edge. The blend is
+ * flat at the edge, because the outline is coarser than its bays. */
 static float spread_radius(float out, float before, float after, float edge, float scale)
 {
     if (!(before > 0.0f && edge > 0.0f))
@@ -227,31 +235,66 @@ static float spread_radius(float out, float before, float after, float edge, flo
         return out * after / from;
     const float t = (out - from) / (edge - from);
     const float pushed = after + out - from;
-    return glm_lerp(pushed, fmaxf(scale * edge, pushed), t * t);
+    return glm_lerp(pushed, fmaxf(scale * edge, pushed), glm_smoothstep(0.0f, 1.0f, t));
 }
 
-/* Spreads water horizontally around melting ice, whose outline changes from `before` to `after`. */
-static void spread_component(const struct components *components, const struct component *component,
-                             struct mesh *mesh, const struct outline *before,
-                             const struct outline *after, float spread)
+/* Water around melting ice. */
+struct puddle {
+    struct outline before, after; /* of the ice, before and after melting */
+    struct outline edge;          /* of the water, before melting */
+    float spread;                 /* radius of the area that the meltwater covers, metres */
+};
+
+/* Returns the water level between the meniscus at the ice and the rim, or INFINITY if the component
+ * has no vertices there. */
+static float level_of(const struct components *components, const struct component *component,
+                      const struct mesh *mesh, const struct puddle *puddle)
 {
-    const vec3s base = before->base;
+    const vec3s base = puddle->before.base;
+    float sum = 0.0f;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const vec3s p = mesh->vertices[i].position;
+        if (component_of(components, i) != component)
+            continue;
+        const float ice = outline_at(&puddle->before, p);
+        const float from_ice = (hypotf(p.x - base.x, p.z - base.z) - ice) /
+                               fmaxf(outline_at(&puddle->edge, p) - ice, 1e-20f);
+        const bool is_open =
+            from_ice > LEVEL_FROM && from_ice < LEVEL_TO && mesh->vertices[i].normal.y > 0.0f;
+        sum += is_open ? p.y : 0.0f;
+        count += is_open;
+    }
+    return count ? sum / (float)count : INFINITY;
+}
+
+/* Spreads water horizontally around melting ice. Flattens the meniscus as the ice vanishes. */
+static void spread_component(const struct components *components, const struct component *component,
+                             struct mesh *mesh, struct puddle *puddle)
+{
+    const vec3s base = puddle->before.base;
     const vec3s sides = glms_vec3_sub(component->box.max, component->box.min);
     const float radius = 0.25f * (sides.x + sides.z);
-    const float scale = hypotf(radius, spread) / fmaxf(radius, 1e-20f);
-    struct outline edge = { .base = base };
+    const float scale = hypotf(radius, puddle->spread) / fmaxf(radius, 1e-20f);
+    puddle->edge = (struct outline){ .base = base };
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (component_of(components, i) == component)
-            outline_add(&edge, mesh->vertices[i].position);
+            outline_add(&puddle->edge, mesh->vertices[i].position);
     }
-    outline_fill(&edge);
+    outline_fill(&puddle->edge);
+    const float level = level_of(components, component, mesh, puddle);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         vec3s *p = &mesh->vertices[i].position;
         if (component_of(components, i) != component)
             continue;
         const float out = hypotf(p->x - base.x, p->z - base.z);
-        const float to = spread_radius(out, outline_at(before, *p), outline_at(after, *p),
-                                       outline_at(&edge, *p), scale);
+        const float before = outline_at(&puddle->before, *p);
+        const float after = outline_at(&puddle->after, *p);
+        const float edge = outline_at(&puddle->edge, *p);
+        const float to = spread_radius(out, before, after, edge, scale);
+        const float steep = glm_smoothstep(0.0f, MENISCUS_FLATTENS, after / fmaxf(before, 1e-20f));
+        if (out < glm_lerp(before, edge, LEVEL_FROM) && p->y > level)
+            p->y = level + steep * (p->y - level);
         const float unmelted = to / fmaxf(out, 1e-20f);
         p->x = base.x + unmelted * (p->x - base.x);
         p->z = base.z + unmelted * (p->z - base.z);
@@ -263,14 +306,17 @@ static bool spread(struct mesh *mesh, const struct object *object, const struct 
                    const struct melt_air_and_water_ice *ice)
 {
     const vec3s base = box_center(ice->object->box);
-    const struct outline before = outline_of(ice->object, ice->unmelted, base);
-    const struct outline after = outline_of(ice->object, &model->object, base);
+    struct puddle puddle = {
+        .before = outline_of(ice->object, ice->unmelted, base),
+        .after = outline_of(ice->object, &model->object, base),
+        .spread = ice->spread,
+    };
     struct components components;
     if (!components_init(&components, mesh, object))
         return false;
     for (uint32_t i = 0; i < components.vertex_weld.count; i++) {
         if (is_below(&components.all[i], &ice->object->box))
-            spread_component(&components, &components.all[i], mesh, &before, &after, ice->spread);
+            spread_component(&components, &components.all[i], mesh, &puddle);
     }
     components_finish(&components);
     return true;
