@@ -25,6 +25,7 @@ struct surroundings_push {
     vec3s right;           /* vector from centre to right edge of an image at distance 1 */
     vec3s up;              /* vector from centre to top edge of an image at distance 1 */
     vec3s forward;         /* unit view direction */
+    float background_lod;  /* mip level of the environment map where it is visible directly */
     uint32_t inverse;      /* 1: output alpha is 1 / distance in metres; 0: output alpha is 1 */
 };
 

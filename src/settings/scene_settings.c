@@ -158,6 +158,16 @@ static const struct setting env_rows[] = {
         .unit = "degrees",
         .help = "elevation above the horizon of the sun that env.sun=own places in the panorama",
     },
+    {
+        .name = "env.blur",
+        .label = "Background blur",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct env_params, blur),
+        .max = 45,
+        .unit = "degrees",
+        .help = "angle by which the panorama is blurred where it is visible directly, not in "
+                "reflections and through refraction; the reference does not blur it",
+    },
 };
 
 SETTING_GROUP(env, env_rows, struct env_params);

@@ -30,12 +30,13 @@ enum env_sun {
     ENV_SUN_NONE,
 };
 
-/* Sun of an environment panorama, rendered as a separate directional light. */
+/* Environment panorama: its sun, rendered as a separate directional light, and its blur. */
 struct env_params {
     uint32_t sun;        /* enum env_sun */
     float sun_strength;  /* factor on the sun's light */
     float sun_azimuth;   /* for ENV_SUN_CUSTOM, degrees; +Z is 0 */
     float sun_elevation; /* ENV_SUN_CUSTOM: degrees above the horizon */
+    float blur;          /* of the panorama as background, degrees; 0 for none */
 };
 
 struct texture_params {

@@ -84,10 +84,11 @@ def vulkan():
 
 
 class Panorama(Case):
-    def draw(self, data, *words):
+    def draw(self, data, *words, model='reference'):
         (self.folder / 'env.exr').write_bytes(data)
-        done = self.succeed('render', 'sphere', '--size', '32x24', *PLAIN, '-q', '-r', 'reference',
-                            '--env', 'env.exr', *words, '-o', 'a.exr', env=NO_DRIVER)
+        done = self.succeed('render', 'sphere', '--size', '32x24', *PLAIN, '-q', '-r', model,
+                            '--env', 'env.exr', *words, '-o', 'a.exr',
+                            env=NO_DRIVER if model == 'reference' else ())
         self.said = done.stderr.decode()
         return Exr((self.folder / 'a.exr').read_bytes()).read_planes(['R', 'G', 'B'])
 
@@ -104,6 +105,16 @@ class Panorama(Case):
             self.assertLess(worst, 0.01, name)
         turned = self.draw(data, '--env-rotate', '90')
         self.assertGreater(max(abs(a - b) for a, b in zip(truth['R'], turned['R'])), 0.1)
+
+    def test_the_background_is_blurred(self):
+        """Where it is visible directly; what the sphere refracts stays the same."""
+        stripes = sheet([[(i % 2, i % 2, i % 2) for i in range(64)]] * 32)
+        sharp, blurred = (self.draw(stripes, *words, model='paper')['R']
+                          for words in ((), ('--set', 'env.blur=30')))
+        edge, middle = slice(0, 8), 12 * 32 + 16  # 32 x 24 pixels
+        self.assertGreater(max(sharp[edge]) - min(sharp[edge]), 0.5)
+        self.assertLess(max(blurred[edge]) - min(blurred[edge]), 0.1)
+        self.assertEqual(sharp[middle], blurred[middle])
 
     def test_the_display_window_is_the_panorama(self):
         rows, black = latlong_rows(), (0, 0, 0)

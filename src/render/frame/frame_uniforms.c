@@ -34,6 +34,17 @@ static float environment_lod(const struct scene *scene, float pixel)
     return scene->background.environment.width && lod > 0.0f ? lod : 0.0f;
 }
 
+/* Texels of the blurred mip level across the angle env.blur: taps in surroundings_sky.frag. */
+static const float blur_taps = 4.0f;
+
+/* Returns the mip level of the environment map as background, which env.blur may blur. */
+static float background_lod(const struct frame_view *view, float lod)
+{
+    const struct env_params *env = settings_of(view->settings, &env_settings);
+    const float texel = radians(env->blur) / blur_taps;
+    return texel > 0.0f ? fmaxf(lod, environment_lod(view->scene, texel)) : lod;
+}
+
 struct surroundings_push frame_view_push(const struct frame_view *view)
 {
     const struct camera *camera = &view->camera;
@@ -50,12 +61,13 @@ struct surroundings_push frame_view_push(const struct frame_view *view)
         glms_vec2_add(view->jitter, camera_pixel_shift(camera, view->width, view->height));
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
+    const float lod = is_orthographic ? 0.0f : environment_lod(view->scene, 2.0f * up / height);
     return (struct surroundings_push){
         .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
                                                   scene_near_plane(view->scene), view->jitter),
         .eye = is_orthographic ? glms_vec3_add(camera->eye, shift) : camera->eye,
-        .environment_lod =
-            is_orthographic ? 0.0f : environment_lod(view->scene, 2.0f * up / height),
+        .environment_lod = lod,
+        .background_lod = background_lod(view, lod),
         .right = glms_vec3_scale(basis.right, right),
         .up = glms_vec3_scale(basis.up, up),
         .forward = is_orthographic ? basis.forward : glms_vec3_add(basis.forward, shift),
@@ -73,10 +85,12 @@ struct surroundings_push frame_view_face(const struct frame_view *view, uint32_t
 {
     const struct camera_basis basis = camera_cube_basis(face);
     vec3s center = box_center(view->scene->box);
+    const float lod = environment_lod(view->scene, 2.0f / (float)view->face_size);
     return (struct surroundings_push){
         .clip_from_world = camera_cube_clip_from_world(face, center, scene_near_plane(view->scene)),
         .eye = center,
-        .environment_lod = environment_lod(view->scene, 2.0f / (float)view->face_size),
+        .environment_lod = lod,
+        .background_lod = lod,
         .right = basis.right,
         .up = basis.up,
         .forward = basis.forward,

@@ -59,6 +59,7 @@ static const struct {
     { UI_LIGHT, "sky.sun_azimuth" },
     { UI_LIGHT, "sky.sun_strength" },
     { UI_LIGHT, "sky.strength" },
+    { UI_LIGHT, "env.blur" },
     { UI_LIGHT, "env.sun" },
     { UI_LIGHT, "env.sun_strength" },
     { UI_LIGHT, "env.sun_elevation" },
