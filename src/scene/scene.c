@@ -10,6 +10,7 @@
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/scene/bundled_assets.h"
+#include "src/scene/cache/loaded_files.h"
 #include "src/scene/environment/image_based_lighting.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/geometry/mesh_depth_complexity.h"
@@ -153,12 +154,17 @@ static enum status read_model(struct model *model, const struct scene_params *pa
                               const struct model_pose *pose)
 {
     const enum model_role role = params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS;
+    struct loaded_files *files = params->previous_pose ? NULL : params->files;
     char *path;
     if (params->source && params->source->make_model)
         return params->source->make_model(params->source->user, model, role);
+    if (files && loaded_files_copy_model(files, params->name, role, pose, model))
+        return STATUS_OK;
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
         status = sandboxed_load_model(model, path, role, pose, params->decode);
+    if (status == STATUS_OK && files)
+        loaded_files_keep_model(files, params->name, role, pose, model);
     free(path);
     return status;
 }
@@ -266,12 +272,17 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
 static enum status read_environment(struct environment *environment,
                                     const struct scene_params *params)
 {
+    const char *name = params->environment;
     char *path;
     if (params->source && params->source->make_environment)
         return params->source->make_environment(params->source->user, environment);
-    enum status status = locate(params->environment, ASSET_ENVIRONMENT, &path);
+    if (params->files && loaded_files_copy_environment(params->files, name, environment))
+        return STATUS_OK;
+    enum status status = locate(name, ASSET_ENVIRONMENT, &path);
     if (status == STATUS_OK)
         status = sandboxed_load_environment(environment, path, params->decode);
+    if (status == STATUS_OK && params->files)
+        loaded_files_keep_environment(params->files, name, environment);
     free(path);
     return status;
 }
@@ -335,6 +346,14 @@ static enum status add_extras(struct scene *scene)
     return scene->tables.vertex_extras ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
+static uint16_t *prefilter(const struct scene *scene, const struct scene_params *params)
+{
+    const struct environment *environment = &scene->background.environment;
+    return params->files
+               ? loaded_files_prefilter(params->files, environment, params->environment_exposure)
+               : image_based_lighting_prefilter(environment);
+}
+
 /* Finds the scattering media, and builds the GPU tables of materials and lights. */
 static enum status add_surfaces(struct scene *scene, const struct scene_params *params)
 {
@@ -350,8 +369,7 @@ static enum status add_surfaces(struct scene *scene, const struct scene_params *
         (is_lit || scene->inclusions.media.count) && scene->background.kind == SCENE_ENVIRONMENT;
     const bool is_lit_by_table = has_lights || (is_lit && scene->background.kind != SCENE_SKY);
     if (needs_light && !scene->background.prefiltered)
-        scene->background.prefiltered =
-            image_based_lighting_prefilter(&scene->background.environment);
+        scene->background.prefiltered = prefilter(scene, params);
     if (needs_light && !scene->background.prefiltered)
         return log_out_of_memory("environment lighting");
     if (!is_lit_by_table && !material_table_needs_full_shading(&scene->model) &&

@@ -118,6 +118,8 @@ struct scene_source {
     void *user;
 };
 
+struct loaded_files;
+
 struct scene_params {
     const char *name;           /* name of a built-in scene or asset, or path of a model file */
     const char *surroundings;   /* model file of surroundings, or NULL for the scene's default */
@@ -152,6 +154,7 @@ struct scene_params {
     struct scene_image_files image_files;
     const struct reader_params *decode; /* sandboxed file reader; NULL to read in this process */
     const struct scene_source *source;  /* data instead of files; NULL for none */
+    struct loaded_files *files;         /* where to keep what files hold; NULL for nowhere */
     struct generate_pool pool;          /* pool of the scene `pool` */
     /* true to set only the sizes of bump maps and air textures; scene_fill() makes their texels */
     bool defers_texels;

@@ -454,6 +454,7 @@ struct scene_params setup_scene_params(const struct setup_scene *options,
         .image_files = { options->bump, options->bump_mask, options->air },
         .decode = &options->reader,
         .source = options->source,
+        .files = options->files,
         .pool = { pool->size, pool->depth, pool->ice },
         .defers_texels = true,
     };

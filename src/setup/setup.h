@@ -73,6 +73,7 @@ struct setup_scene {
     bool is_stage_bare;             /* only one clear object stands on the stage */
     struct reader_params reader;
     const struct scene_source *source; /* data instead of files; NULL for none */
+    struct loaded_files *files;        /* where to keep what files hold; NULL for nowhere */
     struct settings settings;
     struct settings user_settings; /* without those that the scene sets */
     struct setup_exposure exposure;

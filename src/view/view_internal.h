@@ -4,6 +4,7 @@
 
 #include <pthread.h>
 #include "src/base/signals.h"
+#include "src/scene/cache/loaded_files.h"
 #include "src/view/compare/view_compare.h"
 #include "src/view/panels/ui.h"
 #include "src/view/pixel_inspector.h"
@@ -27,6 +28,7 @@ struct view {
     const struct viewer_params *options;
     struct setup_image initial_state; /* from the options */
     struct session_file session;      /* from --session; .scene NULL once restored */
+    struct loaded_files files;        /* files of the scene that is shown */
     struct signals signals;
     FILE *original_stderr; /* NULL while errors are not captured */
     pthread_mutex_t error_lock;

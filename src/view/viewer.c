@@ -145,6 +145,7 @@ static void finish(struct view *v)
     ui_thumbnails_finish(&v->thumbnails);
     scene_objects_finish(&v->objects);
     viewport_destroy(v->viewport);
+    loaded_files_finish(&v->files);
     undo_scenes_prune(&v->undo_scenes, NULL);
     shader_reload_destroy(v->shader_reload);
     window_finish(&v->window);
@@ -485,6 +486,7 @@ enum status viewer_run(const struct viewer_params *options)
     v->selected = SCENE_OBJECT_NONE;
     v->theme = options->window->theme;
     v->initial_state = *options->image;
+    v->initial_state.scene.files = &v->files;
     const struct reader_params *reader = &options->image->scene.reader;
     enum status status = STATUS_OK;
     if (options->window->session)

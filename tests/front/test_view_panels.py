@@ -184,6 +184,7 @@ class Panels(PanelsCase):
         self.assertNotIn('--material', self.command(window))
         self.fold(window, 'Material', 'Material preset', False)
         self.fold(window, 'Object', 'box 1', True)
+        model = (self.folder / 'a.gltf').rename(self.folder / 'b.gltf')  # is not read again
         self.wait_for_command(window, '--transform', 'box 0=0,', act=lambda: self.move(
             window, *[self.place('Move Y', x) for x in (0.5, 0.6)]))
         self.press(window, 'ctrl+z')
@@ -197,6 +198,7 @@ class Panels(PanelsCase):
         shown = shlex.split(self.command(window))
         self.press(window, 'ctrl+z')
         self.wait_for_command(window, without='--hide')
+        model.rename(self.folder / 'a.gltf')
         self.desktop.drop(window, saved)
         self.wait_for_command(window, "--hide 'box 1'")
         again = shlex.split(self.command(window))

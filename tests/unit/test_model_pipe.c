@@ -228,6 +228,23 @@ static void model_comes_through(void **state)
     model_finish(&wanted);
 }
 
+/* A copy owns all of its arrays, and is sent as the same bytes but for the pointers. */
+static void models_are_copied(void **state)
+{
+    (void)state;
+    struct memory_pipe stream = { .size = 0 };
+    struct model from = make_model(), copy;
+    assert_true(model_copy(&copy, &from));
+    assert_ptr_not_equal(copy.surroundings_names, from.surroundings_names);
+    model_finish(&from);
+    assert_true(model_pipe_write_model(&(struct pipe_sink){ memory_pipe_write, &stream }, &copy));
+    const struct memory_pipe wanted = make_stream();
+    assert_int_equal(stream.size, wanted.size);
+    assert_memory_equal(&stream.bytes[VERTICES_AT], &wanted.bytes[VERTICES_AT],
+                        stream.size - VERTICES_AT);
+    model_finish(&copy);
+}
+
 /* With `size` bytes at `at` replaced it is refused so, and nothing is left of it. */
 static void refuse(size_t at, const void *bytes, size_t size, enum pipe_fault wanted)
 {
@@ -569,6 +586,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(model_comes_through),
+        cmocka_unit_test(models_are_copied),
         cmocka_unit_test(heads_are_checked),
         cmocka_unit_test(cameras_are_checked),
         cmocka_unit_test(listed_cameras_are_checked),

@@ -152,6 +152,9 @@ MUST_USE enum status model_load(struct model *model, const char *path,
 MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
+/* Copies a model with all its arrays. When out of memory, returns false, and *to is zeroed. */
+MUST_USE bool model_copy(struct model *to, const struct model *from);
+
 /* Appends both meshes of `other` to the surroundings of *model. Renumbers textures, and resamples
  * the smaller ones. If `other` has a box, the box replaces the box of *model. `other` is always
  * zeroed. On failure *model is unchanged. Returns STATUS_TRY_AGAIN when out of memory, and

@@ -375,6 +375,27 @@ static enum pipe_fault read_array(const struct pipe_source *source, const struct
     return fault;
 }
 
+bool model_copy(struct model *to, const struct model *from)
+{
+    bool done = true;
+    *to = *from;
+    for (size_t i = 0; i < ARRAY_COUNT; i++)
+        set_items(&arrays[i], to, NULL);
+    for (size_t i = 0; i < ARRAY_COUNT && done; i++) {
+        const struct array *array = &arrays[i];
+        const size_t size = element_size(array, from);
+        const uint32_t count = count_of(array, from);
+        void *items = count ? calloc((count - 1) / array->row + 1, array->row * size) : NULL;
+        done = !count || items;
+        if (items)
+            memcpy(items, items_of(array, from), count * size);
+        set_items(array, to, items);
+    }
+    if (!done)
+        model_finish(to);
+    return done;
+}
+
 /* Reads a model. The received pointers are only compared with NULL. */
 enum pipe_fault model_pipe_read_model(const struct pipe_source *source, struct model *model)
 {

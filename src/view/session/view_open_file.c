@@ -26,6 +26,10 @@ static enum status open_file(void *user)
     const struct opening *opening = user;
     struct viewport **viewport = &opening->view->viewport;
     bool remade;
+    if (!opening->scene) /* files may have changed on disk */
+        loaded_files_drop_environment(&opening->view->files);
+    if (!opening->scene && opening->kind != FILE_KIND_ENVIRONMENT)
+        loaded_files_finish(&opening->view->files);
     return opening->scene ? viewport_reload(viewport, opening->scene)
                           : viewport_load(viewport, opening->path, &remade);
 }
