@@ -235,7 +235,14 @@ static struct renderer_shot shot_now(const struct view *v)
     return (struct renderer_shot){ .camera = v->viewport->camera, .time = view_time(v) };
 }
 
-/* Poses an animated model for the current time. Pauses if the model cannot be read any more. */
+static enum status pose_viewport(void *user)
+{
+    struct view *v = user;
+    return viewport_pose(v->viewport, shot_now(v).time);
+}
+
+/* Poses an animated model for the current time, while the window handles events. If the model
+ * cannot be read any more, pauses. */
 static void pose(struct view *v)
 {
     const double start = clock_seconds();
@@ -245,7 +252,10 @@ static void pose(struct view *v)
     presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     v->changed = true;
-    if (viewport_pose(v->viewport, time) != STATUS_OK) {
+    v->window.show_busy = NULL; /* a spinner in each frame would flicker */
+    const enum status status = worker_run(&v->window, pose_viewport, v);
+    v->window.show_busy = show_busy;
+    if (status != STATUS_OK) {
         v->elapsed += (double)v->viewport->scene.time - (double)time;
         v->paused = true;
         view_show_name(v);
