@@ -5,6 +5,9 @@
 /* Returns seconds since an unspecified time; the value never decreases. */
 double clock_seconds(void);
 
+/* Returns the CPU time of all threads of this process, in seconds. */
+double clock_cpu_seconds(void);
+
 /* Returns clock_seconds() in milliseconds. */
 static inline double clock_ms(void)
 {

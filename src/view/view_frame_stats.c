@@ -86,6 +86,17 @@ void view_frame_stats_sample(struct view_frame_stats *c)
     c->ended_at = 0.0;
 }
 
+void view_frame_stats_poll(struct view_frame_stats *c, bool refines)
+{
+    const double cpu = clock_cpu_seconds();
+    const double spent = cpu - c->polled_cpu;
+    if (refines && c->polled_cpu > 0.0) {
+        add(&c->stretches, spent);
+        c->longest = fmax(c->longest, spent);
+    }
+    c->polled_cpu = cpu;
+}
+
 static int compare(const void *a, const void *b)
 {
     const float x = *(const float *)a;
@@ -115,11 +126,23 @@ static void print_moving(const struct view_frame_stats *c, FILE *out)
             quantile(&c->complete_latency, 0.5));
 }
 
+static void print_refining(const struct view_frame_stats *c, FILE *out)
+{
+    if (!c->stretches.count)
+        return;
+    fprintf(out,
+            "refining: input polled %u times, CPU time of all threads between polls: median "
+            "%.1f ms, 95 %% %.1f ms, at most %.1f ms\n",
+            c->stretches.count, quantile(&c->stretches, 0.5), quantile(&c->stretches, 0.95),
+            c->longest * 1e3);
+}
+
 void view_frame_stats_print(const struct view_frame_stats *c, FILE *out)
 {
     const double scale = c->summed_count ? 1e3 / c->summed_count : 0.0;
     if (!c->summed_count) {
         fprintf(out, "%u frame%s\n", c->frame_count, c->frame_count == 1 ? "" : "s");
+        print_refining(c, out);
         return;
     }
     const double host = fmax(c->host, 0.0);
@@ -128,4 +151,5 @@ void view_frame_stats_print(const struct view_frame_stats *c, FILE *out)
             "%u frames, %.2f ms each: %.2f ms passes, %.2f ms frame loop, %.2f ms presentation\n",
             c->frame_count, c->frames * scale, c->passes * scale, host * scale, beside * scale);
     print_moving(c, out);
+    print_refining(c, out);
 }

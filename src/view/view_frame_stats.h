@@ -39,6 +39,9 @@ struct view_frame_stats {
     struct view_time_ring drag_latency;     /* latency from mouse movement to the presented image */
     struct view_time_ring release_latency;  /* latency from mouse release to the full-size image */
     struct view_time_ring complete_latency; /* latency from mouse release to the first sample */
+    struct view_time_ring stretches;        /* CPU time of all threads between two polls of input */
+    double longest;                         /* of these, seconds */
+    double polled_cpu;                      /* CPU time at the last poll; 0 before the first one */
     double ended_at; /* time of the release whose complete_latency is pending; or 0 */
     double dragged_at, released_at; /* pending latency measurements; 0 if none */
 };
@@ -61,6 +64,9 @@ void view_frame_stats_image(struct view_frame_stats *c, bool is_moving);
 
 /* Records that the last frame showed a sample of full quality. */
 void view_frame_stats_sample(struct view_frame_stats *c);
+
+/* Records that input was polled. `refines`: a part of a sample was drawn since the last poll. */
+void view_frame_stats_poll(struct view_frame_stats *c, bool refines);
 
 /* Prints the number of frames and mean times, and interaction times if there were any. */
 void view_frame_stats_print(const struct view_frame_stats *c, FILE *out);

@@ -262,7 +262,7 @@ enum status view_progressive_step(struct view *v, bool *drew)
     const enum status status = prepares ? prepare(v, drew) : STATUS_OK;
     if (status != STATUS_OK || *drew || !is_due)
         return status;
-    *drew = true;
+    *drew = v->progressive.drew_part = true;
     return draw_part(v);
 }
 

@@ -31,6 +31,7 @@ struct view_progressive {
     double sample_seconds;        /* last duration, seconds; 0 if none */
     bool is_stopped;              /* by the user, until the view changes */
     bool is_partial;              /* a sample is drawn in part */
+    bool drew_part;               /* a part was drawn since input was last polled */
     double moved_at;              /* last interaction, seconds */
     double shown_at;              /* last displayed mean, seconds */
     bool skips_rest;              /* sample without delay after mouse release */

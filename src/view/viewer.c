@@ -372,6 +372,8 @@ static enum status run_frame(struct view *v)
 {
     bool ready;
     window_poll(&v->window);
+    view_frame_stats_poll(&v->frame_stats, v->progressive.drew_part);
+    v->progressive.drew_part = false;
     view_handle_input(v);
     view_compare_follow(v);
     const VkExtent2D size = window_size(&v->window);
