@@ -221,11 +221,13 @@ static void check_object_area(const struct frame_view *view, const struct global
 static void test_object_area_holds_the_box(void **state)
 {
     (void)state;
+    const struct settings settings = settings_default();
     const struct scene scene = { .box = { { { -0.5f, 0.2f, -0.3f } }, { { 0.7f, 1.0f, 0.4f } } } };
     for (int i = 0; i < 40; i++) {
         const float turn = 0.7f * (float)i;
         const struct frame_view view = {
             .scene = &scene,
+            .settings = &settings,
             .camera = { .eye = { { 3 * cosf(turn), 1 + sinf(3 * turn), 3 * sinf(turn) } },
                         .target = { { 0.3f * sinf(turn), 0.5f, 0 } },
                         .fov_deg = 30 + (float)(i % 7) * 10 },
@@ -246,9 +248,11 @@ static void test_object_area_holds_the_box(void **state)
 static void test_object_area_around_the_eye(void **state)
 {
     (void)state;
+    const struct settings settings = settings_default();
     const struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 1, 1 } } } };
     const struct frame_view view = {
         .scene = &scene,
+        .settings = &settings,
         .camera = { .target = { { 0, 0, -1 } }, .fov_deg = 45 },
         .width = 64,
         .height = 48,
