@@ -7,13 +7,15 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import DATA, PLAIN, USAGE, Case, long, main, unsanitized  # noqa: E402
 from desktop import wait_until  # noqa: E402
-from gltf_file import boxes  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
 from test_view import SIZE, TRIANGLES, WindowCase, png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
 
 WIDTH, HEIGHT = map(int, SIZE.split('x'))
 BRIGHT, DARK = b'\xff\xff\xff', b'\0\0\0'
 PAPER = ('--refraction', 'paper')
+AHEAD = ('--size', '480x400', '--samples', 1, '--eye', '0,0,9', '--target', '0,0,0')
+RIGHT_BOX = (300, 218)  # a point in the image of AHEAD
 TITLE = r'sphere, paper \| one-sided'
 
 
@@ -262,6 +264,42 @@ class FirstMinutes(PanelsCase):
         self.press_to_end(window, 'ctrl+q')
 
 
+class OpaqueFile(PanelsCase):
+    """The same on a file of opaque objects, one of which is selected first."""
+    do = FirstMinutes.do
+
+    @long
+    def test_what_it_takes(self):
+        wood = {'pbrMetallicRoughness': {'baseColorFactor': [0.5, 0.2, 0.1, 1]}}
+        (self.folder / 'a.gltf').write_text(boxes((wood, [-1.5, 0, 0], 1), (wood, [1.5, 0, 0], 1)))
+        window = self.start_with_panels(*AHEAD, scene='a.gltf', plain=PLAIN)
+        self.do('select', 1, [lambda: self.move(window, RIGHT_BOX)],
+                lambda: self.label('selected: box 1'))
+
+        def key(name):
+            return lambda: self.press(window, name)
+
+        def light():
+            self.desktop.do('keydown', 'ctrl')
+            self.move(window, self.BESIDE, (130, 200), (160, 210))
+            self.desktop.do('keyup', 'ctrl')
+        picture = self.at_rest(window)
+        self.do('turn it', 1, [lambda: self.move(window, self.BESIDE, (130, 210), (160, 220))],
+                lambda: self.desktop.pixels(window) != picture)
+        self.do('make it glass', 2, [lambda: self.choose(window, 'Kind', 'glass'),
+                                     lambda: self.click(window, 'glass')],
+                lambda: self.label('box 1=glass'))
+        self.do('undo', 1, [key('ctrl+z')], lambda: self.label('undo: box 1=glass'))
+        self.do('rotate the light', 1, [light],
+                lambda: self.label('panorama rotation ') or self.label('Sun azimuth '))
+        self.do('brighter', 1, [key('e')], lambda: self.label('Exposure '))
+        self.do('what is this pixel', 1, [key('i')], lambda: self.control('Layer'))
+        self.do('save a picture', 1, [key('F12')], lambda: 'firn-0001.png' in self.files())
+        self.do('which keys', 1, [key('F1')], lambda: 'Ctrl Shift Z' in self.printed())
+        self.press(window, 'F1')
+        self.press_to_end(window, 'ctrl+q')
+
+
 class Materials(PanelsCase):
     @long
     def test_an_opaque_model_becomes_glass(self):
@@ -279,6 +317,25 @@ class Materials(PanelsCase):
         self.assertEqual(png_pixels(self.folder / 'firn.png'), png_pixels(shown))
         self.wait_for_command(window, without='--material',
                               act=lambda: self.press(window, 'ctrl+z'))
+        self.close(window)
+
+
+    @long
+    def test_a_node_of_a_file_that_is_not_read_again(self):
+        """The copied command draws the same pixels from the file."""
+        model = self.folder / 'pair.gltf'
+        model.write_text(boxes((glass(), [-1.5, 0, 0], 1), (glass(), [1.5, 0, 0], 1)))
+        window = self.start_with_panels(*AHEAD, scene='pair.gltf', plain=PLAIN)
+        wait_until('a selection', lambda: self.label('selected: box 1'), self.words,
+                   act=lambda: self.move(window, RIGHT_BOX))
+        self.choose(window, 'Kind', 'crystal')
+        away = model.rename(self.folder / 'away.gltf')
+        command = self.wait_for_command(window, "--material 'box 1=diamond'",
+                                        act=lambda: self.click(window, 'diamond'))
+        away.rename(model)
+        shown = self.shoot(window, 1)
+        self.succeed(*shlex.split(command)[1:])
+        self.assertEqual(png_pixels(self.folder / 'firn.png'), png_pixels(shown))
         self.close(window)
 
 
