@@ -52,6 +52,7 @@ struct app_profile {
     const char *json, *csv, *trace; /* report files, or NULL */
     const char *baseline;           /* profile to compare with, or NULL */
     bool capture;
+    bool startup; /* time of each phase of a first image, instead of runs */
 };
 
 /* Options of firn profile and firn sheet. */

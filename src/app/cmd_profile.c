@@ -5,6 +5,7 @@
 #include <string.h>
 #include "src/app/app.h"
 #include "src/app/options/sweep_values.h"
+#include "src/app/profile_startup.h"
 #include "src/app/progress.h"
 #include "src/base/log.h"
 #include "src/base/shell_quote.h"
@@ -284,6 +285,16 @@ static enum status run(struct profile_job *job)
     return status == STATUS_OK && is_slower ? STATUS_FAILED : status;
 }
 
+/* Refuses options that only concern runs beside --startup. */
+static enum status check_startup(const struct app_options *o)
+{
+    const struct app_profile *p = &o->profile;
+    if (!p->startup || !(o->sweeps.count || p->csv || p->trace || p->baseline || p->capture))
+        return STATUS_OK;
+    log_error("--startup: not available with --sweep, --csv, --trace, --baseline or --capture");
+    return STATUS_USAGE;
+}
+
 enum status app_profile(const struct app_options *options)
 {
     struct profile_job *job = calloc(1, sizeof(*job));
@@ -291,7 +302,9 @@ enum status app_profile(const struct app_options *options)
         return log_out_of_memory(NULL);
     }
     job->o = *options;
-    enum status status = run(job);
+    enum status status = check_startup(options);
+    if (status == STATUS_OK)
+        status = options->profile.startup ? profile_startup(&job->o) : run(job);
     if (status == STATUS_OK && job->gpu.message_count)
         status = STATUS_FAILED; /* the validation layer has logged why */
     profile_sweep_finish(&job->sweep);

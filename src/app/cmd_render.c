@@ -19,6 +19,7 @@
 #include "src/file/image_receive.h"
 #include "src/file/ocio_view.h"
 #include "src/lib/image_session.h"
+#include "src/render/lavapipe_tuning.h"
 #include "src/scene/world_position.h"
 #include "src/setup/aov_to_png.h"
 #include "src/setup/image_output.h"
@@ -284,7 +285,7 @@ static bool is_small(const struct job *job)
 {
     const uint64_t pixels =
         (uint64_t)job->o.image.width * job->o.image.height * job->o.image.samples;
-    return pixels <= (1u << 17) / job->sequence.range.count;
+    return pixels <= LAVAPIPE_TUNING_START_SAMPLES / job->sequence.range.count;
 }
 
 /* Loads the view of --ocio, if any. */

@@ -1,6 +1,5 @@
 /* machine_posix.c: queries the machine by POSIX and, on Linux, by /proc. */
 #define _DEFAULT_SOURCE /* madvise() */
-#include <stdbool.h>
 #include <stdio.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -29,6 +28,18 @@ uint32_t machine_core_count(void)
 void machine_advise_pages(void *begin, size_t size, bool is_huge)
 {
     (void)madvise(begin, size, is_huge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+}
+
+static double ms_of(struct timeval time)
+{
+    return (double)time.tv_sec * 1e3 + (double)time.tv_usec * 1e-3;
+}
+
+double machine_cpu_ms(bool of_children)
+{
+    struct rusage usage = { 0 };
+    (void)getrusage(of_children ? RUSAGE_CHILDREN : RUSAGE_SELF, &usage); /* cannot fail */
+    return ms_of(usage.ru_utime) + ms_of(usage.ru_stime);
 }
 
 void machine_processor(char *text, size_t size)

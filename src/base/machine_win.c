@@ -34,6 +34,20 @@ void machine_advise_pages(void *begin, size_t size, bool is_huge)
     (void)is_huge;
 }
 
+/* Converts 100 ns units to milliseconds. */
+static double ms_of(FILETIME time)
+{
+    return (double)time.dwHighDateTime * 429496.7296 + (double)time.dwLowDateTime * 1e-4;
+}
+
+double machine_cpu_ms(bool of_children)
+{
+    FILETIME start, end, kernel, user;
+    if (of_children || !GetProcessTimes(GetCurrentProcess(), &start, &end, &kernel, &user))
+        return 0.0;
+    return ms_of(kernel) + ms_of(user);
+}
+
 void machine_processor(char *text, size_t size)
 {
     DWORD length = (DWORD)size;

@@ -8,6 +8,11 @@
 #include "graph/rg_exec.h"
 #include "src/gpu/gpu.h"
 
+enum {
+    /* number of samples, of all pixels and frames, up to which a process prefers a short start */
+    LAVAPIPE_TUNING_START_SAMPLES = 1 << 17,
+};
+
 /* Returns true if the device is the CPU. */
 bool lavapipe_tuning_is_cpu(const struct gpu *gpu);
 

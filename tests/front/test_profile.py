@@ -166,6 +166,32 @@ class Sweep(Profile):
                     names=('--trace',))
 
 
+class Startup(Profile):
+    def test_table_and_json(self):
+        done = self.succeed('profile', 'sphere', *SMALL, '--startup', '--json', 's.json')
+        found = self.read_json('s.json')
+        self.assertEqual((found['type'], found['scene'], found['rung'], found['width']),
+                         ('startup', 'sphere', 'paper', 64))
+        phases = {phase['name']: phase for phase in found['phases']}
+        rows = [line.split()[0] for line in done.stdout.decode().splitlines()[3:]]
+        self.assertEqual(rows, [*phases, 'start'])
+        for name in ('scene', 'device', 'pipelines', 'first_sample', 'next_sample'):
+            self.assertGreater(phases[name]['cpu'], 0, name)
+            self.assertGreater(phases[name]['wall'], 0, name)
+        self.assertIsNone(phases['photons']['cpu'])
+
+    def test_reader_and_bvh(self):
+        (self.folder / 'box.gltf').write_text(boxes((glass(), [0, 0, 0], 1)))
+        done = self.succeed('profile', 'box.gltf', *SMALL, '--startup', '-r', 'trace', '--json',
+                            '-', '--no-cache')
+        phases = {phase['name']: phase for phase in json.loads(done.stdout)['phases']}
+        self.assertGreater(phases['reader']['cpu'], 0)
+        self.assertGreater(phases['bvh']['wall'], 0)
+
+    def test_refused(self):
+        self.refuse(USAGE, 'profile', 'sphere', '--startup', '--csv', 'a.csv', names=('--startup',))
+
+
 class Refused(Profile):
     def test_words(self):
         for words, name in ((('--runs', '0'), '--runs'), (('--warmup', '-1'), '--warmup'),

@@ -167,6 +167,8 @@ static const struct option options[] = {
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
       "timer: timestamps, submits (each pass submitted alone) or auto (submits on CPU devices, "
       "else timestamps; default)" },
+    { "Runs", "startup", 0, NULL, APP_PROFILE, FLAG(profile.startup),
+      "measure the start-up of a first image by phases, instead of runs" },
     { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, SWEEP,
       "setting or option, and values to profile; repeatable: profiles all combinations" },
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),
