@@ -106,7 +106,7 @@ static enum status print_materials(void)
 static json_t *channels_of(const struct frame_layer *layer)
 {
     json_t *all = json_array();
-    for (size_t p = 0; p < 4 && layer->planes[p] && all; p++)
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer) && all; p++)
         all = json_text_append(all, json_string(layer->planes[p]));
     return all;
 }
@@ -116,8 +116,10 @@ static json_t *layers(void)
     json_t *all = json_array();
     const struct frame_layer *layer;
     for (size_t i = 0; (layer = techniques_layer(i)) && all; i++)
-        all = json_text_append(all, json_pack("{s:s, s:s, s:b, s:o}", "name", layer->name, "help",
-                                              layer->help, "reference_only", (int)!layer->image,
+        all = json_text_append(all, json_pack("{s:s, s:s, s:b, s:b, s:b, s:o}", "name", layer->name,
+                                              "help", layer->help, "reference_only",
+                                              !layer->image && !layer->is_traced, "traced_only",
+                                              layer->needs_bvh, "integer", layer->integer,
                                               "channels", channels_of(layer)));
     return all;
 }

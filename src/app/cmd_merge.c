@@ -6,6 +6,7 @@
 #include "src/base/log.h"
 #include "src/base/tile.h"
 #include "src/file/atomic_file.h"
+#include "src/file/cryptomatte.h"
 #include "src/file/exr.h"
 #include "src/file/image_receive.h"
 
@@ -103,8 +104,9 @@ static enum status check_same(const struct input *tile, const struct input *firs
     const struct image *a = &tile->head.image, *b = &first->head.image;
     bool same = a->plane_count == b->plane_count;
     for (uint32_t p = 0; p < b->plane_count && same; p++)
-        same =
-            !strcmp(a->planes[p].name, b->planes[p].name) && a->planes[p].half == b->planes[p].half;
+        same = !strcmp(a->planes[p].name, b->planes[p].name) &&
+               a->planes[p].half == b->planes[p].half &&
+               a->planes[p].integer == b->planes[p].integer;
     if (same && is_same_text(tile, first, "firn/version") &&
         is_same_text(tile, first, "firn/settings"))
         return STATUS_OK;
@@ -217,15 +219,44 @@ static enum status fill_rows(void *user, uint32_t y, struct image *rows)
     return status;
 }
 
+enum {
+    TEXT_COUNT_MAX = 5 + 2 * CRYPTOMATTE_TEXTS
+};
+
+/* Metadata of the merged image. */
+struct text_list {
+    struct image_text all[TEXT_COUNT_MAX];
+    uint32_t count;
+};
+
+/* Adds the metadata of a Cryptomatte if the image has one. Returns false when out of memory. */
+static bool add_matte(const struct job *job, const char *name, const char *names,
+                      struct cryptomatte_texts *matte, struct text_list *list)
+{
+    char plane[32];
+    const char *value = image_header_text(&job->first->head, names);
+    snprintf(plane, sizeof(plane), "%s00.R", name);
+    for (uint32_t p = 0; value && p < job->image.plane_count; p++) {
+        if (strcmp(job->image.planes[p].name, plane) != 0)
+            continue;
+        if (!cryptomatte_describe(matte, name, value))
+            return false;
+        for (size_t i = 0; i < CRYPTOMATTE_TEXTS; i++)
+            list->all[list->count++] = matte->all[i];
+    }
+    return true;
+}
+
 /* Writes the merged image, with the header of the tiles except for the tile number. */
 static enum status write_image(struct job *job, const char *path)
 {
     static const char *const names[] = { "firn/version", "firn/settings", "firn/device",
-                                         "firn/objects" };
+                                         "firn/objects", "firn/materials" };
     const struct image_header *first = &job->first->head;
-    struct image_text texts[sizeof(names) / sizeof(names[0])];
+    struct text_list texts = { 0 };
+    struct cryptomatte_texts mattes[2] = { 0 };
     struct exr_header header = {
-        .texts = texts,
+        .texts = texts.all,
         .world_to_camera = first->has_world_to_camera ? first->world_to_camera : NULL,
         .world_to_ndc = first->has_world_to_ndc ? first->world_to_ndc : NULL,
     };
@@ -234,11 +265,19 @@ static enum status write_image(struct job *job, const char *path)
     for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
         const char *value = image_header_text(first, names[i]);
         if (value)
-            texts[header.text_count++] = (struct image_text){ names[i], value };
+            texts.all[texts.count++] = (struct image_text){ names[i], value };
     }
-    enum status status = exr_encode_rows(&job->image, &header, fill_rows, job, &data, &size);
+    enum status status = STATUS_OK;
+    if (!add_matte(job, "CryptoObject", "firn/objects", &mattes[0], &texts) ||
+        !add_matte(job, "CryptoMaterial", "firn/materials", &mattes[1], &texts))
+        status = log_out_of_memory("names");
+    header.text_count = texts.count;
+    if (status == STATUS_OK)
+        status = exr_encode_rows(&job->image, &header, fill_rows, job, &data, &size);
     if (status == STATUS_OK)
         status = file_io_write(path, data, size);
+    cryptomatte_finish(&mattes[0]);
+    cryptomatte_finish(&mattes[1]);
     free(data);
     return status;
 }

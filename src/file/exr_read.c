@@ -201,6 +201,7 @@ static exr_result_t add_planes(struct exr_file *file, const exr_attr_chlist_t *c
             file->source.out_of_memory = true;
             return EXR_ERR_OUT_OF_MEMORY;
         }
+        file->rows.planes[c].integer = channel->pixel_type == EXR_PIXEL_UINT;
     }
     return EXR_ERR_SUCCESS;
 }
@@ -291,6 +292,8 @@ static bool fill_head(const struct exr_file *file, struct image_header *head)
     for (uint32_t p = 0; p < file->rows.plane_count && done; p++) {
         const struct image_plane *plane = &file->rows.planes[p];
         done = image_header_add_plane(head, plane->name, plane->half);
+        if (done)
+            head->image.planes[p].integer = plane->integer;
     }
     head->has_window = find_window(file, &head->window);
     find_boxes(file, head);

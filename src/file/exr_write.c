@@ -150,7 +150,9 @@ static exr_result_t declare_part(exr_context_t context, const struct image *imag
     for (uint32_t i = 0; i < image->plane_count && result == EXR_ERR_SUCCESS; i++) {
         const struct image_plane *plane = &image->planes[i];
         result = exr_add_channel(context, part, plane->name,
-                                 plane->half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                 plane->half      ? EXR_PIXEL_HALF
+                                 : plane->integer ? EXR_PIXEL_UINT
+                                                  : EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
     return result;
@@ -174,6 +176,18 @@ struct origin {
     enum status status; /* last result of `fill` */
 };
 
+/* Rounds the texels of an integer plane in place to 32-bit unsigned integers. NaN becomes 0. */
+static void make_integers(float *texels, size_t count)
+{
+    for (size_t t = 0; t < count; t++) {
+        const double rounded = (double)texels[t] + 0.5;
+        const uint32_t integer = !(rounded >= 1.0)               ? 0
+                                 : rounded >= (double)UINT32_MAX ? UINT32_MAX
+                                                                 : (uint32_t)rounded;
+        memcpy(&texels[t], &integer, sizeof(integer));
+    }
+}
+
 /* Gives the encoder pointers to the rows. Half planes are converted into `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *rows,
                          uint16_t *halves)
@@ -190,6 +204,8 @@ static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *ro
             channel->user_pixel_stride = sizeof(*halves);
             halves += count;
         } else {
+            if (plane->integer)
+                make_integers(plane->texels, count);
             channel->encode_from_ptr = (const uint8_t *)plane->texels;
             channel->user_pixel_stride = sizeof(*plane->texels);
         }

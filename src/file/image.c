@@ -13,8 +13,11 @@ bool image_init_like(struct image *image, const struct image *like, uint32_t hei
 {
     bool done = true;
     image_init(image, like->width, height);
-    for (uint32_t p = 0; p < like->plane_count && done; p++)
+    for (uint32_t p = 0; p < like->plane_count && done; p++) {
         done = image_add_plane(image, like->planes[p].name, like->planes[p].half);
+        if (done)
+            image->planes[p].integer = like->planes[p].integer;
+    }
     return done;
 }
 
@@ -119,7 +122,7 @@ static bool has_plane(const struct image *image, const struct image_plane *wante
     for (uint32_t i = 0; i < image->plane_count; i++) {
         const struct image_plane *plane = &image->planes[i];
         if (strcmp(plane->name, wanted->name) == 0)
-            return plane->half == wanted->half;
+            return plane->half == wanted->half && plane->integer == wanted->integer;
     }
     return false;
 }

@@ -26,6 +26,7 @@ enum {
 struct image_plane {
     char name[IMAGE_NAME_SIZE]; /* EXR channel name: "R", "N.X", "fresnel.Z" */
     bool half;                  /* stored as half in files */
+    bool integer;               /* stored as 32-bit unsigned integers in files */
     float *texels;              /* width * height floats */
 };
 

@@ -52,10 +52,11 @@ static enum pipe_fault read_planes(const struct pipe_source *source, uint32_t co
         if (fault != PIPE_OK)
             return fault;
         if (!memchr(plane.name, '\0', sizeof(plane.name)) || !pipe_is_bool(&plane.half) ||
-            has_plane(&head->image, plane.name))
+            !pipe_is_bool(&plane.integer) || has_plane(&head->image, plane.name))
             return PIPE_TEXT;
         if (!image_header_add_plane(head, plane.name, plane.half))
             return PIPE_MEMORY;
+        head->image.planes[p].integer = plane.integer;
     }
     return PIPE_OK;
 }

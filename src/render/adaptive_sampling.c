@@ -183,7 +183,7 @@ uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y)
 void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
                       const struct frame_layer *layer)
 {
-    for (uint32_t p = 0; p < 4 && layer->planes[p] && layer->mean; p++) {
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer) && layer->mean; p++) {
         float *plane = image_find(image, layer->planes[p]);
         for (size_t i = 0; plane && i < (size_t)adaptive->width * adaptive->height; i++) {
             const uint32_t count = adaptive_count(adaptive, (uint32_t)(i % adaptive->width),

@@ -5,14 +5,6 @@
 #include <string.h>
 #include "src/file/half_float.h"
 
-static uint32_t plane_count(const struct frame_layer *layer)
-{
-    uint32_t count = 0;
-    while (count < 4 && layer->planes[count])
-        count++;
-    return count;
-}
-
 static uint32_t channel_count(VkFormat format)
 {
     return format == VK_FORMAT_R32_SFLOAT ? 1 : 4;
@@ -25,9 +17,10 @@ static bool is_half(VkFormat format)
 
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
 {
-    for (uint32_t p = 0; p < plane_count(layer); p++) {
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer); p++) {
         if (!image_add_plane(image, layer->planes[p], layer->half))
             return false;
+        image->planes[image->plane_count - 1].integer = layer->integer;
     }
     return true;
 }
@@ -56,7 +49,7 @@ void accumulate_sample(struct image *image, const struct tile *tile,
     assert(is_half(format) || size == channel_count(format) * sizeof(float));
     if (sample && !layer->mean)
         return;
-    for (uint32_t p = 0; p < plane_count(layer); p++) {
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer); p++) {
         float *plane = image_find(image, layer->planes[p]);
         for (uint32_t y = 0; y < tile->height; y++) {
             float *row = &plane[(size_t)(tile->y + y) * image->width + tile->x];
@@ -73,7 +66,7 @@ void accumulate_sample(struct image *image, const struct tile *tile,
 void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples)
 {
     size_t count = (size_t)image->width * image->height;
-    for (uint32_t p = 0; p < plane_count(layer) && layer->mean && samples > 1; p++) {
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer) && layer->mean && samples > 1; p++) {
         float *plane = image_find(image, layer->planes[p]);
         for (size_t i = 0; i < count; i++)
             plane[i] /= (float)samples;

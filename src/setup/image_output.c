@@ -10,6 +10,7 @@
 #include "src/base/text_stream.h"
 #include "src/base/tile.h"
 #include "src/file/atomic_file.h"
+#include "src/file/cryptomatte.h"
 #include "src/file/exr.h"
 #include "src/file/png.h"
 #include "src/lab/reference/reference.h"
@@ -24,7 +25,7 @@
 
 /* Maximum number of metadata texts. */
 enum {
-    TEXT_COUNT_MAX = 8
+    TEXT_COUNT_MAX = 9 + 2 * CRYPTOMATTE_TEXTS
 };
 
 /* Metadata texts of a file. --resume compares only the first compared_count texts. */
@@ -288,14 +289,15 @@ enum status output_check_tiles(const struct setup_image *p, const struct setup_o
 /* ---- existing files ---- */
 
 enum {
-    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1)
+    PLANE_COUNT_MAX = FRAME_LAYER_PLANES * (FRAME_LAYER_MAX + 1)
 };
 
 static void add_layer(struct image *image, const struct frame_layer *layer)
 {
-    for (size_t i = 0; i < 4 && layer->planes[i]; i++) {
+    for (uint32_t i = 0; i < frame_layer_plane_count(layer); i++) {
         struct image_plane *plane = &image->planes[image->plane_count++];
         plane->half = layer->half;
+        plane->integer = layer->integer;
         snprintf(plane->name, sizeof(plane->name), "%s", layer->planes[i]);
     }
 }
@@ -361,7 +363,7 @@ static void select_planes(struct image *image, const struct image *drawn,
     const bool leave_out = p->show && !(p->layers & layer_image_bit(p->show));
     for (uint32_t i = 0; i < drawn->plane_count; i++) {
         bool keep = true;
-        for (size_t n = 0; leave_out && n < 4 && p->show->planes[n]; n++)
+        for (uint32_t n = 0; leave_out && n < frame_layer_plane_count(p->show); n++)
             keep = keep && strcmp(drawn->planes[i].name, p->show->planes[n]) != 0;
         if (keep)
             image->planes[image->plane_count++] = drawn->planes[i];
@@ -393,19 +395,64 @@ static enum status encode_exr(const struct output *output, const struct render_r
     return exr_encode(&image, &header, data, size);
 }
 
+/* Names of the IDs in an image. */
+struct names {
+    char *objects, *materials;
+    struct cryptomatte_texts object_matte, material_matte;
+};
+
+static void add_matte(struct texts *texts, const struct cryptomatte_texts *matte)
+{
+    for (size_t i = 0; i < CRYPTOMATTE_TEXTS; i++)
+        add_text(texts, matte->all[i].name, matte->all[i].value);
+}
+
+/* Adds the names of the IDs in the image. The caller calls names_finish(). Returns false when out
+ * of memory. */
+static bool add_names(struct texts *texts, const struct scene *scene, const struct image *image,
+                      struct names *names)
+{
+    const bool has_object_matte = image_find(image, "CryptoObject00.R");
+    const bool has_material_matte = image_find(image, "CryptoMaterial00.R");
+    const bool has_objects = has_object_matte || image_find(image, "object.Z") ||
+                             image_find(image, "objects.0") ||
+                             image_find(image, "refracted.object.Z");
+    const bool has_materials = has_material_matte || image_find(image, "material.Z");
+    if (has_objects && (names->objects = object_names(scene)))
+        add_text(texts, "firn/objects", names->objects);
+    if (has_materials && (names->materials = material_names(scene)))
+        add_text(texts, "firn/materials", names->materials);
+    bool done = (names->objects || !has_objects) && (names->materials || !has_materials);
+    if (done && has_object_matte) {
+        done = cryptomatte_describe(&names->object_matte, "CryptoObject", names->objects);
+        add_matte(texts, &names->object_matte);
+    }
+    if (done && has_material_matte) {
+        done = cryptomatte_describe(&names->material_matte, "CryptoMaterial", names->materials);
+        add_matte(texts, &names->material_matte);
+    }
+    return done;
+}
+
+static void names_finish(struct names *names)
+{
+    free(names->objects);
+    free(names->materials);
+    cryptomatte_finish(&names->object_matte);
+    cryptomatte_finish(&names->material_matte);
+}
+
 enum status output_encode(const struct output *output, const char *path,
                           const struct render_result *result, const char *device, void **data,
                           size_t *size)
 {
     struct texts texts;
     const bool is_png = path_ends_in(path, ".png");
-    char *objects = NULL;
+    struct names names = { 0 };
     fill_texts(&texts, output, is_png, device);
-    if (!is_png && image_find(&result->image, "object.Z")) {
-        objects = object_names(output->scene);
-        if (!objects)
-            return log_out_of_memory("firn/objects");
-        add_text(&texts, "firn/objects", objects);
+    if (!is_png && !add_names(&texts, output->scene, &result->image, &names)) {
+        names_finish(&names);
+        return log_out_of_memory("names");
     }
     const struct png_image_source image = {
         .rgba = result->rgba,
@@ -418,6 +465,6 @@ enum status output_encode(const struct output *output, const char *path,
     };
     const enum status status =
         is_png ? png_encode(&image, data, size) : encode_exr(output, result, &texts, data, size);
-    free(objects);
+    names_finish(&names);
     return status;
 }

@@ -1,4 +1,4 @@
-/* object_id_names.c: lists the names of the object IDs in the layer `object`. */
+/* object_id_names.c: lists the names of the IDs in the layers `object` and `material`. */
 #include "src/setup/object_id_names.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,5 +27,16 @@ char *object_names(const struct scene *scene)
         print_line(out, first, "", "surroundings");
     for (uint32_t i = 0; i < model->surroundings_object_count; i++)
         print_line(out, first + 1 + i, model->surroundings_names[i], "object");
+    return text_stream_close(&stream, NULL);
+}
+
+char *material_names(const struct scene *scene)
+{
+    struct text_stream stream;
+    FILE *out = text_stream_open(&stream);
+    if (!out)
+        return NULL;
+    for (uint32_t i = 0; i < scene->model.material_count; i++)
+        print_line(out, i + 1, scene->model.materials[i].name, "material");
     return text_stream_close(&stream, NULL);
 }

@@ -361,7 +361,8 @@ class Layers(Case):
         picture = Exr(self.render('a.exr', '--refraction', 'paper', '--aov', 'all'))
         layers = json.loads(self.succeed('list', 'layers', '--json').stdout)['layers']
         want = {**dict.fromkeys('RGBA', 'half'),
-                **{channel: 'float' for layer in layers if not layer['reference_only']
+                **{channel: 'uint' if layer['integer'] else 'float' for layer in layers
+                   if not layer['reference_only'] and not layer['traced_only']
                    for channel in layer['channels']}}
         self.assertEqual(picture.channels, want)
         self.assertEqual(list(picture.channels), sorted(want))

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/file/atomic_file.h"
+#include "src/file/cryptomatte.h"
 #include "src/file/exr.h"
 #include "tests/support/assertions.h"
 
@@ -213,6 +214,46 @@ static void test_special_values(void **state)
     free(bytes.data);
     image_finish(&image);
     image_finish(&back);
+}
+
+/* Integer planes are stored as rounded 32-bit unsigned integers. */
+static void test_integers(void **state)
+{
+    static const float values[] = { 0.0f, 0.6f, 7.0f, 16777216.0f, 5e9f, -3.0f, NAN };
+    static const float stored[] = { 0.0f, 1.0f, 7.0f, 16777216.0f, 4294967296.0f, 0.0f, 0.0f };
+    struct image image = { 0 }, back = { 0 };
+    (void)state;
+    image_init(&image, 7, 1);
+    memcpy(image_add_plane(&image, "a", false), values, sizeof(values));
+    memcpy(image_add_plane(&image, "b", false), values, sizeof(values));
+    image.planes[0].integer = true;
+    const struct bytes bytes = encode(&image, &plain_header);
+    assert_int_equal(read_bytes(bytes.data, bytes.size, &back), STATUS_OK);
+    assert_true(back.planes[0].integer && !back.planes[1].integer);
+    for (size_t i = 0; i < 7; i++) {
+        assert_int_equal(bits_of(back.planes[0].texels[i]), bits_of(stored[i]));
+        assert_int_equal(bits_of(image.planes[0].texels[i]), bits_of(values[i]));
+    }
+    free(bytes.data);
+    image_finish(&image);
+    image_finish(&back);
+}
+
+/* Hashes of the reference implementation of MurmurHash3, and IDs whose exponent is changed. */
+static void test_cryptomatte(void **state)
+{
+    struct cryptomatte_texts texts = { 0 };
+    (void)state;
+    assert_int_equal(cryptomatte_hash(""), 0);
+    assert_int_equal(cryptomatte_hash("hello"), 0x248bfa47);
+    assert_int_equal(cryptomatte_hash("hello, world"), 0x149bbb7f);
+    assert_int_equal(cryptomatte_hash("The quick brown fox jumps over the lazy dog"), 0x2e4ff723);
+    assert_int_equal(bits_of(cryptomatte_id("hello")), 0x248bfa47);
+    assert_int_equal(bits_of(cryptomatte_id("")), 0x00800000);
+    assert_true(cryptomatte_describe(&texts, "hello", "1 hello\n2 hello, world\n"));
+    assert_string_equal(texts.all[0].name, "cryptomatte/248bfa4/name");
+    assert_string_equal(texts.manifest, "{\"hello\":\"248bfa47\",\"hello, world\":\"149bbb7f\"}");
+    cryptomatte_finish(&texts);
 }
 
 /* Some of these chunks pack to just as many bytes as they hold: a trap in the library. */
@@ -587,6 +628,8 @@ int main(void)
         cmocka_unit_test(test_round_trips),
         cmocka_unit_test(test_long_names),
         cmocka_unit_test(test_special_values),
+        cmocka_unit_test(test_integers),
+        cmocka_unit_test(test_cryptomatte),
         cmocka_unit_test(test_packed_as_long_as_unpacked),
         cmocka_unit_test(test_incompressible),
         cmocka_unit_test(test_header),

@@ -182,6 +182,7 @@ static const struct frame_layer layers[] = {
         .name = "object",
         .image = &first_surface_object,
         .planes = { "object.Z" },
+        .integer = true,
         .shown = FRAME_SHOWN_AMOUNT,
         .help = "number of the first visible surface's object (names: firn/objects), 0 if there is "
                 "none",

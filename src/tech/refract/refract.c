@@ -476,6 +476,8 @@ static const struct frame_layer layers[] = {
         .name = "object.last",
         .image = &refract_last_object,
         .planes = { "object.last.Z" },
+        .needs_bvh = true,
+        .integer = true,
         .shown = FRAME_SHOWN_AMOUNT,
         .help = "number of the object that the refracted path hits last (models trace, reference); "
                 "0 if there is none",
