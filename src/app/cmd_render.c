@@ -136,6 +136,7 @@ static bool add_planes_of(const struct image *tile, struct image *image, const s
     for (uint32_t p = 0; p < tile->plane_count; p++) {
         if (!image_add_plane(image, tile->planes[p].name, tile->planes[p].half))
             return false;
+        image->planes[p].integer = tile->planes[p].integer;
     }
     return true;
 }
@@ -187,7 +188,7 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
         struct render_result tile = { 0 };
         tile_shot.tile = i;
         job->tile_done = i;
-        status = renderer_render(job->session.renderer, &tile_shot, &tile, show_progress, job);
+        status = image_session_draw(&job->session, &tile_shot, &tile, show_progress, job);
         if (status == STATUS_OK && i == 0 && !assemble_image(job, &tile, image))
             status = log_out_of_memory(NULL);
         if (status == STATUS_OK)
@@ -232,6 +233,8 @@ static enum status trace_image(struct job *job, struct frame *frame)
     output->samples = session.outcome.samples;
     output->noise = session.outcome.noise;
     frame->outcome = session.outcome;
+    if (status == STATUS_OK)
+        status = image_session_trace_layers(&job->session, &output->shot, &frame->result);
     return status == STATUS_OK ? output_describe(output) : status;
 }
 

@@ -1,10 +1,13 @@
 /* image_session.c: camera, exposure, pose and renderer of the images of a scene. */
 #include "src/lib/image_session.h"
+#include <stdlib.h>
 #include "src/base/log.h"
 #include "src/base/thread.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/render/lavapipe_tuning.h"
 #include "src/render/make_frame_request.h"
+#include "src/setup/aov_to_png.h"
+#include "src/setup/object_id_names.h"
 #include "src/setup/previous_pose.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 
@@ -14,6 +17,34 @@ struct filling {
     const char *missing;   /* result of setup_fill_scene() */
 };
 
+bool image_session_has_layer(const struct technique *refraction, const struct frame_layer *layer)
+{
+    if (layer->is_traced)
+        return reference_is_built();
+    if (refraction == &cpu_reference_settings)
+        return reference_has_layer(layer);
+    return layer->image && (!layer->needs_bvh || refraction->refraction.traces_bvh);
+}
+
+/* Refuses layers that the refraction model lacks; with --aov all, removes them. */
+static enum status check_layers(struct image_session *s)
+{
+    const uint64_t layers = s->image->layers | layer_image_bit(s->image->show);
+    for (uint32_t i = 0; techniques_layer(i); i++) {
+        const struct frame_layer *layer = techniques_layer(i);
+        const uint64_t bit = UINT64_C(1) << i;
+        if (!(layers & bit) || image_session_has_layer(s->image->refraction, layer))
+            continue;
+        if (!s->image->all_layers) {
+            log_error("layer '%s' is not available with refraction model %s (firn list layers)",
+                      layer->name, s->image->refraction->refraction.name);
+            return STATUS_USAGE;
+        }
+        s->image->layers &= ~bit;
+    }
+    return STATUS_OK;
+}
+
 enum status image_session_choose(struct image_session *s)
 {
     enum status status = setup_camera(&s->camera, &s->scene->scene, s->image);
@@ -21,7 +52,7 @@ enum status image_session_choose(struct image_session *s)
         status = setup_choose_exposure(s->image, &s->scene->scene, &s->camera);
     if (status == STATUS_OK)
         setup_choose_refraction(s->image, &s->scene->scene, &s->camera);
-    return status;
+    return status == STATUS_OK ? check_layers(s) : status;
 }
 
 enum status image_session_pose(struct image_session *s, struct renderer_shot *shot,
@@ -128,7 +159,7 @@ static struct renderer_params params_for(struct image_session *s, const struct c
 {
     struct renderer_params params = setup_renderer_params(s->image, s->gpu, &s->scene->scene);
     params.samples = s->image->samples;
-    params.layers = s->layers;
+    params.layers = s->layers & ~ray_layer_tracer_mask(s->layers);
     params.linear = s->linear;
     params.display = s->display;
     params.resolved = s->resolved;
@@ -167,6 +198,8 @@ enum status image_session_open(struct image_session *s, const struct camera *cam
     const struct renderer_params params = params_for(s, camera);
     if (fits(s, &params))
         return STATUS_OK;
+    ray_layer_tracer_destroy(s->ray_layers);
+    s->ray_layers = NULL;
     enum status status = change(s, &params);
     if (status == STATUS_OK && !s->renderer)
         status = create(s, &params);
@@ -181,8 +214,38 @@ enum status image_session_draw(struct image_session *s, const struct renderer_sh
                                struct render_result *result, renderer_progress_fn *progress,
                                void *user)
 {
-    return s->reference ? reference_render(s->reference, shot, result, progress, user)
-                        : renderer_render(s->renderer, shot, result, progress, user);
+    const enum status status = s->reference
+                                   ? reference_render(s->reference, shot, result, progress, user)
+                                   : renderer_render(s->renderer, shot, result, progress, user);
+    return status == STATUS_OK ? image_session_trace_layers(s, shot, result) : status;
+}
+
+static enum status create_tracer(struct image_session *s, const struct camera *camera)
+{
+    struct renderer_params params = params_for(s, camera);
+    char *objects = object_names(&s->scene->scene), *materials = material_names(&s->scene->scene);
+    params.layers = s->layers;
+    const enum status status =
+        objects && materials ? ray_layer_tracer_create(&s->ray_layers, &params, objects, materials)
+                             : log_out_of_memory("names");
+    free(objects);
+    free(materials);
+    return status;
+}
+
+enum status image_session_trace_layers(struct image_session *s, const struct renderer_shot *shot,
+                                       struct render_result *result)
+{
+    enum status status = STATUS_OK;
+    if (!ray_layer_tracer_mask(s->layers))
+        return STATUS_OK;
+    if (!s->ray_layers)
+        status = create_tracer(s, &shot->camera);
+    if (status == STATUS_OK)
+        status = ray_layer_tracer_draw(s->ray_layers, shot, &result->image);
+    if (status != STATUS_OK)
+        render_result_finish(result);
+    return status;
 }
 
 const char *image_session_device(const struct image_session *s)
@@ -194,6 +257,8 @@ void image_session_close(struct image_session *s)
 {
     renderer_destroy(s->renderer);
     reference_destroy(s->reference);
+    ray_layer_tracer_destroy(s->ray_layers);
     s->renderer = NULL;
     s->reference = NULL;
+    s->ray_layers = NULL;
 }

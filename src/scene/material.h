@@ -11,6 +11,7 @@ enum {
 };
 
 #define MATERIAL_SCATTERING_MAX 1000.0f
+#define MATERIAL_CLASS_MAX      65535
 
 /* Bits of material.flags. */
 enum {
@@ -63,6 +64,7 @@ struct material {
     float
         /* scattering optical depth across the object at maximum density; 0 if clear */
         scattering_optical_depth;
+    uint32_t class_id;        /* number of layer `class`: extras.class of the file, or 0 */
     int32_t priority;         /* medium priority; the highest fills the space where media overlap */
     float metallic;           /* metallic factor, 0 to 1; glTF's default is 1 */
     float alpha;              /* 0 to 1 */

@@ -30,7 +30,8 @@ class Layers(Case):
     a pane of alpha 0.4, each before a blue box; below a pane of alpha 0.6."""
     def setUp(self):
         super().setUp()
-        text = boxes((glass(), [0, 0, 0], 0.5), (matt('blue', *BLUE, 1), [-2, 0, -2], 0.5),
+        blue = matt('blue', *BLUE, 1, extras={'class': 7})
+        text = boxes((glass(), [0, 0, 0], 0.5), (blue, [-2, 0, -2], 0.5),
                      (matt('hole', 1, 0, 0, 0.3, alphaMode='MASK'), [-2, 0, 0], 0.5),
                      (matt('far', *BLUE, 1), [2, 0, -2], 0.5),
                      (matt('thin', 1, 0, 0, 0.4, alphaMode='BLEND'), [2, 0, 0], 0.5),
@@ -87,6 +88,44 @@ class Layers(Case):
             x, y, _, w = transform(ndc, *point, 1)
             self.assertAlmostEqual(32 + 32 * x / w, i % 64 + 0.5, delta=1e-3)
             self.assertAlmostEqual(24 + 24 * y / w, i // 64 + 0.5, delta=1e-3)
+
+    def test_traced_layers(self):
+        """Ordered surfaces, numbers, and the end of the refracted path: equal for all models, any
+        number of samples, and in tiles. Holes and thin panes are no surfaces."""
+        names = [f'{n}.{k}' for n in ('depths', 'objects') for k in range(3)]
+        names += [f'{n}.Z' for n in ('material', 'class', 'boundary', 'refracted.object')]
+        names += ['refracted.Z', 'transmittance.G', 'flow.refract.X']
+        found = []
+        for words in (*(('-r', rung) for rung in RUNGS[::-1]), ('--samples', '3'),
+                      ('--tiles', '3x2'), ('--tiles', '4x2', '--interleaved')):
+            self.succeed('render', 'a.gltf', *BARE, *words, '-o', 'a.exr', '--aov',
+                         'depths,objects,material,class,boundary,refracted.object,refracted.Z,'
+                         'transmittance,flow.refract')
+            exr = Exr((self.folder / 'a.exr').read_bytes())
+            self.assertEqual({exr.channels[name] for name in names[3:10]}, {'uint'})
+            self.assertEqual({exr.channels[name] for name in names[:3] + names[10:]}, {'float'})
+            found.append({name: ['NaN' if math.isnan(value) else value for value in values]
+                          for name, values in exr.read_planes(names).items()})
+            for name in names:
+                self.assertTrue(found[-1][name] == found[0][name], (name, words))
+        materials, objects = (dict(line.split(' ', 1)[::-1] for line in exr.text(name).splitlines())
+                              for name in ('firn/materials', 'firn/objects'))
+        far, none, clear = 1e10, 0, (1 - 0.04) ** 2
+        for x, y, depths, name, material, kind, edge, end, z, passed in (
+                (0.1, 0.1, (8.5, 9.5, far), 'box 0', 'material', 0, 0, none, far, clear),
+                (0.4, 0.1, (8.5, 9.5, far), 'box 0', 'material', 0, 1, none, far, clear),
+                (-1.9, 0.1, (10.5, 11.5, far), 'box 1', 'blue', 7, 0, 'box 1', 10.5, 1),
+                (2.1, 0.1, (10.5, 11.5, far), 'box 3', 'far', 0, 0, 'box 3', 10.5, 0.36),
+                (0.1, -1.9, (8.5, 9.5, far), 'box 5', 'thick', 0, 0, 'box 5', 8.5, 1)):
+            at = int(24 - 8 * y) * 64 + int(32 + 8 * x)
+            number = int(objects[name])
+            wanted = [*depths, number, number, 0, int(materials[material]), kind, edge,
+                      int(objects[end]) if end else 0, z, passed, 0 if end else 'NaN']
+            for channel, value in zip(names, wanted):
+                self.assertAlmostEqual(found[0][channel][at], value, delta=0.001,
+                                       msg=f'{channel} at {x}, {y}')
+        self.refuse(2, 'render', 'a.gltf', *BARE, '-r', 'bounce', '--aov', 'object.last',
+                       names=['object.last', 'bounce'])
 
     @unsanitized
     def test_last_objects(self):

@@ -21,11 +21,11 @@ static const struct renderer_shot shot = {
     .camera = { .eye = { { 0.5F, 0.7F, 3 } }, .fov_deg = 45 },
 };
 
-static uint32_t traced_layers(void)
+static uint64_t traced_layers(void)
 {
-    uint32_t layers = 0;
+    uint64_t layers = 0;
     for (uint32_t i = 0; techniques_layer(i); i++)
-        layers |= reference_has_layer(techniques_layer(i)) ? 1u << i : 0;
+        layers |= reference_has_layer(techniques_layer(i)) ? UINT64_C(1) << i : 0;
     return layers;
 }
 
@@ -262,7 +262,7 @@ static void test_layers(void **state)
     uint32_t planes = 4;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        for (uint32_t p = 0; p < 4 && layer->planes[p]; p++) {
+        for (uint32_t p = 0; p < frame_layer_plane_count(layer); p++) {
             const float *texels = image_find(&result.image, layer->planes[p]);
             assert_true(!texels == !reference_has_layer(layer));
             planes += texels != NULL;

@@ -16,14 +16,14 @@
 #include "src/base/shell_quote.h"
 #include "src/base/suggest.h"
 #include "src/lab/metric/flip_filter.h"
-#include "src/lab/reference/reference.h"
-#include "src/lab/reference/reference_aov_table.h"
+#include "src/lib/image_session.h"
 
 #include "src/setup/aov_to_png.h"
 #include "src/setup/apply_preset.h"
 #include "src/tech/refract/cpu_reference_settings.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
+#include "src/tech/trace/refract_trace.h"
 
 /* ---- the table ---- */
 
@@ -422,9 +422,9 @@ static enum status check_layers(struct setup_image *image)
     uint64_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        const bool is_made = image->refraction == &cpu_reference_settings
-                                 ? reference_has_layer(layer)
-                                 : layer->image != NULL;
+        const bool is_made = image_session_has_layer(image->refraction, layer) ||
+                             (!image->is_refraction_named && /* it may become trace */
+                              image_session_has_layer(&refract_trace, layer));
         const bool is_shown = image->show == layer;
         made |= is_made ? UINT64_C(1) << i : 0;
         if (is_made || !(image->layers & UINT64_C(1) << i || is_shown))

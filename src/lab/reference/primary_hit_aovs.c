@@ -51,7 +51,8 @@ static vec3s previous_point(const struct primary_hit_layers *first,
     return point;
 }
 
-static vec2s motion_of(const struct primary_hit_layers *first, const struct embree_scene_hit *hit)
+vec2s primary_hit_layers_motion(const struct primary_hit_layers *first,
+                                const struct embree_scene_hit *hit)
 {
     const struct first_surface_previous *e = first->earlier;
     const struct globals *g = first->radiance->globals;
@@ -98,5 +99,5 @@ void primary_hit_layers_fill(const struct primary_hit_layers *first,
     values->object = primary_hit_layers_object(first, &hit);
     values->last = values->object;
     if (first->earlier)
-        values->motion = motion_of(first, &hit);
+        values->motion = primary_hit_layers_motion(first, &hit);
 }

@@ -23,4 +23,8 @@ void primary_hit_layers_fill(const struct primary_hit_layers *first,
 float primary_hit_layers_object(const struct primary_hit_layers *first,
                                 const struct embree_scene_hit *hit);
 
+/* Returns the motion of a surface point since the previous frame, in pixels right and down. */
+vec2s primary_hit_layers_motion(const struct primary_hit_layers *first,
+                                const struct embree_scene_hit *hit);
+
 #endif

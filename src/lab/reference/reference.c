@@ -11,31 +11,22 @@
 #include "src/base/log.h"
 #include "src/base/machine.h"
 #include "src/base/parallel.h"
-#include "src/lab/reference/camera_rays.h"
 #include "src/lab/reference/photons.h"
-#include "src/lab/reference/pool_scene.h"
 #include "src/lab/reference/reference_aov_table.h"
 #include "src/lab/reference/reference_sample_sums.h"
+#include "src/lab/reference/traced_scene.h"
 #include "src/lab/reference/whitted.h"
-#include "src/render/frame/frame_uniforms.h"
 #include "src/render/sample_accumulation.h"
 #include "src/render/weighted_mean.h"
-#include "src/scene/environment/image_based_lighting.h"
-#include "src/settings/scene_settings.h"
 #include "src/tech/lighting/ice_caustics.h"
-#include "src/tech/output/first_surface.h"
 #include "src/tech/output/tonemap.h"
 #include "src/tech/water/caustics.h"
 
 enum {
     TILE = 16, /* tile side in pixels */
-    PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
-    ROUND_MAX = 16,     /* samples per pixel and round */
-    EXPECTED_STEP = 16, /* stride of environment map texels in expected_radiance */
+    PLANE_COUNT_MAX = FRAME_LAYER_PLANES * (FRAME_LAYER_MAX + 1),
+    ROUND_MAX = 16, /* samples per pixel and round */
 };
-
-#define EXPECTED_MAX \
-    4.0f /* upper limit of expected_radiance, so that the sun does not dominate it */
 
 struct reference {
     struct reference_request request;
@@ -67,16 +58,8 @@ struct tally {
 /* An image in progress, shared by the threads. */
 struct job {
     const struct reference *reference;
-    struct radiance radiance;
-    struct globals globals;
-    struct camera_rays camera_rays;
-    struct first_surface_previous earlier;
-    struct embree_scene embree_scene;
-    struct nested_media media;
-    struct inclusions inclusions;
-    struct tracer tracing;
+    struct traced_scene traced;
     struct photons photons;
-    struct pool_scene pool_scene;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     struct display display;
@@ -104,16 +87,10 @@ enum status reference_create(struct reference **reference, const struct referenc
     r->request = *request;
     r->request.samples = request->samples ? request->samples : 1;
     r->request.threads = request->threads ? request->threads : machine_core_count();
-    r->device = rtcNewDevice(NULL);
-    if (!r->device) {
-        const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;
-        log_error(
-            "--refraction reference: %s",
-            is_old
-                ? "expected a CPU with SSE4.2, which Embree needs; choose another refraction model"
-                : "out of memory");
+    const enum status status = traced_scene_open_device(&r->device);
+    if (status != STATUS_OK) {
         free(r);
-        return is_old ? STATUS_NO_DEVICE : STATUS_TRY_AGAIN;
+        return status;
     }
     snprintf(r->device_name, sizeof(r->device_name), "Embree %d.%d.%d",
              (int)rtcGetDeviceProperty(r->device, RTC_DEVICE_PROPERTY_VERSION_MAJOR),
@@ -183,13 +160,13 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
     double scratch[REFERENCE_VALUE_COUNT] = { 0 };
     double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : scratch;
     for (uint32_t s = job->begin; s < job->end; s++) {
-        const struct embree_scene_ray ray = camera_rays_at(&job->camera_rays, x, y, s);
-        struct tracer tracing = job->tracing;
+        const struct embree_scene_ray ray = camera_rays_at(&job->traced.camera_rays, x, y, s);
+        struct tracer tracing = job->traced.tracing;
         tracing.sample = s;
-        if (job->camera_rays.is_orthographic)
+        if (job->traced.camera_rays.is_orthographic)
             whitted_find_enclosing(&tracing, ray.origin, &tracing.camera_inside);
         const struct reference_ray_values seen =
-            whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
+            whitted_trace(&tracing, &ray, job->traced.globals.forward, microfacet_hash(x, y));
         reference_sums_add(&job->sums, sums, &seen);
         if (s == 0)
             write_first(job, pixel, &seen);
@@ -315,7 +292,7 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
 {
     if (!accumulate_add_planes(image, layer))
         return false;
-    for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer); p++) {
         const size_t value_index = reference_layers_find(layer->planes[p]);
         const bool is_sum = layer->mean && value_index < REFERENCE_RAY_VALUE_COUNT;
         job->planes[job->plane_count++] = (struct plane){
@@ -379,44 +356,6 @@ static bool add_layers(struct job *job, struct render_result *result)
     return done && job->tallies && (!has_rounds(job) || reference_sums_allocate(&job->sums));
 }
 
-static uint64_t memory_limit(const struct reference_request *request)
-{
-    const uint64_t limit = machine_memory_limit();
-    if (request->memory)
-        return request->memory;
-    uint64_t memory = machine_memory();
-    if (!memory)
-        memory = UINT64_MAX;
-    return limit && limit < memory ? limit : memory;
-}
-
-static struct tracer tracing_of(const struct job *job)
-{
-    const struct reference_params *params =
-        settings_of(job->reference->request.settings, &reference_settings);
-    struct tracer tracing = {
-        .embree_scene = &job->embree_scene,
-        .radiance = &job->radiance,
-        .media = &job->media,
-        .inclusions = &job->inclusions,
-        .pool_scene = job->reference->request.scene->has_pool ? &job->pool_scene : NULL,
-        .earlier = &job->earlier,
-        .has_layers = job->reference->request.layers != 0,
-        .expected_radiance = glms_vec3_minv(radiance_mean(&job->radiance, EXPECTED_STEP),
-                                            glms_vec3_fill(EXPECTED_MAX)),
-        .guide = image_based_lighting_dominant_cone(&job->radiance.scene->background.environment,
-                                                    job->radiance.scene->background.prefiltered),
-        .params = *params,
-    };
-    for (uint32_t i = 0; i < job->radiance.scene->inclusions.media.count; i++) {
-        const struct volume_scattering volume_scattering =
-            volume_scattering_of(&job->radiance, job->reference->request.settings, i);
-        if (volume_scattering.majorant > 0.0f)
-            tracing.scattering_media[tracing.scattering_media_count++] = volume_scattering;
-    }
-    return tracing;
-}
-
 /* Reports that no tile is done while the photon map is built. */
 static bool report_photons(void *user, uint32_t done)
 {
@@ -433,7 +372,7 @@ static enum status trace_photons(struct job *job)
     const struct caustics_params *pool = settings_of(settings, &caustics_settings);
     const bool has_pool = job->reference->request.scene->has_pool;
     const struct photons_params params = {
-        .count = job->tracing.params.photons,
+        .count = job->traced.tracing.params.photons,
         .sun_deg = pool->sun,
         .has_shadow = light->shadow || has_pool,
         .threads = job->reference->request.threads,
@@ -441,73 +380,36 @@ static enum status trace_photons(struct job *job)
         .user = job,
     };
     if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
-        !(glms_vec3_max(job->globals.sun_light) > 0.0f))
+        !(glms_vec3_max(job->traced.globals.sun_light) > 0.0f))
         return STATUS_OK;
-    const enum status status = photons_init(&job->photons, &job->tracing, &params);
-    job->tracing.photons = status == STATUS_OK ? &job->photons : NULL;
+    const enum status status = photons_init(&job->photons, &job->traced.tracing, &params);
+    job->traced.tracing.photons = status == STATUS_OK ? &job->photons : NULL;
     return status;
-}
-
-/* Replaces a pool in the scene by triangle meshes. Returns false when out of memory. */
-static bool build_pool(struct job *job, struct frame_view *view)
-{
-    if (!view->scene->has_pool)
-        return true;
-    if (!pool_scene_init(&job->pool_scene, view->scene, view->settings, &job->globals))
-        return false;
-    view->scene = &job->pool_scene.scene;
-    job->globals = frame_view_globals(view, &job->camera_rays.push);
-    job->globals.world_from_object = glms_mat4_identity(); /* the ice is in world space */
-    return true;
-}
-
-/* Initialises camera, media and lighting. Returns false when out of memory. */
-static bool prepare(struct job *job, const struct renderer_shot *shot)
-{
-    const struct reference_request *request = &job->reference->request;
-    struct frame_view view = {
-        .scene = request->scene,
-        .settings = request->settings,
-        .camera = shot->camera,
-        .time = shot->time,
-        .width = request->width,
-        .height = request->height,
-    };
-    job->camera_rays = camera_rays_of(&view, request->filter);
-    job->globals = frame_view_globals(&view, &job->camera_rays.push);
-    view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
-    first_surface_write(&job->earlier, &view, &job->globals);
-    if (!build_pool(job, &view) || !nested_media_init(&job->media, view.scene, request->settings))
-        return false;
-    if (request->scene->has_pool)
-        pool_scene_set_media(&job->pool_scene, request->scene, request->settings, &job->media);
-    const struct ground_params *ground = settings_of(request->settings, &ground_settings);
-    job->radiance = radiance_of(view.scene, &job->globals);
-    job->radiance.is_traced = ground->light == GROUND_TRACED;
-    const struct ice_caustics_params *sun = settings_of(request->settings, &ice_caustics_settings);
-    const bool is_mapped = !request->scene->has_pool && ice_caustics.is_on(request->settings);
-    job->radiance.hides_sun = job->radiance.is_traced || (is_mapped && sun->ground);
-    job->inclusions = inclusions_of(&job->radiance, request->settings);
-    job->tracing = tracing_of(job);
-    return true;
 }
 
 static enum status trace(struct job *job, const struct renderer_shot *shot)
 {
-    if (!prepare(job, shot))
-        return log_out_of_memory("objects");
-    enum status status = embree_scene_init(&job->embree_scene, job->reference->device,
-                                           &job->radiance, memory_limit(&job->reference->request));
+    const struct reference_request *request = &job->reference->request;
+    const struct traced_scene_params params = {
+        .scene = request->scene,
+        .settings = request->settings,
+        .width = request->width,
+        .height = request->height,
+        .filter = request->filter,
+        .device = job->reference->device,
+        .memory = request->memory,
+    };
+    enum status status = traced_scene_init(&job->traced, &params, shot);
+    job->traced.tracing.has_layers = request->layers != 0;
     if (status == STATUS_OK)
         status = trace_photons(job);
     if (status == STATUS_OK) {
-        whitted_find_enclosing(&job->tracing, job->camera_rays.push.eye,
-                               &job->tracing.camera_inside);
+        whitted_find_enclosing(&job->traced.tracing, job->traced.camera_rays.push.eye,
+                               &job->traced.tracing.camera_inside);
         status = run_rounds(job);
     }
     photons_finish(&job->photons);
-    nested_media_finish(&job->media);
-    embree_scene_finish(&job->embree_scene);
+    traced_scene_finish(&job->traced);
     return status;
 }
 
@@ -558,7 +460,6 @@ enum status reference_continue(struct reference *r, const struct renderer_shot *
         status = log_out_of_memory(NULL);
     }
     if (job) {
-        pool_scene_finish(&job->pool_scene);
         reference_sums_finish(&job->sums);
         free(job->tallies);
     }

@@ -1,5 +1,7 @@
-/* reference_without_embree.c: stub of reference.c for builds without Embree; every call fails. */
+/* reference_without_embree.c: stubs of reference.c and ray_layer_tracer.c for builds without
+ * Embree; every call fails. */
 #include "src/base/log.h"
+#include "src/lab/reference/ray_layer_tracer.h"
 #include "src/lab/reference/reference.h"
 
 bool reference_is_built(void)
@@ -45,4 +47,35 @@ const char *reference_device(const struct reference *reference)
 void reference_destroy(struct reference *reference)
 {
     (void)reference;
+}
+
+uint64_t ray_layer_tracer_mask(uint64_t layers)
+{
+    (void)layers;
+    return 0;
+}
+
+enum status ray_layer_tracer_create(struct ray_layer_tracer **tracer,
+                                    const struct renderer_params *params, const char *objects,
+                                    const char *materials)
+{
+    (void)params;
+    (void)objects;
+    (void)materials;
+    *tracer = NULL;
+    return STATUS_NO_DEVICE;
+}
+
+enum status ray_layer_tracer_draw(struct ray_layer_tracer *tracer, const struct renderer_shot *shot,
+                                  struct image *image)
+{
+    (void)tracer;
+    (void)shot;
+    (void)image;
+    return STATUS_NO_DEVICE;
+}
+
+void ray_layer_tracer_destroy(struct ray_layer_tracer *tracer)
+{
+    (void)tracer;
 }

@@ -105,7 +105,7 @@ static bool is_material(const struct material *m)
     return IS_TEXT(m->name) && !(m->flags & ~(uint32_t)MATERIAL_FLAGS) &&
            is_color(m->base_color, m->flags & MATERIAL_IS_UNLIT) &&
            is_color(m->attenuation_color, false) && is_in_range(m->roughness, 0, 1) &&
-           is_in_range(m->transmission, 0, 1) &&
+           is_in_range(m->transmission, 0, 1) && m->class_id <= MATERIAL_CLASS_MAX &&
            is_in_range(m->thickness, 0, MODEL_COORDINATE_MAX) && is_in_range(m->ior, 1, 4) &&
            is_in_range(m->dispersion, 0, 10) &&
            is_in_range(m->scattering_optical_depth, 0, MATERIAL_SCATTERING_MAX) &&

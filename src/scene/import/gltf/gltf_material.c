@@ -109,6 +109,20 @@ static void read_priority(const struct gltf_object *object, struct material *m)
     }
 }
 
+/* Reads "extras": { "class": 3 }, the number in layer `class`. */
+static void read_class(const struct gltf_object *object, struct material *m)
+{
+    const json_t *number = json_object_get(json_object_get(object->json, "extras"), "class");
+    const json_int_t value = json_integer_value(number);
+    if (!number)
+        return;
+    if (json_is_integer(number) && value >= 0 && value <= MATERIAL_CLASS_MAX)
+        m->class_id = (uint32_t)value;
+    else
+        (void)gltf_fault(object, "extras.class: expected a whole number from 0 to %d",
+                         MATERIAL_CLASS_MAX);
+}
+
 /* Reads "extras": { "cloud": 6 }, the optical depth of scattering across the object. */
 static void read_scattering(const struct gltf_object *object, struct material *m)
 {
@@ -184,6 +198,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     if (material->material.transmission > 0 || material->mesh_flags & MESH_UNLIT)
         material->material.coat = 0;
     read_priority(&object, &material->material);
+    read_class(&object, &material->material);
     read_scattering(&object, &material->material);
     read_water_layer(&object, &material->material);
     vec3s color = material->material.base_color;
