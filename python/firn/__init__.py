@@ -13,7 +13,8 @@ space is right-handed with +Y up, in metres.
 """
 from . import dataset
 from .camera import Camera
-from .device import Device, Material, Objects, Renderer, Scene, SceneObject, layers, settings
+from .device import (Device, Material, Objects, Plan, Renderer, Scene, SceneObject, layers,
+                     settings)
 from .errors import (Cancelled, ClosedError, DataError, Error, InputError, NoDeviceError,
                      OutputError, TryAgainError, UsageError)
 from .frame import Frame, diff, write_exr
@@ -27,6 +28,6 @@ def version() -> str:
 
 __all__ = [
     'Camera', 'Cancelled', 'ClosedError', 'DataError', 'Device', 'Error', 'Frame', 'InputError',
-    'Material', 'NoDeviceError', 'Objects', 'OutputError', 'Renderer', 'Scene', 'SceneObject',
+    'Material', 'NoDeviceError', 'Objects', 'OutputError', 'Plan', 'Renderer', 'Scene', 'SceneObject',
     'TryAgainError', 'UsageError', 'dataset', 'diff', 'layers', 'settings', 'version', 'write_exr',
 ]

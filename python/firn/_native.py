@@ -49,7 +49,7 @@ Material = _struct('Material', ('name', c_char_p), ('base_color', c_float * 4),
                    ('ior', c_float), ('dispersion', c_float), ('thickness', c_float),
                    ('attenuation_color', c_float * 3), ('attenuation_distance', c_float),
                    ('scattering', c_float), ('emission', c_float * 3), ('priority', c_int32),
-                   ('flags', c_uint32))
+                   ('flags', c_uint32), ('class_id', c_uint32))
 Mesh = _struct('Mesh', ('vertex_count', c_uint32), ('index_count', c_uint32),
                ('positions', c_void_p), ('normals', c_void_p), ('uvs', c_void_p),
                ('indices', c_void_p), ('position_stride', c_size_t), ('normal_stride', c_size_t),
@@ -110,6 +110,7 @@ _FUNCTIONS = {
     'camera_convert': (c_int, _HANDLE, POINTER(Camera), POINTER(Camera)),
     'renderer_create': (c_int, _HANDLE, POINTER(RendererOptions), _OUT),
     'renderer_close': (None, _HANDLE),
+    'renderer_plan': (c_int, _HANDLE, _STRINGS),
     'render': (c_int, _HANDLE, POINTER(Camera), POINTER(Buffer), c_size_t, ProgressFunction,
                c_void_p),
     'submit': (c_int, _HANDLE, POINTER(Camera), POINTER(c_uint64)),

@@ -27,6 +27,7 @@ from .camera import Camera
 from .device import settings
 from .errors import UsageError
 from .frame import Frame, png_bytes, write_exr, write_file
+from .tabletop import tabletop  # noqa: F401, part of this module's interface
 
 NOTHING = 0  # object number of the background
 
@@ -124,6 +125,24 @@ def visible_masks(frame: Frame) -> dict:
     return {int(number): layer == number for number in np.unique(layer) if number != NOTHING}
 
 
+def amodal_masks(frame: Frame) -> dict:
+    """
+    Returns boolean masks (h, w) of whole objects by number, from layer `objects`: also where other
+    objects hide them, unless more than 8 surfaces are in front.
+    """
+    layers = frame['objects']
+    if 'object' in frame:  # rasterised silhouettes may differ by a pixel
+        layers = np.concatenate([layers, frame['object'][..., None]], axis=-1)
+    return {int(number): (layers == number).any(axis=-1)
+            for number in np.unique(layers) if number != NOTHING}
+
+
+def visible_fractions(frame: Frame) -> dict:
+    """Returns the visible fraction of each object by its number, from `object` and `objects`."""
+    return {number: int((frame['object'] == number).sum()) / int(mask.sum())
+            for number, mask in amodal_masks(frame).items()}
+
+
 def rle(mask) -> dict:
     """Encodes a mask (h, w) as COCO's compressed run lengths: {'size': [h, w], 'counts': text}."""
     mask = np.asarray(mask, dtype=bool)
@@ -195,6 +214,12 @@ def _annotate_coco(folder, index, frame, entry):
         {'object': number, 'bbox': box_of(mask), 'area': int(mask.sum()), 'iscrowd': 0,
          'segmentation': rle(mask)}
         for number, mask in visible_masks(frame).items()]
+    if 'objects' in frame:
+        whole = amodal_masks(frame)
+        for one in entry['annotations']:
+            mask = whole[one['object']]
+            one.update(amodal_bbox=box_of(mask), amodal_segmentation=rle(mask),
+                       visible_fraction=one['area'] / int(mask.sum()))
     return _write_png(folder, index, frame, entry)
 
 
@@ -223,12 +248,19 @@ def _write_bop(folder, index, frame, entry):
     files = {_folder(scene / 'rgb') / f'{index:06}.png': frame.srgb(),
              _folder(scene / 'depth') / f'{index:06}.png': np.round(depth).astype(np.uint16)}
     entry['bop'] = []
-    for place, (number, mask) in enumerate(visible_masks(frame).items()):
-        path = _folder(scene / 'mask_visib') / f'{index:06}_{place:06}.png'
-        files[path] = np.uint8(255) * mask
-        entry['bop'].append({
-            'obj_id': number, 'bbox_visib': box_of(mask), 'px_count_visib': int(mask.sum()),
-            'px_count_valid': int((mask & (depth > 0)).sum())})
+    visible = visible_masks(frame)
+    whole = amodal_masks(frame) if 'objects' in frame else visible
+    for place, (number, mask) in enumerate(whole.items()):
+        seen = visible.get(number, np.zeros_like(mask))
+        name = f'{index:06}_{place:06}.png'
+        files[_folder(scene / 'mask_visib') / name] = np.uint8(255) * seen
+        counts = {'obj_id': number, 'bbox_visib': box_of(seen), 'px_count_visib': int(seen.sum()),
+                  'px_count_valid': int((seen & (depth > 0)).sum())}
+        if 'objects' in frame:
+            files[_folder(scene / 'mask') / name] = np.uint8(255) * mask
+            counts.update(bbox_obj=box_of(mask), px_count_all=int(mask.sum()),
+                          visib_fract=int(seen.sum()) / int(mask.sum()))
+        entry['bop'].append(counts)
     for path, pixels in files.items():
         write_file(path, png_bytes(pixels))
     return list(files)
@@ -284,8 +316,10 @@ class Writer:
     exr     exr/000000.exr with all layers
     npz     npz/000000.npz with all layers
     png     rgb/000000.png
-    coco    coco.json with boxes and visible masks, and rgb/; needs the layer `object`
-    bop     bop/000001/, lengths in millimetres, visible masks; needs `object` and `Z`
+    coco    coco.json with boxes and visible masks, and rgb/; needs the layer `object`; with
+            `objects` also whole (amodal) boxes and masks, and visible fractions
+    bop     bop/000001/, lengths in millimetres, visible masks; needs `object` and `Z`; with
+            `objects` also whole masks and visible fractions
     colmap  colmap/*.txt with the cameras, and rgb/
 
     meta/000000.json contains the camera, the variation and SHA-256 hashes of an image's files. It

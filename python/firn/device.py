@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import collections
 import ctypes
+import html
 import logging
 import os
 import weakref
@@ -13,7 +14,7 @@ import numpy as np
 from . import _native
 from .camera import Camera, camera_of_struct
 from .errors import ClosedError, Error, UsageError
-from .frame import BEAUTY, Frame, buffers_of, layer_of
+from .frame import BEAUTY, Frame, buffers_of, layer_of, write_file
 
 _logger = logging.getLogger('firn')
 _LEVELS = (logging.ERROR, logging.WARNING, logging.INFO)
@@ -160,7 +161,7 @@ class Material:
     """
     A surface and the medium behind it, as in glTF 2.0: base_color (4 numbers), metallic, roughness,
     transmission, ior, dispersion, thickness, attenuation_color (3), attenuation_distance (metres),
-    scattering, emission (3), priority. `Material('ruby:rough', ior=1.77)` modifies a preset.
+    scattering, emission (3), priority, class_id. `Material('ruby:rough', ior=1.77)` modifies a preset.
     Changes to the material of a scene's object apply to the scene.
     """
     FIELDS = tuple(name for name, _ in _native.Material._fields_ if name not in ('name', 'flags'))
@@ -196,7 +197,7 @@ class Material:
                     raise UsageError(f'{name}: expected {len(now)} numbers, got {value.shape}')
                 value = type(now)(*value)
             else:
-                value = int(value) if name == 'priority' else float(value)
+                value = int(value) if name in ('priority', 'class_id') else float(value)
             setattr(self._struct, name, value)
             if name == 'priority':
                 self._struct.flags |= 8  # FIRN_MATERIAL_PRIORITY
@@ -457,7 +458,10 @@ class Renderer:
         return self._native
 
     def camera(self, size) -> Camera:
-        """Returns the scene's camera: of its options or file, else one that frames the objects."""
+        """
+        Returns the scene's camera: of its options or file, else one that frames the objects. Raises
+        UsageError if it is orthographic.
+        """
         renderer = self._of_size(size)
         struct = _native.Camera(kind=_native.CAMERA_OPENCV)
         renderer._call('camera_convert', _native.Camera(kind=_native.CAMERA_SCENE), struct)
@@ -481,9 +485,9 @@ class Renderer:
         if (camera is None) == (size is None):
             raise UsageError('render: expected either a camera or a size')
         struct = camera._struct() if camera else _native.Camera(kind=_native.CAMERA_SCENE)
-        camera = camera or self.camera(size)
-        native = self._of_size(camera.size)
-        arrays = self._arrays(camera.size)
+        size = camera.size if camera else tuple(size)
+        native = self._of_size(size)
+        arrays = self._arrays(size)
         buffers, count = buffers_of(arrays)
         raised = []
 
@@ -503,6 +507,11 @@ class Renderer:
             raise
         if raised:
             raise raised[0]
+        if not camera:
+            try:
+                camera = self.camera(size)
+            except UsageError:  # orthographic: it has no K
+                pass
         return self._frame(arrays, camera)
 
     def iter(self, cameras: Iterable) -> Iterator:
@@ -533,10 +542,32 @@ class Renderer:
                 except Error:
                     pass
 
+    def _plan_html(self, size) -> str:
+        text = ctypes.c_char_p()
+        self._of_size(size)._call('renderer_plan', ctypes.byref(text))
+        return text.value.decode()
+
     def cancel(self) -> None:
         """Cancels the view that is being drawn; another thread may call it."""
         if self._native and not self._native.closed:
             _native.library().firn_cancel(self._native._handle)
+
+
+class Plan:
+    """
+    The compiled plan of a renderer's frames: passes, images, barriers and memory, as an HTML page.
+    Notebooks show it. `size` is that of the image.
+    """
+    def __init__(self, renderer: Renderer, size):
+        self.html: str = renderer._plan_html(tuple(size))
+
+    def save(self, path) -> None:
+        """Writes the page to a file."""
+        write_file(path, self.html.encode())
+
+    def _repr_html_(self) -> str:
+        page = html.escape(self.html, quote=True)
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: 40em; border: 0"></iframe>'
 
 
 def _layer_table() -> dict:

@@ -50,15 +50,16 @@ class Frame(Mapping):
     `frame['Z']` and `frame.Z` are the same. `rgb` and `alpha` are parts of the layer `beauty`:
     linear Rec.709 radiance and coverage. `depth` is `Z`, in metres along the viewing direction.
     """
-    def __init__(self, layers: dict, camera: Camera, aliases=()):
+    def __init__(self, layers: dict, camera: Camera | None, aliases=()):
         self._layers = layers
         self._aliases = tuple(aliases)
-        self.camera = camera
+        self.camera = camera  # None if it is orthographic
 
     @property
     def size(self) -> tuple:
         """Width and height in pixels."""
-        return self.camera.size
+        height, width = next(iter(self._layers.values())).shape[:2]
+        return width, height
 
     def __getitem__(self, name: str) -> np.ndarray:
         layer = self._layers[layer_of(name)]
@@ -89,24 +90,6 @@ class Frame(Mapping):
         coded = np.where(linear <= 0.0031308, 12.92 * linear,
                          1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
         return np.round(255 * coded).astype(np.uint8)
-
-    def refractive_flow(self) -> np.ndarray:
-        """
-        Returns the refractive flow (height, width, 2) in pixels (x, y), from the layer `exit`: the
-        offset from each pixel to the image of the background point that its refracted ray hits,
-        with the background infinitely far away. NaN if the ray does not leave the object, or the
-        point is outside the image.
-        """
-        exit = self['exit'][..., :3]
-        leaves = np.abs(exit).sum(axis=-1) > 0
-        found = self.camera.project(self.camera.position + np.where(leaves[..., None], exit, np.nan))
-        width, height = self.size
-        x, y = found[..., 0], found[..., 1]
-        with np.errstate(invalid='ignore'):
-            inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
-        columns, rows = np.meshgrid(np.arange(width), np.arange(height))
-        flow = np.stack([x - columns, y - rows], axis=-1)
-        return np.where(inside[..., None], flow, np.nan).astype(np.float32)
 
     def save(self, path) -> None:
         """

@@ -25,14 +25,6 @@ struct target {
     ptrdiff_t pixel_stride, row_stride;
 };
 
-static uint32_t channels_of(const struct frame_layer *layer)
-{
-    uint32_t count = 0;
-    while (count < 4 && layer->planes[count])
-        count++;
-    return count;
-}
-
 /* Returns the index of a layer that the renderer draws, or -1. */
 static int find_drawn(const firn_renderer *r, const char *name)
 {
@@ -65,7 +57,7 @@ static enum status read_target(struct target *target, const firn_renderer *r,
         return STATUS_USAGE;
     }
     const struct frame_layer *layer = lib_layer((uint32_t)index);
-    const uint32_t all = channels_of(layer);
+    const uint32_t all = frame_layer_plane_count(layer);
     if (b.type >= TYPE_COUNT || b.channels > all || !b.data ||
         (index == 1 && b.type == FIRN_UINT32)) {
         log_error(
@@ -137,12 +129,13 @@ static void write_layer(const struct target *target, const struct image *image)
 }
 
 /* Encodes the layer `display` with 8 or 16 bits per channel, as in PNG files. */
-static enum status make_display(const firn_renderer *r, struct render_result *result, bool is_16)
+static enum status make_display(const struct lib_shown *shown, struct render_result *result,
+                                bool is_16)
 {
-    const struct settings *settings = &r->image.scene.settings;
+    const struct settings *settings = &shown->settings;
     const bool is_shown =
         is_16 ? !result->rgba_16
-              : !result->rgba || layer_image_is_dithered(settings) || r->image.scene.no_background;
+              : !result->rgba || layer_image_is_dithered(settings) || shown->no_background;
     if (!is_shown)
         return STATUS_OK;
     if (!is_16) {
@@ -173,14 +166,20 @@ static void write_display(const struct target *target, const struct render_resul
     }
 }
 
+struct lib_shown lib_shown_of(const firn_renderer *r)
+{
+    return (struct lib_shown){ r->image.scene.settings, r->image.scene.no_background };
+}
+
 enum status lib_buffers_write(const firn_renderer *r, const struct firn_buffer *buffers,
-                              size_t count, struct render_result *result)
+                              size_t count, const struct lib_shown *shown,
+                              struct render_result *result)
 {
     struct target target;
     for (size_t i = 0; i < count; i++) {
         enum status status = read_target(&target, r, lib_buffer_at(buffers, i));
         if (status == STATUS_OK && target.is_display)
-            status = make_display(r, result, target.type != FIRN_UINT8);
+            status = make_display(shown, result, target.type != FIRN_UINT8);
         if (status != STATUS_OK)
             return status;
         if (target.is_display)

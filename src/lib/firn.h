@@ -254,6 +254,7 @@ struct firn_material {
     float emission[3];          /* radiance, 0 to 65504 */
     int32_t priority;           /* of nested media: the highest fills the overlap */
     uint32_t flags;             /* FIRN_MATERIAL_UNLIT, ... */
+    uint32_t class_id;          /* number in layer `class`, 0 to 65535; extras.class of a file */
 };
 
 /* Sets a material from text: "" for glTF's default (white, opaque), else in the syntax of
@@ -265,11 +266,11 @@ FIRN_API firn_status firn_material_init(struct firn_material *material, const ch
 FIRN_API firn_status firn_scene_material(firn_scene *scene, uint32_t index,
                                          struct firn_material *material);
 
-/* Replaces the material of refractive object `index` from the next render on, but keeps its
- * textures and name. The option `material` no longer affects the object. The first change of an
- * object reloads the scene; later ones do not if they change only ior, dispersion, roughness,
- * attenuation, emission or metallic. Returns FIRN_USAGE for an opaque material (transmission 0),
- * and for objects that are opaque or belong to a built-in scene. */
+/* Replaces the material of object `index` from the next render on, but keeps its textures and name.
+ * The option `material` no longer affects the object. The first change of an object reloads the
+ * scene. Later ones do not if the object is refractive and they change only ior, dispersion,
+ * roughness, attenuation, emission or metallic. Returns FIRN_USAGE if transmission would become 0
+ * or cease to be 0, and for objects of a built-in scene. */
 FIRN_API firn_status firn_scene_set_material(firn_scene *scene, uint32_t index,
                                              const struct firn_material *material);
 
@@ -386,7 +387,7 @@ struct firn_layer {
     size_t size;
     const char *name;
     const char *help;  /* one line, with unit and background value */
-    uint32_t channels; /* 1 to 4 */
+    uint32_t channels; /* 1 to 8 */
     uint32_t averages; /* 1 if the mean of all samples, 0 if of the first sample */
     uint32_t type;     /* natural firn_type: UINT8 for display, UINT32 for numbers */
 };
@@ -407,11 +408,16 @@ struct firn_renderer_options {
 };
 
 /* Creates a renderer. All its views share one compiled frame and one uploaded scene. Returns
- * FIRN_USAGE for an unknown layer or an invalid size. */
+ * FIRN_USAGE for an unknown layer, one that the refraction model lacks, or an invalid size. */
 FIRN_API firn_status firn_renderer_create(firn_scene *scene,
                                           const struct firn_renderer_options *options,
                                           firn_renderer **renderer);
 FIRN_API void firn_renderer_close(firn_renderer *renderer);
+
+/* Sets *html to a page that shows the compiled plan of a frame: passes, images, barriers, memory.
+ * It is that of `firn graph --html`, and stays valid until the next call with the renderer. Returns
+ * FIRN_USAGE for refraction=reference, which has no plan. */
+FIRN_API firn_status firn_renderer_plan(firn_renderer *renderer, const char **html);
 
 enum firn_type {
     FIRN_FLOAT32 = 0,
@@ -470,10 +476,10 @@ FIRN_API void firn_cancel(firn_renderer *renderer);
 
 /*
  * Writes arrays as layers of an EXR file, atomically. Each buffer has the layer's name, data of
- * FIRN_FLOAT32 or FIRN_UINT32, the number of channels, and strides. Names of firn_layer_get()
- * become the channels that `firn render` writes; others become NAME, or NAME.R, NAME.G ... Needs no
- * device; firn_error(NULL) returns the message of a failure. Returns FIRN_USAGE, FIRN_CANT_CREATE,
- * FIRN_WRITE or FIRN_TRY_AGAIN on failure.
+ * FIRN_FLOAT32, or of FIRN_UINT32 for UINT channels, the number of channels, and strides. Names of
+ * firn_layer_get() become the channels that `firn render` writes; others become NAME, or NAME.R,
+ * NAME.G ... Needs no device; firn_error(NULL) returns the message of a failure. Returns
+ * FIRN_USAGE, FIRN_CANT_CREATE, FIRN_WRITE or FIRN_TRY_AGAIN on failure.
  */
 FIRN_API firn_status firn_write_exr(const char *path, uint32_t width, uint32_t height,
                                     const struct firn_buffer *buffers, size_t count);

@@ -25,6 +25,7 @@ static void draw(firn_renderer *r, struct lib_job *job)
     job->error[0] = '\0';
     log_set_sink(&sink.base);
     job->status = lib_draw(r, &job->camera, &job->result, NULL, NULL);
+    job->shown = lib_shown_of(r);
     log_set_sink(NULL);
 }
 
@@ -140,7 +141,7 @@ static enum status fetch(firn_renderer *r, uint64_t ticket, const struct firn_bu
     mutex_unlock(&r->lock);
     status = job->status;
     if (status == STATUS_OK)
-        status = lib_buffers_write(r, buffers, count, &job->result);
+        status = lib_buffers_write(r, buffers, count, &job->shown, &job->result);
     else
         memcpy(r->scene->device->message, job->error, LIB_MESSAGE_SIZE);
     render_result_finish(&job->result);

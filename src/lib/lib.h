@@ -71,11 +71,18 @@ struct firn_scene {
     struct firn_renderer *renderers; /* linked by `next` */
 };
 
+/* Settings with which a view was drawn, for the layer `display`. */
+struct lib_shown {
+    struct settings settings;
+    bool no_background;
+};
+
 /* Submitted view. */
 struct lib_job {
     uint64_t ticket;
     struct firn_camera camera;
     struct render_result result;
+    struct lib_shown shown;
     enum status status;
     char error[LIB_MESSAGE_SIZE];
 };
@@ -84,6 +91,7 @@ struct firn_renderer {
     firn_scene *scene;
     struct firn_renderer *next;
     uint32_t width, height, samples;
+    char *plan; /* text of firn_renderer_plan(), or NULL */
     bool has_beauty, has_display;
     uint64_t layers;          /* bit mask of the other layers */
     struct setup_image image; /* the scene's options, with choices of this renderer */
@@ -207,12 +215,15 @@ MUST_USE enum status lib_renderer_aim(firn_renderer *renderer, const struct firn
 /* Returns an element of an array of buffers, whose stride is the `size` of the first. */
 const struct firn_buffer *lib_buffer_at(const struct firn_buffer *buffers, size_t index);
 
+/* Returns the settings of the view that a renderer has drawn last. */
+struct lib_shown lib_shown_of(const firn_renderer *renderer);
+
 /* Validates buffers, and writes the layers to them. */
 MUST_USE enum status lib_buffers_check(const firn_renderer *renderer,
                                        const struct firn_buffer *buffers, size_t count);
 MUST_USE enum status lib_buffers_write(const firn_renderer *renderer,
                                        const struct firn_buffer *buffers, size_t count,
-                                       struct render_result *result);
+                                       const struct lib_shown *shown, struct render_result *result);
 
 /* Returns layer `index` of firn_layer_get(), or NULL. Index 1 is `display`. */
 const struct frame_layer *lib_layer(uint32_t index);

@@ -1,5 +1,4 @@
 /* lists.c: firn_setting_get() and firn_layer_get(): descriptions of settings and layers. */
-#include <string.h>
 #include "src/lib/lib.h"
 #include "src/render/frame/output_layers.h"
 #include "src/settings/settings.h"
@@ -52,14 +51,6 @@ const struct frame_layer *lib_layer(uint32_t index)
     return index == 0 ? &frame_beauty : index == 1 ? &display_layer : techniques_layer(index - 2);
 }
 
-static uint32_t channel_count(const struct frame_layer *layer)
-{
-    uint32_t count = 0;
-    while (count < 4 && layer->planes[count])
-        count++;
-    return count;
-}
-
 firn_status firn_layer_get(uint32_t index, struct firn_layer *layer)
 {
     struct lib_call call;
@@ -69,11 +60,9 @@ firn_status firn_layer_get(uint32_t index, struct firn_layer *layer)
     if (row) {
         found.name = index ? row->name : "beauty";
         found.help = index ? row->help : "linear radiance, and alpha; the image without layers";
-        found.channels = channel_count(row);
+        found.channels = frame_layer_plane_count(row);
         found.averages = index == 0 || row->mean;
-        found.type = index == 1                         ? FIRN_UINT8
-                     : !strncmp(row->name, "object", 6) ? FIRN_UINT32
-                                                        : FIRN_FLOAT32;
+        found.type = index == 1 ? FIRN_UINT8 : row->integer ? FIRN_UINT32 : FIRN_FLOAT32;
     }
     return write_entry(&call, layer, row ? &found : NULL, sizeof(found), index);
 }

@@ -30,6 +30,7 @@ enum status lib_material_read(struct material *to, const struct firn_material *f
     made.scattering_optical_depth = m.scattering;
     made.emission = (vec3s){ { m.emission[0], m.emission[1], m.emission[2] } };
     made.priority = m.priority;
+    made.class_id = m.class_id;
     made.flags &= ~(uint32_t)(MATERIAL_IS_PARTIAL | MATERIAL_IS_UNLIT | MATERIAL_IS_TWO_SIDED |
                               MATERIAL_IS_BLENDED | MATERIAL_HAS_PRIORITY | MATERIAL_FROM_SETTINGS);
     made.flags |= MATERIAL_HAS_IOR | (m.flags & FIRN_MATERIAL_UNLIT ? MATERIAL_IS_UNLIT : 0u) |
@@ -37,7 +38,7 @@ enum status lib_material_read(struct material *to, const struct firn_material *f
                   (m.flags & FIRN_MATERIAL_BLENDED ? MATERIAL_IS_BLENDED : 0u) |
                   (m.flags & FIRN_MATERIAL_PRIORITY ? MATERIAL_HAS_PRIORITY : 0u);
     struct material clamped = made;
-    if (material_clamp(&clamped) || m.flags & ~known) {
+    if (material_clamp(&clamped) || m.flags & ~known || m.class_id > MATERIAL_CLASS_MAX) {
         log_error("material: a number is out of the range that firn.h states (ior 1 to 4, factors "
                   "and colours 0 to 1, lengths at least 0), or a flag is unknown");
         return STATUS_USAGE;
@@ -64,6 +65,7 @@ void lib_material_write(struct firn_material *to, const struct material *from)
         .scattering = from->scattering_optical_depth,
         .emission = { from->emission.x, from->emission.y, from->emission.z },
         .priority = from->priority,
+        .class_id = from->class_id,
         .flags = (from->flags & MATERIAL_IS_UNLIT ? FIRN_MATERIAL_UNLIT : 0u) |
                  (from->flags & MATERIAL_IS_TWO_SIDED ? FIRN_MATERIAL_TWO_SIDED : 0u) |
                  (from->flags & MATERIAL_IS_BLENDED ? FIRN_MATERIAL_BLENDED : 0u) |

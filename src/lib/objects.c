@@ -173,11 +173,11 @@ static enum status check_change(const firn_scene *scene, uint32_t index,
         status = lib_material_read(&made, material);
     if (status != STATUS_OK)
         return status;
-    if (scene_find_builtin(scene->given.scene.name) || index >= model->object_count ||
-        !(made.transmission > 0.0f)) {
-        log_error("object %u: only materials of refractive objects of files and arrays can be "
-                  "replaced, by materials with transmission above 0; for others set the option "
-                  "`material`",
+    if (scene_find_builtin(scene->given.scene.name) ||
+        (index < model->object_count) != (made.transmission > 0.0f)) {
+        log_error("object %u: a refractive object needs a material with transmission above 0, an "
+                  "opaque object one with transmission 0, and objects of built-in scenes the "
+                  "option `material`",
                   index);
         return STATUS_USAGE;
     }
@@ -235,11 +235,11 @@ static enum status change_in_place(firn_scene *scene, uint32_t index,
                                    const struct firn_material *material, bool *is_done)
 {
     struct model *model = &scene->session.scene.model;
+    *is_done = false;
+    if (index >= model->object_count || !find_change(scene, index))
+        return STATUS_OK;
     struct material *own = &model->materials[model->objects[index].material];
     struct material made = *own;
-    *is_done = false;
-    if (!find_change(scene, index))
-        return STATUS_OK;
     enum status status = lib_material_read(&made, material);
     if (status != STATUS_OK || !differ_in_numbers(own, &made))
         return status;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/suggest.h"
+#include "src/base/text_stream.h"
 #include "src/lib/lib.h"
 #include "src/render/frame/output_layers.h"
 #include "src/setup/aov_to_png.h"
@@ -83,6 +84,7 @@ static void release(firn_renderer *r)
         link = &(*link)->next;
     *link = r->next;
     image_session_close(&r->session);
+    free(r->plan);
     mutex_finish(&r->lock);
     condition_finish(&r->changed);
     lib_release_scene(r->scene);
@@ -143,6 +145,45 @@ void firn_renderer_close(firn_renderer *renderer)
     (void)lib_leave(&call, STATUS_OK);
 }
 
+static enum status make_plan(firn_renderer *r, const char **html)
+{
+    enum status status = lib_require(html, "html");
+    if (status == STATUS_OK && !r->session.renderer) {
+        log_error("the path tracer (refraction=reference) has no plan");
+        status = STATUS_USAGE;
+    }
+    if (status != STATUS_OK)
+        return status;
+    struct text_stream stream;
+    free(r->plan);
+    r->plan = NULL;
+    FILE *out = text_stream_open(&stream);
+    if (out)
+        rg_dump_html(renderer_frame(r->session.renderer), out);
+    r->plan = text_stream_close(&stream, NULL);
+    if (!r->plan)
+        return log_out_of_memory("plan");
+    *html = r->plan;
+    return STATUS_OK;
+}
+
+firn_status firn_renderer_plan(firn_renderer *renderer, const char **html)
+{
+    struct lib_call call;
+    const struct firn_camera camera = { .size = sizeof(camera) };
+    struct renderer_shot shot;
+    if (html)
+        *html = NULL;
+    if (!lib_enter(&call, renderer ? renderer->scene->device : NULL, true))
+        return renderer ? FIRN_FAILED : FIRN_USAGE;
+    enum status status = lib_renderer_aim(renderer, &camera, &shot);
+    if (status == STATUS_OK)
+        status = image_session_open(&renderer->session, &renderer->session.camera);
+    if (status == STATUS_OK)
+        status = make_plan(renderer, html);
+    return lib_leave(&call, status);
+}
+
 /* ---- views ---- */
 
 firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camera,
@@ -165,8 +206,9 @@ firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camer
         atomic_store(&renderer->is_cancelled, false);
         status = lib_draw(renderer, &copied, &result, progress, user);
     }
+    const struct lib_shown shown = lib_shown_of(renderer);
     if (status == STATUS_OK)
-        status = lib_buffers_write(renderer, buffers, count, &result);
+        status = lib_buffers_write(renderer, buffers, count, &shown, &result);
     render_result_finish(&result);
     return lib_leave(&call, status);
 }

@@ -1,5 +1,6 @@
 /* scene_source.c: builds model and environment from arrays, and replaces materials of objects. */
 #include "src/lib/scene_source.h"
+#include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,6 +36,39 @@ static enum status make_environment(void *user, struct environment *environment)
     return STATUS_OK;
 }
 
+/* Returns `from` / `by`, or `other` where `by` is 0. */
+static vec3s divide(vec3s from, vec3s by, vec3s other)
+{
+    vec3s result = other;
+    for (int c = 0; c < 3; c++)
+        result.raw[c] = by.raw[c] > 0.0f ? from.raw[c] / by.raw[c] : other.raw[c];
+    return result;
+}
+
+/* Gives an object of the surroundings a new last material. Its vertices keep their colours relative
+ * to the base colour. */
+static enum status change_opaque(struct model *model, uint32_t part,
+                                 const struct firn_material *change)
+{
+    const uint32_t end = part + 1 < model->surroundings_object_count
+                             ? model->surroundings_starts[part + 1]
+                             : model->surroundings.vertex_count;
+    struct mesh_vertex *first = &model->surroundings.vertices[model->surroundings_starts[part]];
+    struct mesh_vertex *last = &model->surroundings.vertices[end];
+    const uint32_t number = first < last ? first->material >> MESH_SURFACE_SHIFT : 0;
+    const struct material old = number ? model->materials[number - 1] : material_make("");
+    struct material made = old;
+    const enum status status = lib_material_read(&made, change);
+    const uint32_t surface = (model->material_count + 1) << MESH_SURFACE_SHIFT;
+    for (struct mesh_vertex *v = first; v < last && status == STATUS_OK; v++) {
+        v->color =
+            glms_vec3_mul(made.base_color, divide(v->color, old.base_color, glms_vec3_one()));
+        v->material = (v->material & ((1u << MESH_SURFACE_SHIFT) - 1)) | surface;
+    }
+    model->materials[model->material_count++] = made;
+    return status;
+}
+
 /* Applies the material changes. Each changed object gets a material of its own. */
 static enum status change_materials(void *user, struct model *model)
 {
@@ -50,8 +84,15 @@ static enum status change_materials(void *user, struct model *model)
     model->materials = grown;
     for (uint32_t i = 0; i < count; i++) {
         const struct lib_material_change *change = &scene->changes[i];
-        if (change->object >= model->object_count)
+        const uint32_t part = change->object - model->object_count;
+        if (change->object >= model->object_count) {
+            const enum status status = part < model->surroundings_object_count
+                                           ? change_opaque(model, part, &change->material)
+                                           : STATUS_OK;
+            if (status != STATUS_OK)
+                return status;
             continue;
+        }
         struct object *object = &model->objects[change->object];
         struct material made = grown[object->material];
         const enum status status = lib_material_read(&made, &change->material);

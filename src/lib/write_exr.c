@@ -10,16 +10,17 @@
  * layer; else NAME for a single channel, or NAME.R ... for several. */
 static void name_channel(char *name, const struct firn_buffer *buffer, uint32_t channel)
 {
-    static const char letters[] = "RGBA";
     const struct frame_layer *known = NULL;
     for (uint32_t i = 0; lib_layer(i) && !known; i++)
         known = i != 1 && !strcmp(lib_layer(i)->name, buffer->layer) ? lib_layer(i) : NULL;
-    if (known && known->planes[channel])
+    if (known && channel < frame_layer_plane_count(known))
         snprintf(name, IMAGE_NAME_SIZE, "%s", known->planes[channel]);
     else if (buffer->channels == 1)
         snprintf(name, IMAGE_NAME_SIZE, "%.61s", buffer->layer);
+    else if (buffer->channels <= 4)
+        snprintf(name, IMAGE_NAME_SIZE, "%.61s.%c", buffer->layer, "RGBA"[channel]);
     else
-        snprintf(name, IMAGE_NAME_SIZE, "%.61s.%c", buffer->layer, letters[channel]);
+        snprintf(name, IMAGE_NAME_SIZE, "%.61s.%u", buffer->layer, channel);
 }
 
 static float value_at(const char *from, uint32_t type)
@@ -49,6 +50,7 @@ static enum status add_planes(struct image *image, const struct firn_buffer *buf
         float *texels = image_add_plane(image, name, false);
         if (!texels)
             return log_out_of_memory(name);
+        image->planes[image->plane_count - 1].integer = buffer->type == FIRN_UINT32;
         for (size_t y = 0; y < image->height; y++) {
             const char *from = (const char *)buffer->data + (ptrdiff_t)y * row + (ptrdiff_t)(4 * c);
             for (size_t x = 0; x < image->width; x++, from += pixel)
@@ -66,9 +68,9 @@ static enum status add_buffer(struct image *image, const struct firn_buffer *giv
         return status;
     const bool has_type = buffer.type == FIRN_FLOAT32 || buffer.type == FIRN_UINT32;
     if (!buffer.layer || !*buffer.layer || !buffer.data || !has_type || !buffer.channels ||
-        buffer.channels > 4) {
+        buffer.channels > FRAME_LAYER_PLANES) {
         log_error("buffer '%.61s': expected a name, data of FIRN_FLOAT32 or FIRN_UINT32, and 1 to "
-                  "4 channels",
+                  "8 channels",
                   buffer.layer ? buffer.layer : "");
         return STATUS_USAGE;
     }

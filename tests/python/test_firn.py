@@ -16,9 +16,14 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent.parent / 'python'), str(HERE.parent / 'front')]
 import numpy as np  # noqa: E402
+try:
+    import cv2
+except ImportError:
+    cv2 = None
 import firn  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from firn import dataset  # noqa: E402
+from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
 FIRN = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else 'firn'
 SIZE = (64, 48)
@@ -120,6 +125,11 @@ class Firn(unittest.TestCase):
         scene.add(mesh, scene.add_material('glass'), 'ball')
         return scene
 
+    def add_table(self, scene, y):
+        corners = np.array([(-1, y, -1), (-1, y, 1), (1, y, 1), (1, y, -1)])
+        scene.add(scene.add_mesh(corners, [(0, 1, 2), (0, 2, 3)]),
+                  scene.add_material(firn.Material(metallic=0)), 'table')
+
     def test_equals_the_program(self):
         """Bit-identical, for the scene's camera and for one of the caller."""
         with self.device.load('ice-cube', **OPTIONS) as scene:
@@ -175,19 +185,148 @@ class Firn(unittest.TestCase):
         z = (frame.P[ball] @ frame.camera.R.T + frame.camera.t)[:, 2]
         np.testing.assert_allclose(frame.Z[ball], z, rtol=1e-5)
 
-    def test_refractive_flow(self):
-        """Flow of `bounce` equals the path tracer's, and a ball inverts the image."""
-        flows = []
-        for model in ('bounce', 'reference'):
-            frame = self.sphere(refraction=model).renderer(('exit', 'object')).render(VIEW)
-            flows.append(frame.refractive_flow()[frame.object > 0])
-        both = np.isfinite(flows[0]).all(axis=1) & np.isfinite(flows[1]).all(axis=1)
-        self.assertGreater(both.sum(), 30)
-        self.assertLess(np.median(np.linalg.norm(flows[0] - flows[1], axis=1)[both]), 0.5)
-        for axis, at in ((1, np.nonzero(frame.object)[0]), (0, np.nonzero(frame.object)[1])):
+    def test_depths_and_projection(self):
+        """Depths are exact to 1e-5, and OpenCV projects P to the pixels, with any K."""
+        scene = self.device.scene(**OPTIONS)
+        self.addCleanup(scene.close)
+        points, faces = icosphere(6)
+        scene.add(scene.add_mesh(0.1 * points, faces), scene.add_material('glass'), 'ball')
+        self.add_table(scene, -.2)
+        camera = firn.Camera(SKEWED, VIEW.R, VIEW.t, SIZE)
+        frame = scene.renderer(('P', 'Z', 'N', 'object', 'depths', 'objects')).render(camera)
+        columns, rows = np.meshgrid(*map(np.arange, SIZE))
+        ahead = np.stack([(columns - 20.5) / 90, (rows - 30.25) / 70, np.ones(columns.shape)], -1)
+        direction = ahead @ camera.R  # for a depth of 1
+        b, c = direction @ camera.position, camera.position @ camera.position - 0.01
+        a = (direction ** 2).sum(axis=-1)
+        with np.errstate(invalid='ignore'):
+            ball = (-b - np.sqrt(b * b - a * c)) / a
+            far = (-b + np.sqrt(b * b - a * c)) / a
+        table = (-.2 - camera.position[1]) / direction[..., 1]
+        for name, wanted in (('ball', ball), ('table', table)):
+            seen = frame.object == scene.objects[name].id
+            if name == 'ball':  # at a silhouette, the chords of its edges are visible
+                seen &= (frame.N * direction).sum(axis=-1) < -0.8 * np.sqrt(a)
+            self.assertGreater(seen.sum(), 40)
+            self.assertLess(np.abs(frame.Z[seen] / wanted[seen] - 1).max(), 1e-5)
+            np.testing.assert_allclose(frame.depths[..., 0][seen], frame.Z[seen], rtol=1e-6)
+            if name == 'ball':
+                self.assertLess(np.abs(frame.depths[..., 1][seen] / far[seen] - 1).max(), 1e-5)
+                self.assertTrue((frame.objects[..., 1][seen] == scene.objects[name].id).all())
+        solid = frame.object > 0
+        if not cv2:
+            self.skipTest('OpenCV is missing: reprojection was not compared')
+        found, _ = cv2.projectPoints(frame.P[solid].astype(float), cv2.Rodrigues(camera.R)[0],
+                                     camera.t, camera.K, None)
+        pixels = np.stack([columns[solid], rows[solid]], axis=1)
+        self.assertLess(np.abs(found[:, 0] - pixels).max(), 1e-3)
+
+    def test_refracted_path(self):
+        """The path's end does not depend on the model, and agrees with `exit`."""
+        layers = ('exit', 'object', 'flow.refract', 'refracted.object', 'refracted.P',
+                  'refracted.Z', 'transmittance')
+        frames = [self.sphere(refraction=model).renderer(layers).render(VIEW)
+                  for model in ('bounce', 'reference')]
+        flow, ball = frames[0]['flow.refract'], frames[0].object > 0
+        np.testing.assert_array_equal(flow, frames[1]['flow.refract'])
+        rows, columns = np.nonzero(ball)
+        inside = np.isfinite(flow[ball]).all(axis=1)
+        self.assertGreater(inside.sum(), 30)
+        for frame in frames:  # the background is at infinity
+            found = VIEW.project(VIEW.position + 1e6 * frame.exit[ball][:, :3])
+            found -= np.stack([columns, rows], axis=1)
+            self.assertLess(np.median(np.linalg.norm(found - flow[ball], axis=1)[inside]), 0.5)
+        for axis, at in ((1, rows), (0, columns)):  # a ball inverts the image
             before = at < np.median(at)
-            self.assertGreater(np.nanmedian(flows[0][before, axis]), 0)
-            self.assertLess(np.nanmedian(flows[0][~before, axis]), 0)
+            self.assertGreater(np.nanmedian(flow[ball][before, axis]), 0)
+            self.assertLess(np.nanmedian(flow[ball][~before, axis]), 0)
+        middle = frames[0].transmittance[24, 32]  # clear glass, two surfaces
+        np.testing.assert_allclose(middle, (1 - ((1.5 - 1) / (1.5 + 1)) ** 2) ** 2, atol=0.03)
+        self.assertTrue((frames[0].transmittance[~ball] == 1).all())
+        self.assertTrue((flow[~ball] == 0).all())
+        scene = self.sphere()
+        self.add_table(scene, -.11)
+        frame = scene.renderer(layers).render(VIEW)
+        lands = (np.isfinite(frame['flow.refract']).all(axis=-1) &
+                 (frame.object == scene.objects['ball'].id) &
+                 (frame['refracted.object'] == scene.objects['table'].id))
+        rows, columns = np.nonzero(lands)
+        self.assertGreater(lands.sum(), 10)
+        points = frame['refracted.P'][lands]
+        np.testing.assert_allclose(points[:, 1], -.11, atol=1e-6)
+        found = VIEW.project(points) - np.stack([columns, rows], axis=1)
+        self.assertLess(np.abs(found - frame['flow.refract'][lands]).max(), 1e-3)
+        z = (points @ VIEW.R.T + VIEW.t)[:, 2]
+        np.testing.assert_allclose(frame['refracted.Z'][lands], z, rtol=1e-5)
+
+    def test_orthographic(self):
+        """A file's orthographic camera is drawn; its frame has no camera with a matrix K."""
+        flat = {'type': 'orthographic',
+                'orthographic': {'xmag': 4, 'ymag': 3, 'znear': 0, 'zfar': 99}}
+        (self.folder / 'a.gltf').write_text(with_nodes(
+            boxes((glass(), [0, 0, 0], 0.5)),
+            {'name': 'front', 'camera': 0, 'translation': [0, 0, 9]}, cameras=[flat]))
+        with self.device.load(self.folder / 'a.gltf', ground='none', **OPTIONS) as scene:
+            frame = scene.renderer(('Z', 'depths')).render(size=SIZE)
+        self.assertIsNone(frame.camera)
+        self.assertEqual(frame.size, SIZE)
+        np.testing.assert_allclose(frame.Z[24, 32], 8.5, rtol=1e-5)
+        np.testing.assert_allclose(frame.depths[24, 32, :3], (8.5, 9.5, 1e10), rtol=1e-5)
+
+    def test_pairs_on_a_table(self):
+        """Equal generators make the same shapes with glass, opaque, and the table without them."""
+        camera = firn.Camera.look_at((0, .4, .8), (0, .05, 0), 35, SIZE)
+        layers = ('rgb', 'Z', 'object', 'objects', 'boundary', 'material', 'class')
+        frames, names = {}, {}
+        for show in ('glass', 'opaque', 'background'):
+            with dataset.tabletop(self.device, np.random.default_rng(5), vessels=(3, 3),
+                                  level=(0.3, 0.8), show=show, **OPTIONS) as scene:
+                frames[show] = scene.renderer(layers).render(camera)
+                names[show] = {one.id: one.name for one in scene.objects.all()}
+        glass, opaque, empty = frames.values()
+        self.assertTrue(set(names['glass'].values()) > {'vessel 1', 'vessel 3', 'liquid 1'})
+        self.assertEqual(set(names['background'].values()), {'light squares', 'dark squares'})
+        vessels = [i for i, name in names['glass'].items() if 'vessel' in name]
+        seen = np.isin(glass.object, vessels)
+        self.assertGreater(seen.sum(), 100)
+        same = np.abs(glass.Z / opaque.Z - 1) < 1e-6
+        self.assertGreater(same[seen].mean(), 0.98)  # silhouettes are rasterised twice
+        self.assertTrue((empty.Z > glass.Z)[seen].all())
+        whole = dataset.amodal_masks(glass)
+        for number, mask in dataset.visible_masks(glass).items():
+            self.assertTrue((whole[number] | ~mask).all())
+            self.assertLessEqual(dataset.visible_fractions(glass)[number], 1)
+        liquid = next(i for i, name in names['glass'].items() if name == 'liquid 1')
+        self.assertGreater(whole[liquid].sum(), 20)  # visible through the glass alone
+        self.assertEqual((glass.object == liquid).sum(), 0)
+        edge = glass.boundary[1:, :] > 0
+        differs = glass.object[1:, :] != glass.object[:-1, :]
+        self.assertTrue(edge[differs].all())
+        self.assertEqual(set(np.unique(glass.boundary)), {0, 1, 2})
+
+    def test_views(self):
+        """Layers that a model lacks are refused; plans are shown; opaque materials can change."""
+        scene = self.sphere()
+        with self.assertRaisesRegex(firn.UsageError, 'object.last.*bounce'):
+            scene.renderer(('object.last',)).render(VIEW)
+        with self.assertRaisesRegex(firn.UsageError, 'transmission'):
+            scene.objects['ball'].material = firn.Material(metallic=0)
+        renderer = scene.renderer(('rgb', 'display', 'class'))
+        self.assertIn('<iframe srcdoc=', firn.Plan(renderer, SIZE)._repr_html_())
+        self.add_table(scene, -.1)
+        white = renderer.render(VIEW)
+        scene.objects['table'].material = firn.Material(
+            metallic=0, base_color=(0.5, 0, 0, 1), class_id=9)
+        red = renderer.render(VIEW)
+        table = red['class'] == 9
+        self.assertGreater(table.sum(), 200)
+        self.assertTrue((red.rgb[table][:, 1] < 0.2 * white.rgb[table][:, 1]).all())
+        # views in flight keep their exposure
+        ticket = renderer.iter([VIEW, VIEW])
+        first = next(ticket).display
+        scene.settings['tonemap.exposure'] = 3
+        np.testing.assert_array_equal(next(ticket).display, first)
+        self.assertGreater(renderer.render(VIEW).display.mean(), first.mean() + 20)
 
     def test_mistakes(self):
         """Errors become exceptions, and the device remains usable."""
@@ -234,7 +373,7 @@ class Firn(unittest.TestCase):
         scene.add(mesh, scene.add_material('diamond'), 'small')
         with dataset.Writer(self.folder / name, ('exr', 'npz', 'coco', 'bop', 'colmap'),
                             seed=3) as writer:
-            renderer = scene.renderer(('rgb', 'depth', 'object'))
+            renderer = scene.renderer(('rgb', 'depth', 'object', 'objects'))
             for index in writer.missing(indices):
                 rng = writer.rng(index)
                 variation = dataset.vary(scene, rng, ior=(1.2, 1.8), attenuation=(0, 1))
@@ -257,6 +396,9 @@ class Firn(unittest.TestCase):
         for one in coco['annotations']:
             mask = decode(one['segmentation'])
             self.assertEqual(one['area'], mask.sum())
+            amodal = decode(one['amodal_segmentation'])
+            self.assertTrue((amodal | ~mask).all())
+            self.assertEqual(one['visible_fraction'], mask.sum() / amodal.sum())
             rows, columns = np.nonzero(mask)
             x, y, width, height = one['bbox']
             self.assertEqual((x, y, x + width - 1, y + height - 1),
