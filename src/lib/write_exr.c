@@ -20,7 +20,7 @@ static void name_channel(char *name, const struct firn_buffer *buffer, uint32_t 
     else if (buffer->channels <= 4)
         snprintf(name, IMAGE_NAME_SIZE, "%.61s.%c", buffer->layer, "RGBA"[channel]);
     else
-        snprintf(name, IMAGE_NAME_SIZE, "%.61s.%u", buffer->layer, channel);
+        snprintf(name, IMAGE_NAME_SIZE, "%.52s.%u", buffer->layer, channel);
 }
 
 static float value_at(const char *from, uint32_t type)

@@ -100,7 +100,7 @@ static double reflected_landing(double from_axis, double below)
 {
     const double turned = pi - 2 * asin(from_axis);
     const double y = sqrt(1 - from_axis * from_axis);
-    return turned < pi / 2 ? from_axis + (below + y) * tan(turned) : INFINITY;
+    return turned < pi / 2 ? from_axis + (below + y) * tan(turned) : HUGE_VAL;
 }
 
 /* Light that lands within a radius, over what falls on the ball. */
