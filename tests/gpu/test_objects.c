@@ -109,7 +109,7 @@ static void add_cavity(struct scene *scene, const struct ball *ball)
 }
 
 /* Without layers there is nothing in the balls either, so that they may share passes. */
-static struct render_result draw(struct gpu *gpu, const char *refraction, uint32_t layers,
+static struct render_result draw(struct gpu *gpu, const char *refraction, uint64_t layers,
                                  const struct ball *const *balls, uint32_t count)
 {
     static const char *const inside[] = { "air.count=0", "bubbles.count=0", "cracks.count=0" };
@@ -172,7 +172,7 @@ static void each_looks_as_it_does_alone(void **state)
 {
     static const struct {
         const char *refraction;
-        uint32_t layers;
+        uint64_t layers;
     } cases[] = {
         { "paper", PICTURE_ALL_LAYERS },
         { "wyman", PICTURE_ALL_LAYERS },
@@ -182,7 +182,7 @@ static void each_looks_as_it_does_alone(void **state)
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
         const char *refraction = cases[i].refraction;
-        const uint32_t layers = cases[i].layers;
+        const uint64_t layers = cases[i].layers;
         struct render_result both = DRAW(*state, refraction, layers, &left, &right, &low);
         struct render_result one = DRAW(*state, refraction, layers, &left);
         struct render_result other = DRAW(*state, refraction, layers, &right, &low);
@@ -195,7 +195,7 @@ static void each_looks_as_it_does_alone(void **state)
 
 static void the_nearest_is_seen(void **state)
 {
-    const uint32_t layers = picture_layer_bit("exit") | picture_layer_bit("thickness");
+    const uint64_t layers = picture_layer_bit("exit") | picture_layer_bit("thickness");
     struct render_result a = DRAW(*state, "bounce", layers, &left, &behind, &right);
     struct render_result b = DRAW(*state, "bounce", layers, &right, &behind, &left);
     struct render_result alone = DRAW(*state, "bounce", layers, &left);
@@ -227,7 +227,7 @@ static void back_faces_of_all(void **state)
 {
     static const struct ball small = { { { 0.3F, 0.2F, 2 } }, 0.3F, 1.5F };
     static const char *const refraction_models[] = { "paper", "bounce" };
-    const uint32_t layers = picture_layer_bit("back.N");
+    const uint64_t layers = picture_layer_bit("back.N");
     for (size_t k = 0; k < 2; k++) {
         struct render_result both = DRAW(*state, refraction_models[k], layers, &small, &behind);
         struct render_result near = DRAW(*state, refraction_models[k], layers, &small);

@@ -105,11 +105,11 @@ struct render_result picture_render(struct gpu *gpu, const struct picture_reques
     return result;
 }
 
-uint32_t picture_layer_bit(const char *name)
+uint64_t picture_layer_bit(const char *name)
 {
     for (uint32_t i = 0; techniques_layer(i); i++) {
         if (!strcmp(techniques_layer(i)->name, name))
-            return 1u << i;
+            return UINT64_C(1) << i;
     }
     fail_msg("no layer %s", name);
     return 0;

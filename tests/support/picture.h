@@ -10,21 +10,22 @@
 #include "src/render/renderer.h"
 #include "tests/support/vec.h"
 
-#define PICTURE_ALL_LAYERS UINT32_MAX
+#define PICTURE_ALL_LAYERS UINT64_MAX
 
 struct picture_request {
     const struct scene *scene;
     const struct settings *settings; /* NULL for those of picture_settings() */
     const char *refraction;          /* refraction model; NULL for paper */
     struct camera camera;
-    uint32_t width, height, samples, layers;
+    uint32_t width, height, samples;
+    uint64_t layers;
     bool display;
     float time; /* seconds */
     enum rg_sharing sharing;
 };
 
 /* Returns a layer's bit in picture_request.layers. */
-uint32_t picture_layer_bit(const char *name);
+uint64_t picture_layer_bit(const char *name);
 
 /* Renders one linear image; any failure or validation message fails the test. */
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request);

@@ -13,11 +13,11 @@ struct settings reference_ray_settings(const char *const *assignments)
     return settings;
 }
 
-uint32_t reference_ray_layers(void)
+uint64_t reference_ray_layers(void)
 {
-    uint32_t layers = 0;
+    uint64_t layers = 0;
     for (uint32_t i = 0; techniques_layer(i); i++)
-        layers |= reference_has_layer(techniques_layer(i)) ? 1u << i : 0;
+        layers |= reference_has_layer(techniques_layer(i)) ? UINT64_C(1) << i : 0;
     return layers;
 }
 

@@ -18,7 +18,7 @@ struct settings reference_ray_settings(const char *const *assignments);
 #define SETTINGS(...) reference_ray_settings((const char *const[]){ __VA_ARGS__, NULL })
 
 /* Returns the bit mask of all layers that the reference renderer computes. */
-uint32_t reference_ray_layers(void);
+uint64_t reference_ray_layers(void);
 
 /* Renders an image with the reference; any failure fails the test. */
 struct render_result reference_ray_render_image(const struct reference_request *request,

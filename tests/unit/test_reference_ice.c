@@ -533,7 +533,7 @@ enum {
 
 static struct render_result whole_picture(const struct scene *scene,
                                           const struct settings *settings, uint32_t threads,
-                                          uint32_t layers)
+                                          uint64_t layers)
 {
     const struct reference_request request = {
         .scene = scene,
