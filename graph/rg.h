@@ -176,7 +176,7 @@ struct rg_image {
 struct rg_buffer {
     const char *name;            /* unique among resources */
     VkDeviceSize size;           /* bytes, plus size_per_texel per texel */
-    VkDeviceSize size_per_texel; /* additional bytes per rg_compile_params.max_region texel */
+    VkDeviceSize size_per_texel; /* additional bytes per texel of the view */
     enum rg_memory memory;       /* RG_MEMORY_DEVICE if persistent or imported */
     bool persistent;             /* keeps content between frames; zero-initialised */
     VkFormat format;             /* texel buffer's format; 0 means none */
@@ -226,10 +226,8 @@ struct rg_use {
      * binding, descriptor type and stages form an array, in which `element` counts from 0. */
     uint16_t binding;
     uint16_t element;
-    bool texels;  /* storage texel buffer, of rg_buffer.format */
-    bool partial; /* write preserves some earlier content */
-    /* true if each fragment samples only its own texel, which makes rg_exec_set_region() faster */
-    bool same_texel;
+    bool texels;                      /* storage texel buffer, of rg_buffer.format */
+    bool partial;                     /* write preserves some earlier content */
     const struct rg_sampler *sampler; /* RG_SAMPLED; NULL means {0} */
     /* placeholder if a single-sample image is missing; without one, a missing image is a fault */
     const struct rg_fallback *fallback;
@@ -318,14 +316,6 @@ typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
  * only rg_cmd_pass(), rg_cmd_repetition() and rg_cmd_extent() may be called. */
 typedef VkRect2D rg_area_fn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Returns the next row to merge into a raster pass, given the pass's own `row` first and then each
- * result; NULL ends the list. Merging passes over parts of the same targets saves barriers. A
- * merged row comes later in the plan and has the pass's targets, images, shaders and state; its
- * buffers may differ, its load operations are ignored, and the pass's `area` applies. Its own pass
- * must be skipped in this frame (`when`, `area`). The graph does not check whether passes in
- * between write what it reads. */
-typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct rg_frame *frame);
-
 /* Declaration of a pass in a table; expands to one pass or to several repetitions. */
 struct rg_pass {
     const char *name;              /* unique; shown in dumps and captures */
@@ -360,9 +350,7 @@ struct rg_pass {
      * by gl_Layer, which needs the feature shaderOutputLayer */
     uint32_t layers;
     rg_area_fn *area; /* rectangle to draw; NULL: whole targets */
-    rg_more_fn *more; /* rows to merge; NULL if none */
-    /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute(); excludes `more` */
-    bool secondary;
+    bool secondary;   /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute() */
 };
 
 /* Passes that belong together, in execution order. */
@@ -422,14 +410,15 @@ struct rg_device {
  * because a resource must wait until the memory's previous resource is no longer accessed. */
 enum rg_sharing {
     RG_SHARE_FEWEST_BATCHES, /* aliases if no batch is added */
-    RG_SHARE_LEAST_MEMORY,   /* aliases all resources with disjoint lifetimes */
     RG_SHARE_NOTHING,        /* no aliasing */
 };
 
-/* Replacement of an image's declared extent. The image must declare a nonzero width and height. */
+/* Replacement of a declared size. An image must declare a nonzero width and height. */
 struct rg_size {
-    const struct rg_image *image;
-    VkExtent2D extent; /* texels */
+    const struct rg_image *image;   /* set either this or `buffer` */
+    VkExtent2D extent;              /* texels of `image` */
+    const struct rg_buffer *buffer; /* set either this or `image` */
+    VkDeviceSize size;              /* bytes of `buffer` */
 };
 
 /* Input of rg_compile(). All pointers are borrowed. `memory` and the tables must outlive the plan.
@@ -440,18 +429,15 @@ struct rg_compile_params {
     VkExtent2D view; /* frame size in texels; required */
     /* largest view that rg_exec_update() can change to without allocating; 0x0 means `view` */
     VkExtent2D max_view;
-    VkExtent2D max_region;           /* for rg_exec_set_region(); 0x0 means `view` */
     const struct rg_output *outputs; /* required; unneeded passes are culled */
     size_t output_count;             /* 0 is a fault */
     const struct rg_import *imports;
     size_t import_count;
-    const struct rg_size *sizes; /* override image sizes; imports take precedence */
+    const struct rg_size *sizes; /* override declared sizes; imports take precedence */
     size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
     bool skip_shaders;              /* no shader validation (7 us each) */
-    /* rg_exec_params.constants; each must occur in a shader. NULL disables this check */
-    const VkSpecializationInfo *constants;
     /* Memory for compiling and for the plan. It must outlive the plan and be aligned for any type.
      * If NULL or too small, malloc() provides the rest. rg_plan.arena_size bytes are enough. */
     void *memory;
@@ -495,7 +481,6 @@ enum rg_error {
     RG_ERROR_SHADER_VERTEX,      /* missing or mismatched vertex attribute */
     RG_ERROR_SHADER_INPUT,       /* fragment input without vertex output */
     RG_ERROR_SHADER_OUTPUT,      /* output without target, or vice versa */
-    RG_ERROR_CONSTANT,           /* unknown constant, or wrong size */
     RG_ERROR_COUNT,
 };
 

@@ -37,8 +37,7 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 /* Binds a pipeline of the application in place of the row's. It is a graphics pipeline for the
  * formats and samples of the row's targets, with dynamic viewport and scissor, or a compute
  * pipeline, and its layout is compatible with rg_exec_layout(). It must exist until the frame has
- * been executed. Rows without shaders call this before they draw or dispatch. Unavailable with
- * rg_exec_params.render_passes. */
+ * been executed. Rows without shaders call this before they draw or dispatch. */
 RG_API void rg_cmd_bind_pipeline(struct rg_cmd *cmd, VkPipeline pipeline);
 
 /* Binds a descriptor set of the application as set 1. rg_exec_params.sets has the set's layout. The
@@ -82,7 +81,7 @@ RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh
 RG_API void rg_cmd_viewport(struct rg_cmd *cmd, const VkViewport *viewport);
 
 /* Sets the scissor rectangle, in texels of the targets. It holds until the next call or the end of
- * the pass. Drawing is always clipped to the targets and to rg_exec_set_region(). */
+ * the pass. Drawing is always clipped to the targets. */
 RG_API void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle);
 
 /* Dispatches x * y * z workgroups of the pass's compute shader. */

@@ -102,10 +102,8 @@ struct rg_exec_params {
     const struct rg_exec_sampler *samplers; /* replace rg_sampler structs; outlives executor */
     size_t sampler_count;
     float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
-    /* true to replace dynamic rendering by VkRenderPass objects, for old validation layers */
-    bool render_passes;
-    bool measured;   /* enables rg_profile.h */
-    bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
+    bool measured;        /* enables rg_profile.h */
+    bool statistics;      /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
     /* values of specialization constants, read only during the call; NULL means the defaults */
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn *replace_shader; /* called by rg_exec_create(); NULL: no replacement */
@@ -130,7 +128,7 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
  * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user are used.
  * Must not be called between rg_exec_begin() and a submit. The previous plan and its tables must
  * exist until it returns. Results of rg_exec_image(), rg_exec_block() and rg_exec_mapped() become
- * invalid, and the region is reset. Returns an error if a Vulkan call fails.
+ * invalid. Returns an error if a Vulkan call fails.
  *
  * Does not wait: frames that are in flight continue with the previous plan's objects, which are
  * destroyed once the last of these frames has been waited for, and the first frame of the new plan
@@ -216,20 +214,6 @@ RG_API VkResult rg_exec_wait_all(struct rg_exec *exec);
 /* Returns the mapped memory of a slot's upload or readback buffer, or NULL if the plan does not use
  * the buffer. The executor owns it. Write it between rg_exec_begin() and rg_exec_submit(). */
 RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
-
-/* A region of the view, for tiled rendering of images that are too large to draw at once. */
-struct rg_exec_region {
-    VkRect2D region; /* nonempty; at most max_region texels */
-    /* area in which images are drawn if passes sample them without rg_use.same_texel; any size */
-    VkRect2D reach;
-};
-
-/* Restricts later frames to a region of the view, with values bit-identical to those of a whole
- * frame; the rest is undefined. Affects passes that draw into images of the view's size that are
- * neither imported nor persistent, or that only copy from these to buffers, which receive `region`
- * tightly packed. Images that a pass samples without rg_use.same_texel are also drawn in `reach`.
- * Fragment derivatives require even offsets. */
-RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region);
 
 /* ---- objects ---- */
 

@@ -105,7 +105,7 @@ struct rg_culled {
 struct rg_plan {
     const struct rg_fault *faults;
     uint32_t fault_count;
-    VkExtent2D view, max_region; /* from rg_compile_params */
+    VkExtent2D view; /* from rg_compile_params */
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count, color_count, fallback_count;
     uint32_t batch_count;               /* barrier batches, including the final one */
@@ -125,7 +125,6 @@ struct rg_plan {
     VkDeviceSize memory_used;             /* bytes of all blocks */
     VkDeviceSize memory_without_aliasing; /* bytes if nothing aliased */
     VkDeviceSize memory_bound;            /* peak live bytes, a lower bound */
-    VkDeviceSize memory_least;            /* bound with lifetimes from first use */
     VkDeviceSize memory_persistent;       /* persistent bytes, not included above */
     size_t arena_size;                    /* arena bytes used by rg_compile() */
 };

@@ -1,6 +1,5 @@
 /* alias_dependencies.c: finds which accesses must finish before a transient resource may reuse
- * memory. Within a frame, these are the accesses of resources that used these bytes earlier. Across
- * frames, these are the accesses of all resources that use these bytes. */
+ * memory: those of all resources that use these bytes, in this frame or the previous one. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
@@ -42,12 +41,11 @@ static void add(struct previous_owner *to, const struct previous_owner *pending)
 {
     to->stages |= pending->stages;
     to->writes |= pending->writes;
-    to->end = to->end < pending->end ? pending->end : to->end;
 }
 
 static bool covers(const struct previous_owner *a, const struct previous_owner *b)
 {
-    return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
+    return !(b->stages & ~a->stages) && !(b->writes & ~a->writes);
 }
 
 /* Adds a resource's last accesses to the segments of its memory. Splits segments at its ends. */
@@ -82,20 +80,6 @@ static struct previous_owner *owner_of(const struct compiler *c, const struct pa
     return &c->owners[item->resource->item];
 }
 
-/* Finds, for each resource, the last earlier pass that used any byte of the resource's memory. */
-static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
-                      uint32_t count)
-{
-    for (const struct pack_item *item = items; item < items + count; item++) {
-        const struct previous_owner pending = { .end = item->last + 1 };
-        struct previous_owner *owner = owner_of(c, item);
-        merge_owners(s, item, owner);
-        if (owner->end > item->first) /* segments may be too coarse */
-            owner->end = item->first;
-        record_accesses(s, item, &pending);
-    }
-}
-
 /* Collects the accesses to a resource that may still be running at the end of the frame. */
 static void find_pending(const struct resource *r, struct previous_owner *pending)
 {
@@ -112,10 +96,9 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
                         uint32_t count)
 {
     const struct pack_item *end = items + count;
-    struct previous_owner common = { UINT64_MAX, UINT64_MAX, 0 };
+    struct previous_owner common = { UINT64_MAX, UINT64_MAX };
     for (const struct pack_item *item = items; item < end; item++) {
         struct previous_owner *owner = owner_of(c, item);
-        owner->end = 0;
         find_pending(item->resource, owner);
         common.stages &= owner->stages;
         common.writes &= owner->writes;
@@ -132,31 +115,17 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
         merge_owners(s, item, owner_of(c, item));
 }
 
-typedef void find_fn(struct compiler *c, struct segments *s, const struct pack_item *items,
-                     uint32_t count);
-
-static void each_block(struct compiler *c, find_fn *find_in_block)
+void rg_complete_alias_barriers(struct compiler *c)
 {
     struct segments *segments = ARENA_ARRAY(c->arena, struct segments, 1);
-    if (!c->owners)
-        c->owners = ARENA_ZEROED(c->arena, struct previous_owner, c->item_count);
+    c->owners = ARENA_ZEROED(c->arena, struct previous_owner, c->item_count);
     for (uint32_t done = 0, end; done < c->item_count && !c->arena->failed; done = end) {
         for (end = done + 1; end < c->item_count && c->items[end].block == c->items[done].block;)
             end++;
         segments->items[0] = (struct segment){ 0 };
         segments->count = 1;
-        find_in_block(c, segments, &c->items[done], end - done);
+        find_owners(c, segments, &c->items[done], end - done);
     }
-}
-
-void rg_find_release_passes(struct compiler *c)
-{
-    each_block(c, find_ends);
-}
-
-void rg_complete_alias_barriers(struct compiler *c)
-{
-    each_block(c, find_owners);
     for (uint32_t i = 0; i < c->plan->barrier_count && !c->arena->failed; i++) {
         struct rg_barrier *b = &c->barriers[i];
         if (b->src_stages)

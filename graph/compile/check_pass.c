@@ -93,20 +93,17 @@ static bool is_next_element(const struct rg_use *use, const struct rg_use *befor
 }
 
 /* Reports duplicate bindings as faults. Needed only if the bindings are not in ascending order. */
-static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32_t use_count)
+static void check_bindings(struct compiler *c, const struct rg_use *uses, const struct rg_use *end)
 {
-    if (!c->bindings)
-        c->bindings = ARENA_ZEROED(c->arena, uint32_t, (UINT16_MAX + 1) / 32);
-    for (uint32_t i = 0; i < use_count && c->bindings; i++) {
-        bool bound =
-            rg_is_valid_use(&uses[i]) && rg_is_shader_access(uses[i].access) && !uses[i].element;
-        uint32_t bit = bound ? 1u << uses[i].binding % 32 : 0;
-        rg_fault_if(c, c->bindings[uses[i].binding / 32] & bit, RG_ERROR_DUPLICATE_BINDING,
-                    use_name(&uses[i]), "give each use of the row a unique binding");
-        c->bindings[uses[i].binding / 32] |= bit;
+    for (const struct rg_use *use = uses; use < end; use++) {
+        bool found = !rg_is_shader_access(use->access) || use->element;
+        for (const struct rg_use *other = use + 1; other < end && !found; other++) {
+            found = rg_is_shader_access(other->access) && !other->element &&
+                    other->binding == use->binding;
+            rg_fault_if(c, found, RG_ERROR_DUPLICATE_BINDING, use_name(other),
+                        "give each use of the row a unique binding");
+        }
     }
-    for (uint32_t i = 0; i < use_count && c->bindings; i++)
-        c->bindings[uses[i].binding / 32] = 0;
 }
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
@@ -116,8 +113,8 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool ascending = true;
     const struct rg_use *before = NULL; /* the last use with a descriptor */
-    uint32_t use_count = 0;
-    for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++, use_count++) {
+    const struct rg_use *use = pass->uses;
+    for (; use && rg_is_use(use); use++) {
         check_use(c, pass, use);
         writes = writes || ((unsigned)use->access < RG_ACCESS_COUNT &&
                             rg_access_table[use->access].writes_content);
@@ -131,7 +128,7 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
         before = use;
     }
     if (!ascending)
-        check_bindings(c, pass->uses, use_count);
+        check_bindings(c, pass->uses, use);
     rg_fault_if(c, !writes, RG_ERROR_WRITES_NOTHING, NULL,
                 "add a target or a use that writes: otherwise the pass is always culled");
 }
@@ -244,8 +241,6 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
                 "only a raster pass has targets");
     rg_fault_if(c, pass->kind != RG_RASTER && pass->area, RG_ERROR_ACCESS, NULL,
                 "only a raster pass has an area");
-    rg_fault_if(c, pass->kind != RG_RASTER && pass->more, RG_ERROR_ACCESS, NULL,
-                "only a raster pass draws further rows");
     rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
                 "set an image in .color or .depth");
     for (uint32_t i = color_count, room = rg_safe_color_count(pass); i < room; i++) {
@@ -292,8 +287,6 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
                 "layers: expected at most 2048");
     rg_fault_if(c, pass->layers > 1 && (pass->kind != RG_RASTER || pass->repeat == RG_PER_LAYER),
                 RG_ERROR_VALUE, NULL, "layers: expected a raster row without RG_PER_LAYER");
-    rg_fault_if(c, pass->secondary && pass->more, RG_ERROR_VALUE, NULL,
-                "secondary: expected no .more");
     rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,
                 "give the descriptor set a name");
     if (pass->set && pass->kind == RG_TRANSFER)

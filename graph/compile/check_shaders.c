@@ -134,15 +134,10 @@ static const char *component_name(char component)
     return component == 'f' ? "float" : component == 'i' ? "int" : component == 'u' ? "uint" : "?";
 }
 
-/* Returns an image's number of layers. An import may override the declared number. */
-static uint32_t layer_count(const struct shaders *s, const struct rg_image *image)
+/* Returns the resource at an address, or NULL if no earlier row or import has it. */
+static const struct resource *known_resource(const struct shaders *s, const void *address)
 {
-    const struct rg_compile_params *params = s->c->params;
-    for (size_t i = 0; i < params->import_count; i++) {
-        if (params->imports[i].image == image && params->imports[i].layers)
-            return params->imports[i].layers;
-    }
-    return image->layers ? image->layers : image->cube ? 6 : 1;
+    return rg_map_find(&s->c->by_address, address)->value;
 }
 
 /* Checks that a shader declares the texel format of the image or texel buffer. */
@@ -184,7 +179,11 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
     const char *name = rg_spirv_name(stage, v);
     const struct rg_image *image = use->image;
     const struct rg_range *range = &use->range;
-    uint32_t layers = layer_count(s, image);
+    const struct resource *known = known_resource(s, image);
+    uint32_t layers = known           ? known->all.layerCount
+                      : image->layers ? image->layers
+                      : image->cube   ? 6
+                                      : 1;
     uint32_t named = range->each && s->row->repeat == RG_PER_LAYER ? 1
                      : range->layer_count                          ? range->layer_count
                                                                    : layers - range->layer;
@@ -210,13 +209,9 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
 static void check_uniform(const struct shaders *s, const struct spirv *stage,
                           const struct spirv_variable *v, const struct rg_use *use)
 {
-    const struct rg_compile_params *params = s->c->params;
+    const struct resource *known = known_resource(s, use->buffer);
     uint32_t needed = rg_spirv_struct_size(stage, v->type);
-    VkDeviceSize size = use->buffer->size;
-    for (size_t i = 0; i < params->import_count; i++) {
-        if (params->imports[i].buffer == use->buffer && params->imports[i].size)
-            size = params->imports[i].size;
-    }
+    VkDeviceSize size = known ? known->size : use->buffer->size;
     if (!use->buffer->size_per_texel && size < needed)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: expected %u bytes or more, '%s' has %llu", v->binding, needed,
@@ -358,42 +353,13 @@ static void check_bindings(const struct shaders *s)
 
 /* ---- vertex inputs, colour outputs ---- */
 
-/* Consecutive VkFormats of equal component count; kinds[i] is the component type of first + i. */
-struct format_group {
-    VkFormat first;
-    uint32_t components;
-    const char *kinds;
-};
-
-static const struct format_group format_groups[] = {
-    { VK_FORMAT_R4G4_UNORM_PACK8, 2, "f" },
-    { VK_FORMAT_R4G4B4A4_UNORM_PACK16, 4, "ff" },
-    { VK_FORMAT_R5G6B5_UNORM_PACK16, 3, "ff" },
-    { VK_FORMAT_R5G5B5A1_UNORM_PACK16, 4, "fff" },
-    { VK_FORMAT_R8_UNORM, 1, "ffffuif" },
-    { VK_FORMAT_R8G8_UNORM, 2, "ffffuif" },
-    { VK_FORMAT_R8G8B8_UNORM, 3, "ffffuifffffuif" },
-    { VK_FORMAT_R8G8B8A8_UNORM, 4, "ffffuifffffuifffffuifffffuiffffui" },
-    { VK_FORMAT_R16_UNORM, 1, "ffffuif" },
-    { VK_FORMAT_R16G16_UNORM, 2, "ffffuif" },
-    { VK_FORMAT_R16G16B16_UNORM, 3, "ffffuif" },
-    { VK_FORMAT_R16G16B16A16_UNORM, 4, "ffffuif" },
-    { VK_FORMAT_R32_UINT, 1, "uif" },
-    { VK_FORMAT_R32G32_UINT, 2, "uif" },
-    { VK_FORMAT_R32G32B32_UINT, 3, "uif" },
-    { VK_FORMAT_R32G32B32A32_UINT, 4, "uif" },
-    { VK_FORMAT_R64_UINT, 1, "????????????" },
-    { VK_FORMAT_B10G11R11_UFLOAT_PACK32, 3, "ff" },
-    { VK_FORMAT_E5B9G9R9_UFLOAT_PACK32 + 1, 0, "" },
-};
-
-static char vertex_component(VkFormat format, uint32_t *count)
+/* Returns the number of components of a format: of letters before the first '_' of its name. */
+static uint32_t component_count(const struct rg_format_info *format)
 {
-    const struct format_group *group = format_groups;
-    while (group[1].components && format >= group[1].first)
-        group++;
-    *count = group->components;
-    return group->kinds[format - group->first];
+    uint32_t count = 0;
+    for (const char *c = format->name; *c && *c != '_'; c++)
+        count += *c == 'R' || *c == 'G' || *c == 'B' || *c == 'A';
+    return count;
 }
 
 static const VkVertexInputAttributeDescription *
@@ -412,11 +378,10 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
                             uint32_t location)
 {
     const VkVertexInputAttributeDescription *a = find_attribute(s->row->vertices, location);
-    uint32_t count, given = 0;
+    uint32_t count;
     char component = rg_spirv_component(s->stages[0], v->type, &count);
-    char kind = '?';
-    if (a)
-        kind = vertex_component(a->format, &given);
+    char kind = a ? component_of(a->format, 0) : '?';
+    uint32_t given = kind == '?' ? 0 : component_count(rg_format_info(a->format));
     if (!a)
         fault(s, RG_ERROR_SHADER_VERTEX, rg_spirv_name(s->stages[0], v),
               "location %u of '%s' is in no vertex layout", location, shader_of(s->stages[0]));
@@ -496,50 +461,6 @@ static void check_fragments(const struct shaders *s)
     }
 }
 
-/* ---- specialization constants ---- */
-
-/* Checks the sizes of specialization constants. Records which constants the shaders have. */
-static void check_constants(const struct shaders *s)
-{
-    const VkSpecializationInfo *given = s->c->params->constants;
-    for (uint32_t i = 0; i < s->count; i++) {
-        for (uint32_t k = 0; k < s->stages[i]->constant_count; k++) {
-            const struct spirv_constant *constant = &s->stages[i]->constants[k];
-            for (uint32_t g = 0; s->c->known_constants && g < given->mapEntryCount; g++) {
-                if (given->pMapEntries[g].constantID != constant->id)
-                    continue;
-                s->c->known_constants[g] = true;
-                if (given->pMapEntries[g].size != constant->size)
-                    fault(s, RG_ERROR_CONSTANT, NULL,
-                          "constant %u has %u bytes in '%s', but %u in the params", constant->id,
-                          constant->size, shader_of(s->stages[i]),
-                          (unsigned)given->pMapEntries[g].size);
-            }
-        }
-    }
-}
-
-void rg_begin_constants(struct compiler *c)
-{
-    const VkSpecializationInfo *given = c->params->constants;
-    if (!given || c->params->skip_shaders)
-        return;
-    RG_CHECK_TABLE(c, given, pMapEntries, mapEntryCount, RG_MAX_ROWS, NULL);
-    if (!rg_is_bad_table(given->pMapEntries, given->mapEntryCount, RG_MAX_ROWS))
-        c->known_constants = ARENA_ZEROED(c->arena, bool, given->mapEntryCount);
-}
-
-void rg_end_constants(struct compiler *c)
-{
-    const struct shaders none = { .c = c };
-    const VkSpecializationInfo *given = c->params->constants;
-    for (uint32_t g = 0; c->known_constants && g < given->mapEntryCount; g++) {
-        if (!c->known_constants[g] && !c->has_shaders_without_code)
-            fault(&none, RG_ERROR_CONSTANT, NULL, "no shader has constant %u",
-                  given->pMapEntries[g].constantID);
-    }
-}
-
 /* ---- entry point ---- */
 
 static bool open_stage(struct shaders *s, const struct rg_shader *shader,
@@ -563,10 +484,8 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
     bool is_raster = row->kind == RG_RASTER;
     if (!(is_raster ? row->vert : row->comp) || row->kind == RG_TRANSFER || c->params->skip_shaders)
         return;
-    if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp))) {
-        c->has_shaders_without_code = true;
+    if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp)))
         return;
-    }
     struct shaders s = { .c = c, .row = row };
     if (is_raster ? !open_stage(&s, row->vert, VK_SHADER_STAGE_VERTEX_BIT) ||
                         (row->frag && !open_stage(&s, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT))
@@ -574,7 +493,6 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
         return;
     check_push(&s);
     check_bindings(&s);
-    check_constants(&s);
     if (is_raster)
         check_vertices(&s);
     if (is_raster && row->frag)

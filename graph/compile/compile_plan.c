@@ -6,7 +6,7 @@
  * except sorting by size. The design is that of frame graphs with declared resources (O'Donnell,
  * "FrameGraph: Extensible Rendering Architecture in Frostbite", GDC 2017), as a compiler.
  *
- * 1. Check: check_compile_params.c, check_pass.c, and check_shaders.c against the interfaces that
+ * 1. Check: create_resource_records.c, check_pass.c, and check_shaders.c against the interfaces that
  *    spirv_reflection.c reads from the modules. Faults are collected (fault.c), and the compiler
  *    stops after a stage that has found any.
  * 2. Expand (expand_passes.c, create_resource_records.c): makes a pass of each repetition of a row,
@@ -16,16 +16,15 @@
  *    compilers (Kildall, "A Unified Approach to Global Program Optimization", POPL 1973), to a
  *    fixed point, because persistent content is live in the next frame.
  * 4. Lifetimes and memory requirements (memory_requirements.c).
- * 5. Barriers (emit_passes.c, barriers.c): a state machine per cell after the Vulkan specification,
+ * 5. Barriers (barriers.c): a state machine per cell after the Vulkan specification,
  *    chapter "Synchronization and Cache Control". A barrier has a release and a deadline; stabbing
  *    these intervals greedily by deadline gives the fewest batches (Cormen et al., "Introduction to
  *    Algorithms", activity selection).
  * 6. Memory (pack_memory.c): dynamic storage allocation, first-fit by several
  *    orders, then squeaky wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block
  *    reaches its lower bound, the peak of live bytes.
- * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners. By
- *    default, stage 6 only aliases where a batch exists that can carry this barrier; with
- *    RG_SHARE_LEAST_MEMORY it runs before stage 5, and stage 5 adds the batches.
+ * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners.
+ *    Stage 6 only aliases where stage 5 has made a batch that can carry this barrier.
  */
 #include "graph/compile/compiler.h"
 
@@ -51,7 +50,6 @@ static bool failed(const struct compiler *c)
 /* Runs all stages; stops at the first that finds a fault or runs out of memory. */
 static void run(struct compiler *c)
 {
-    bool pack_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     if (!rg_check_params(c))
         return;
     reserve(c);
@@ -67,13 +65,8 @@ static void run(struct compiler *c)
     rg_list_resources(c);
     if (failed(c))
         return;
-    if (pack_first) { /* place memory before computing barriers */
-        rg_pack_blocks(c);
-        rg_find_release_passes(c);
-    }
-    if (!failed(c))
-        rg_write_plan_passes(c);
-    if (!failed(c) && !pack_first) /* alias only where existing barriers permit */
+    rg_write_plan_passes(c);
+    if (!failed(c)) /* alias only where existing barriers permit */
         rg_pack_blocks(c);
     if (!failed(c))
         rg_complete_alias_barriers(c);
@@ -106,7 +99,6 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
     };
     c.max_view = params->max_view.width ? params->max_view : params->view;
     owned->plan.view = params->view;
-    owned->plan.max_region = params->max_region.width ? params->max_region : params->view;
     rg_fault_if(&c, !given, RG_ERROR_TABLE, NULL, "rg_compile(): expected params, got NULL");
     if (given)
         run(&c);
@@ -116,8 +108,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         return NULL;
     }
     if (c.fault_count) /* do not expose a half-built plan */
-        owned->plan =
-            (struct rg_plan){ .view = params->view, .max_region = owned->plan.max_region };
+        owned->plan = (struct rg_plan){ .view = params->view };
     owned->plan.faults = c.faults;
     owned->plan.fault_count = c.fault_count;
     owned->plan.arena_size = arena.used + _Alignof(max_align_t);

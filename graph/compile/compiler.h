@@ -106,7 +106,6 @@ struct pack_item {
     VkDeviceSize size, alignment; /* bytes; a power of two */
     VkDeviceSize offset;          /* result: bytes from the block's start */
     uint32_t first, last;         /* live range in passes, inclusive */
-    uint32_t first_use;           /* first access; not before `first` */
     uint32_t type_bits;           /* as in VkMemoryRequirements */
     struct resource *resource;
     uint32_t block; /* index into the plan's blocks */
@@ -116,7 +115,6 @@ struct pack_item {
 struct previous_owner {
     VkPipelineStageFlags2 stages; /* stages of pending accesses */
     VkAccessFlags2 writes;        /* writes not yet made available */
-    uint32_t end;                 /* one past the last accessing pass */
 };
 
 struct compiler {
@@ -142,10 +140,7 @@ struct compiler {
     struct rg_plan_pass *pass; /* its current pass */
     uint32_t step;             /* offset from the row's layer or mip level */
     uint32_t target_samples;   /* sample count; 0 before any target */
-    uint32_t *bindings;        /* bit set, zero outside check_bindings() */
     struct spirv modules[2];   /* its shaders */
-    bool *known_constants;     /* params->constants that a shader declares */
-    bool has_shaders_without_code;
 
     struct pass *passes;
     struct rg_plan_pass *plan_passes; /* parallel to `passes`, until culled */
@@ -317,17 +312,7 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
     return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
 }
 
-/* ---- check_compile_params.c, check_pass.c ---- */
-
-/* Counts the passes and checks the params' arrays. Returns true if all arrays can be read. */
-bool rg_check_params(struct compiler *c);
-
-/* Checks an import if `arrives`, else an output. Returns true if exactly one resource is named. */
-bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
-                       const struct rg_buffer *buffer, enum rg_access access, bool arrives);
-
-void rg_check_resource(struct compiler *c, struct resource *r);
-void rg_check_output_memory(struct compiler *c, const struct resource *r);
+/* ---- check_pass.c ---- */
 
 /* Checks those fields of a pass declaration that do not depend on other passes. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
@@ -337,10 +322,6 @@ bool rg_keeps_color(const struct rg_target *target); /* old colour may partly re
 
 /* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
-
-/* Begin and end a search for specialization constants that no shader has, which are faults. */
-void rg_begin_constants(struct compiler *c);
-void rg_end_constants(struct compiler *c);
 
 /* Returns true for a use, and false for the zero entry that ends an array of uses. */
 static inline bool rg_is_use(const struct rg_use *use)
@@ -372,6 +353,9 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
 }
 
 /* ---- create_resource_records.c ---- */
+
+/* Counts the passes and checks the params' arrays. Returns true if all arrays can be read. */
+bool rg_check_params(struct compiler *c);
 
 /* Adds the imports and outputs, and reports their faults. */
 void rg_add_boundary(struct compiler *c);
@@ -411,26 +395,11 @@ void rg_list_resources(struct compiler *c);
 /* pack_memory.c: assigns each transient resource a memory block and an offset in it. */
 void rg_pack_blocks(struct compiler *c);
 
-/* emit_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
+/* barriers.c: writes the plan's passes, targets and uses, and adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: finds the last earlier pass in which another resource used a resource's
- * memory. Later sets the source scopes of barriers that wait for earlier uses of memory. */
-void rg_find_release_passes(struct compiler *c);
+/* alias_dependencies.c: sets the source scopes of barriers that wait for earlier uses of memory. */
 void rg_complete_alias_barriers(struct compiler *c);
-
-/* ---- barriers.c ---- */
-
-/* Sets every subresource's synchronisation state to the state at the start of a frame. */
-void rg_begin_cells(struct compiler *c);
-
-/* Adds the barriers that an access needs. If `restores_import`, the access returns an import to its
- * initial state. Subresources that are already in this state then get no barrier. */
-void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
-                     bool restores_import);
-
-/* Adds the barriers after the last pass, and those to record once before the first frame. */
-void rg_end_barriers(struct compiler *c);
 
 /* ---- pack_memory.c ---- */
 
@@ -438,7 +407,6 @@ struct pack_result {
     VkDeviceSize size;      /* bytes of the block */
     VkDeviceSize unaliased; /* bytes without aliasing */
     VkDeviceSize bound;     /* peak live bytes, a lower bound */
-    VkDeviceSize min_bound; /* bound with lifetimes from first use */
     VkDeviceSize alignment; /* the largest of all items */
 };
 

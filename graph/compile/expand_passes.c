@@ -408,7 +408,6 @@ static void check_filled(struct compiler *c, const struct resource *r)
 
 void rg_expand(struct compiler *c)
 {
-    rg_begin_constants(c);
     for (uint32_t t = 0; t < c->params->technique_count; t++) {
         c->technique = c->params->techniques[t];
         c->row = RG_NONE;
@@ -419,7 +418,6 @@ void rg_expand(struct compiler *c)
     c->technique = NULL;
     c->row = RG_NONE;
     c->row_first_fault = c->fault_count;
-    rg_end_constants(c);
     for (uint32_t i = 0; i < c->resource_count; i++) {
         if (c->resources[i]->output != RG_NONE || c->resources[i]->partner)
             check_filled(c, c->resources[i]);

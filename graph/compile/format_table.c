@@ -1,4 +1,5 @@
-/* format_table.c: properties of the formats that passes can draw to, sample or store. */
+/* format_table.c: properties of the formats that passes can draw to, sample, store or read as
+ * vertex attributes. */
 #include "graph/compile/compiler.h"
 
 #define FORMAT(format, bytes, aspects, ...) \
@@ -22,6 +23,7 @@ static const struct rg_format_info formats[] = {
     COLOR(R8G8B8A8_UNORM, 4, 4),
     COLOR(R8G8B8A8_SNORM, 4, 5),
     COLOR_UINT(R8G8B8A8_UINT, 4, 32),
+    COLOR_SINT(R8G8B8A8_SINT, 4, 23),
     COLOR(R8G8B8A8_SRGB, 4, 0),
     COLOR(B8G8R8A8_UNORM, 4, 0),
     COLOR(B8G8R8A8_SRGB, 4, 0),
@@ -37,13 +39,19 @@ static const struct rg_format_info formats[] = {
     COLOR(R16G16B16A16_UNORM, 8, 10),
     COLOR(R16G16B16A16_SNORM, 8, 16),
     COLOR_UINT(R16G16B16A16_UINT, 8, 31),
+    COLOR_SINT(R16G16B16A16_SINT, 8, 22),
     COLOR(R16G16B16A16_SFLOAT, 8, 2),
     COLOR_UINT(R32_UINT, 4, 33),
     COLOR_SINT(R32_SINT, 4, 24),
     COLOR(R32_SFLOAT, 4, 3),
     COLOR_UINT(R32G32_UINT, 8, 35),
+    COLOR_SINT(R32G32_SINT, 8, 25),
     COLOR(R32G32_SFLOAT, 8, 6),
+    COLOR_UINT(R32G32B32_UINT, 12, 0),
+    COLOR_SINT(R32G32B32_SINT, 12, 0),
+    COLOR(R32G32B32_SFLOAT, 12, 0),
     COLOR_UINT(R32G32B32A32_UINT, 16, 30),
+    COLOR_SINT(R32G32B32A32_SINT, 16, 21),
     COLOR(R32G32B32A32_SFLOAT, 16, 1),
     DEPTH(D16_UNORM, 2),
     DEPTH(X8_D24_UNORM_PACK32, 4),

@@ -186,7 +186,6 @@ static void add_memory(struct compiler *c, struct resource *r,
             .size = required->size,
             .alignment = required->alignment ? required->alignment : 1,
             .last = r->last,
-            .first_use = r->first,
             .type_bits = required->type_bits,
             .resource = r,
         };

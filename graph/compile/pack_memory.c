@@ -46,7 +46,6 @@ struct live_set {
 /* Changes of the live items since the previous pass. Negative changes wrap around (unsigned). */
 struct change {
     VkDeviceSize taken;      /* live bytes */
-    VkDeviceSize used;       /* live bytes counted from first use */
     struct live_set *newest; /* newest live set */
     uint32_t begun, ended;   /* items begun here; ended before */
 };
@@ -88,9 +87,7 @@ static void find_changes(const struct packing *p, struct pack_result *result)
             result->alignment = item->alignment;
         changes[item->first].taken += item->size;
         changes[item->first].begun++;
-        changes[item->first_use].used += item->size;
         after->taken -= item->size;
-        after->used -= item->size;
         after->ended++;
     }
 }
@@ -99,7 +96,6 @@ static void find_changes(const struct packing *p, struct pack_result *result)
 static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
-    VkDeviceSize used = 0;
     struct live_set *newest = p->live_sets;
     struct live_set *next = newest;
     uint32_t alive = 0;
@@ -107,11 +103,9 @@ static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_resu
     uint64_t live_sum = 0;
     for (struct change *pass = p->changes; pass <= &p->changes[end]; pass++) {
         taken += pass->taken;
-        used += pass->used;
         alive += pass->begun - pass->ended;
         ended += pass->ended;
         result->bound = result->bound < taken ? taken : result->bound;
-        result->min_bound = result->min_bound < used ? used : result->min_bound;
         if (pass->begun) {
             newest = ended ? next++ : newest;
             newest->alive = alive;
@@ -405,7 +399,6 @@ static void place_block(struct compiler *c, uint32_t first, uint32_t count, stru
     plan->memory_used += packed.size;
     plan->memory_without_aliasing += packed.unaliased;
     plan->memory_bound += packed.bound;
-    plan->memory_least += packed.min_bound;
     for (uint32_t i = 0; i < count; i++) {
         const struct resource *r = items[i].resource;
         items[i].block = plan->block_count;

@@ -19,11 +19,8 @@ enum {
     OP_TYPE_STRUCT = 30,
     OP_TYPE_POINTER = 32,
     OP_CONSTANT = 43,
-    OP_SPEC_CONSTANT_TRUE = 48,
-    OP_SPEC_CONSTANT_FALSE = 49,
     OP_SPEC_CONSTANT = 50,
     OP_FUNCTION = 54,
-    OP_FUNCTION_PARAMETER = 55,
     OP_FUNCTION_CALL = 57,
     OP_VARIABLE = 59,
     OP_IMAGE_TEXEL_POINTER = 60,
@@ -54,7 +51,6 @@ enum {
     OP_ATOMIC_FLOAT_MIN = 5614,
     OP_ATOMIC_FLOAT_MAX = 5615,
     OP_ATOMIC_FLOAT_ADD = 6035,
-    DECORATION_SPEC_ID = 1,
     DECORATION_BUFFER_BLOCK = 3,
     DECORATION_ROW_MAJOR = 4,
     DECORATION_ARRAY_STRIDE = 6,
@@ -66,24 +62,22 @@ enum {
     DECORATION_SET = 34,
     DECORATION_OFFSET = 35,
     DIM_SUBPASS = 6,
-    STORAGE_FUNCTION = 7, /* storage class of local variables */
     HEADER_WORDS = 5,
     MAGIC = 0x07230203,
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
-    MAX_CALLS = 64,           /* nesting of calls */
 };
 
 /* Parsed properties of a SPIR-V id. `definition` and `name` are word indices; 0 means none. */
 struct spirv_id {
     uint32_t definition; /* word index of the defining instruction */
     uint32_t name;
-    uint32_t stride;                       /* of an array in bytes */
-    uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
-    uint32_t variable;                     /* `variables` index plus 1, or 0 */
-    uint32_t root;              /* base variable or parameter of a pointer or image; 0 if none */
-    uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
-    uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
+    uint32_t stride;                 /* of an array in bytes */
+    uint32_t binding, set, location; /* decorations plus 1; 0: not decorated */
+    uint32_t variable;               /* `variables` index plus 1, or 0 */
+    uint32_t root;                   /* base variable of a pointer or image; 0 if there is none */
+    uint16_t unread, unwritten;      /* of a struct: members that are NonReadable, NonWritable */
+    uint8_t access, denied; /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
 };
 
@@ -381,7 +375,6 @@ static void decorate(struct spirv *s, const struct instruction *in)
     uint32_t *number = kind == DECORATION_BINDING    ? &id->binding
                        : kind == DECORATION_SET      ? &id->set
                        : kind == DECORATION_LOCATION ? &id->location
-                       : kind == DECORATION_SPEC_ID  ? &id->spec
                                                      : NULL;
     if (number)
         *number = value + 1;
@@ -390,8 +383,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
 /* Returns the word index of an instruction's result id, or 0 if the parser ignores the result. */
 static uint32_t result_word(uint32_t op)
 {
-    if (op == OP_VARIABLE || op == OP_CONSTANT ||
-        (op >= OP_SPEC_CONSTANT_TRUE && op <= OP_SPEC_CONSTANT))
+    if (op == OP_VARIABLE || op == OP_CONSTANT || op == OP_SPEC_CONSTANT)
         return 2;
     bool type = (op >= OP_TYPE_BOOL && op <= OP_TYPE_STRUCT) || op == OP_TYPE_POINTER ||
                 op == OP_TYPE_ACCELERATION_STRUCTURE;
@@ -425,19 +417,6 @@ static void add_variable(struct spirv *s, struct arena *arena, const struct inst
     s->has_storage = s->has_storage || id->root;
 }
 
-static void add_constant(struct spirv *s, struct arena *arena, const struct instruction *in,
-                         const struct spirv_id *id)
-{
-    const uint32_t *number = definition(s, in->words[1], OP_TYPE_INT, 4);
-    if (!number)
-        number = definition(s, in->words[1], OP_TYPE_FLOAT, 3);
-    if (id->spec && ARENA_ROOM(arena, s->constants, s->constant_count, s->constant_room, 16))
-        s->constants[s->constant_count++] = (struct spirv_constant){
-            id->spec - 1,
-            number ? number[2] / 8 : (uint32_t)sizeof(VkBool32),
-        };
-}
-
 /* Parses an instruction outside functions. */
 static void declare(struct spirv *s, struct arena *arena, const struct instruction *in)
 {
@@ -456,16 +435,13 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
     id->definition = (uint32_t)(in->words - s->shader->words);
     if (in->op == OP_VARIABLE)
         add_variable(s, arena, in, id);
-    if (in->op >= OP_SPEC_CONSTANT_TRUE && in->op <= OP_SPEC_CONSTANT)
-        add_constant(s, arena, in, id);
 }
 
 /* ---- instructions of functions ---- */
 
 enum {
-    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also assumed if the base of a pointer is unknown */
+    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also assumed of functions that receive a pointer */
     DERIVES = 4,                       /* the result points into what the operand points to */
-    PASSES = 8,                        /* argument of a call: as its parameter */
     ALL_OPERANDS = UINT8_MAX,
 };
 
@@ -476,7 +452,7 @@ struct operand_rule {
 };
 
 static const struct operand_rule operand_rules[OP_IMAGE_SPARSE_READ + 1] = {
-    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { PASSES, PASSES } },
+    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { BOTH, BOTH } },
     [OP_IMAGE_TEXEL_POINTER] = { 3, 1, { DERIVES } },
     [OP_LOAD] = { 3, 1, { SPIRV_LOADS } },
     [OP_STORE] = { 1, 2, { SPIRV_STORES, BOTH } },
@@ -508,15 +484,12 @@ static struct operand_rule operand_rule_of(uint32_t op)
     return op <= OP_IMAGE_SPARSE_READ ? operand_rules[op] : (struct operand_rule){ 0 };
 }
 
-/* Adds an access to `root`, the base variable or parameter of an operand. */
+/* Adds an access to `root`, the base variable of an operand. */
 static void add_access(struct spirv *s, const struct instruction *in, uint32_t root,
                        uint32_t access)
 {
     struct spirv_id *result = in->count > 2 ? find_id(s, in->words[2]) : NULL;
-    if (access == PASSES)
-        s->passes_storage = s->passes_storage || s->ids[root].variable;
-    else if (access != DERIVES &&
-             !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
+    if (access != DERIVES && !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
         s->ids[root].access = (uint8_t)(s->ids[root].access | access);
     else if (result)
         result->root = root;
@@ -526,14 +499,8 @@ static void add_access(struct spirv *s, const struct instruction *in, uint32_t r
 static void trace(struct spirv *s, const struct instruction *in, bool all_listed)
 {
     const struct operand_rule rule = operand_rule_of(in->op);
-    const uint32_t *pointer = NULL;
-    struct spirv_id *id;
-    if (in->op == OP_FUNCTION_PARAMETER && in->count > 2 && s->has_storage)
-        pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
-    if (pointer && pointer[2] != STORAGE_FUNCTION && (id = find_id(s, in->words[2])))
-        id->root = in->words[2];
     for (uint32_t i = 0; i < rule.count && rule.first + i < in->count; i++) {
-        id = find_id(s, in->words[rule.first + i]);
+        const struct spirv_id *id = find_id(s, in->words[rule.first + i]);
         if (id && id->variable && (!all_listed || id->in_interface))
             s->variables[id->variable - 1].used = true;
         if (id && id->root)
@@ -541,44 +508,10 @@ static void trace(struct spirv *s, const struct instruction *in, bool all_listed
     }
 }
 
-/* Returns the parameter of a function that receives argument `index`; NULL if there is none. */
-static const struct spirv_id *parameter(const struct spirv *s, uint32_t function, uint32_t index)
-{
-    const uint32_t *words = definition(s, function, OP_FUNCTION, 5);
-    struct instruction in = { OP_FUNCTION, 5, words };
-    while (words && next(s->shader, &in) && in.op == OP_FUNCTION_PARAMETER && in.count > 2) {
-        if (!index--)
-            return find_id(s, in.words[2]);
-    }
-    return NULL;
-}
-
-/* Propagates the accesses of functions to their parameters to the arguments of calls. Returns true
- * if that adds an access. */
-static bool trace_calls(struct spirv *s)
-{
-    bool changed = false;
-    struct instruction in = { 0 };
-    while (next(s->shader, &in)) {
-        for (uint32_t i = 4; in.op == OP_FUNCTION_CALL && i < in.count; i++) {
-            const struct spirv_id *given = find_id(s, in.words[i]);
-            if (!given || !given->root)
-                continue;
-            const struct spirv_id *to = parameter(s, in.words[3], i - 4);
-            const uint32_t access = to ? to->access : SPIRV_LOADS | SPIRV_STORES;
-            changed = changed || access & ~(uint32_t)s->ids[given->root].access;
-            add_access(s, &in, given->root, access);
-        }
-    }
-    return changed;
-}
-
 /* Sets what the module does to each storage variable, once all instructions are known. */
 static void find_accesses(struct spirv *s)
 {
     uint32_t count;
-    for (uint32_t depth = 0; s->passes_storage && depth < MAX_CALLS && trace_calls(s); depth++)
-        continue;
     for (uint32_t i = 0; i < s->variable_count; i++) {
         struct spirv_variable *v = &s->variables[i];
         const struct spirv_id *id = &s->ids[v->id];
@@ -603,8 +536,8 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     bool found = false;
     bool in_function = false;
     s->shader = shader;
-    s->variable_count = s->constant_count = 0;
-    s->has_storage = s->passes_storage = false;
+    s->variable_count = 0;
+    s->has_storage = false;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
         shader->words[3] > shader->word_count)
         return "expected a SPIR-V module in native byte order";
@@ -620,8 +553,6 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     struct instruction in = { 0 };
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
-        if (in.op == OP_FUNCTION && in.count > 4 && find_id(s, in.words[2]))
-            find_id(s, in.words[2])->definition = (uint32_t)(in.words - shader->words);
         if (in_function) {
             trace(s, &in, shader->words[1] >= VERSION_1_4);
         } else if (in.op == OP_ENTRY_POINT) {

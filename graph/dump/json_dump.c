@@ -277,8 +277,7 @@ static void print_members(const struct rg_dump *d)
                   plan->view.height);
     rg_dump_print(d, ",\n  \"memory\": {\"used\": %z, \"without_aliasing\": %z, \"bound\": %z",
                   plan->memory_used, plan->memory_without_aliasing, plan->memory_bound);
-    rg_dump_print(d, ", \"least\": %z, \"persistent\": %z}", plan->memory_least,
-                  plan->memory_persistent);
+    rg_dump_print(d, ", \"persistent\": %z}", plan->memory_persistent);
     rg_dump_print(d, ",\n  \"barrier_count\": %u,\n  \"batch_count\": %u", plan->barrier_count,
                   plan->batch_count);
     array_member(d, "images", print_image, 0, plan->image_count);

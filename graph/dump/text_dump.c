@@ -93,8 +93,6 @@ static void print_memory(const struct rg_dump *d)
                       plan->blocks[i].size);
     rg_dump_print(d, "transient memory: used %z, without aliasing %z, bound %z", plan->memory_used,
                   plan->memory_without_aliasing, plan->memory_bound);
-    if (plan->memory_least != plan->memory_bound)
-        rg_dump_print(d, ", least %z if batches did not count", plan->memory_least);
     if (plan->memory_persistent)
         rg_dump_print(d, "\npersistent memory: %z", plan->memory_persistent);
     rg_dump_print(d, "\nbarriers: %u in %u batches\n", plan->barrier_count, plan->batch_count);
@@ -253,7 +251,6 @@ static const char *const messages[RG_ERROR_COUNT] = {
     [RG_ERROR_SHADER_VERTEX] = "vertex attribute differs from that of the shader",
     [RG_ERROR_SHADER_INPUT] = "is not an output of the vertex shader",
     [RG_ERROR_SHADER_OUTPUT] = "target differs from the output of the shader",
-    [RG_ERROR_CONSTANT] = "specialization constant differs from those of the shaders",
     [RG_ERROR_DEVICE] = "has impossible properties on this device",
 };
 

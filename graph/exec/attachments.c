@@ -131,7 +131,7 @@ VkResult rg_exec_make_targets(struct rg_exec *exec)
     VkResult result = VK_SUCCESS;
     for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
         const struct rg_plan_pass *plan = &exec->plan->passes[p];
-        if (exec->params.render_passes && plan->pass->kind == RG_RASTER)
+        if (exec->extensions.render_passes && plan->pass->kind == RG_RASTER)
             RG_TRY(make_render_pass(exec, plan, &exec->passes[p]));
         for (uint32_t i = 0; i < exec->image_set_count; i++)
             RG_TRY(make_targets(exec, &exec->image_sets[i], p));

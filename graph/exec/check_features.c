@@ -205,7 +205,7 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
         const char *name;
         bool needed, there;
     } features[] = {
-        { "the feature dynamicRendering", !p->render_passes, f.v13.dynamicRendering },
+        { "the feature dynamicRendering", !exec->extensions.render_passes, f.v13.dynamicRendering },
         { "the feature synchronization2", true, f.v13.synchronization2 },
         { "the feature maintenance4", true, f.v13.maintenance4 },
         { "the feature scalarBlockLayout", true, f.v12.scalarBlockLayout },

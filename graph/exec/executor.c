@@ -152,10 +152,18 @@ static const char *find_functions(struct rg_functions *functions, PFN_vkGetInsta
 
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
 {
+    return rg_exec_create_extended(params, &(struct rg_exec_extensions){ 0 }, result);
+}
+
+struct rg_exec *rg_exec_create_extended(const struct rg_exec_params *params,
+                                        const struct rg_exec_extensions *extensions,
+                                        VkResult *result)
+{
     static const struct rg_exec_params none = { 0 };
     params = params ? params : &none;
     struct rg_exec start = {
         .params = *params,
+        .extensions = *extensions,
         .plan = params->plan,
         .device = params->device,
         .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
@@ -198,6 +206,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     const struct rg_exec former = *exec;
     struct rg_exec next = {
         .params = former.params,
+        .extensions = former.extensions,
         .vk = former.vk,
         .plan = params->plan,
         .device = former.device,

@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 
 #include "graph/exec/vulkan_functions.h"
-#include "graph/rg_exec.h"
+#include "graph/rg_firn.h"
 #include "graph/rg_profile.h"
 
 /* Buffer of one frame in flight (slot). In device memory, all slots share one buffer. */
@@ -118,6 +118,7 @@ struct exec_batch {
 
 struct rg_exec {
     struct rg_exec_params params;
+    struct rg_exec_extensions extensions;
     struct rg_functions vk;
     const struct rg_plan *plan;
     VkDevice device;

@@ -108,16 +108,19 @@ static bool skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
         cmd->pass = &cmd->exec->passes[i];
         return true;
     }
-    rg_exec_misuse(cmd, row->name, "rg_pass.more: no later pass");
+    rg_exec_misuse(cmd, row->name, "rg_exec_extensions.more: no later pass");
     return false;
 }
 
 /* Records the passes merged by rg_more_fn into the current one, each with its own descriptors. */
 static void record_merged_rows(const struct rg_cmd *cmd, const struct rg_frame *frame)
 {
+    rg_more_fn *more = cmd->exec->extensions.more;
     struct rg_cmd other = *cmd;
     const struct rg_pass *row = cmd->plan_pass->pass;
-    while (row->more && (row = row->more(row, frame)) && skip_to(&other, row)) {
+    if (!more || row->kind != RG_RASTER || row->secondary)
+        return;
+    while ((row = more(row, frame)) && skip_to(&other, row)) {
         rg_exec_bind(&other);
         row->record(&other, frame);
     }

@@ -52,11 +52,12 @@ static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pas
 }
 
 /* Returns which part of an image a pass reads through `use` while it draws `coverage`. */
-static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
+static uint32_t coverage_read(const struct rg_exec *exec, const struct rg_use *use,
+                              uint32_t coverage)
 {
     if (coverage & COVER_ALL)
         return COVER_ALL;
-    if (use->access == RG_COPY_SRC || use->same_texel)
+    if (use->access == RG_COPY_SRC || (use->sampler && use->sampler == exec->extensions.same_texel))
         return coverage;
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
@@ -77,7 +78,7 @@ static void find_coverage(struct rg_exec *exec, uint32_t index, uint8_t *needs)
     for (uint32_t i = 0; i < pass->use_count; i++) {
         const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + i];
         if (use->image != RG_NONE)
-            needs[use->image] |= (uint8_t)coverage_read(use->use, coverage);
+            needs[use->image] |= (uint8_t)coverage_read(exec, use->use, coverage);
     }
 }
 
@@ -144,11 +145,8 @@ static bool is_in_view(const struct rg_plan *plan, VkRect2D area)
 void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region)
 {
     const struct rg_plan *plan = exec->plan;
-    if (is_in_view(plan, region->region) && is_in_view(plan, region->reach) &&
-        (uint64_t)region->region.extent.width * region->region.extent.height <=
-            (uint64_t)plan->max_region.width * plan->max_region.height)
+    if (is_in_view(plan, region->region) && is_in_view(plan, region->reach))
         exec->region = *region;
     else
-        rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT,
-                      "rg_exec_set_region() outside of the view, or beyond max_region", NULL);
+        rg_exec_refuse(exec, "rg_exec_set_region() outside of the view");
 }

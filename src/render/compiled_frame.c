@@ -2,6 +2,7 @@
 #include "src/render/compiled_frame.h"
 #include <math.h>
 #include <stdlib.h>
+#include "graph/rg_firn.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/render/lavapipe_tuning.h"
@@ -20,19 +21,21 @@ static void log_exec(void *user, const char *what, VkResult result)
 
 /* Checks that the plan fits in device memory. Host-visible buffers count once per frame in flight.
  * If a CPU device draws tiles, images count as one tile, because unused memory is not committed. */
-static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
+static enum status check_memory(const struct gpu *gpu, const struct frame_plan *frame)
 {
-    const bool is_cpu = lavapipe_tuning_is_cpu(gpu);
-    const VkDeviceSize texels = (VkDeviceSize)plan->max_region.width * plan->max_region.height;
+    const struct rg_plan *plan = frame->plan;
+    const VkDeviceSize texels = (VkDeviceSize)frame->max_region.width * frame->max_region.height;
     const VkDeviceSize tile_count =
-        is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
+        lavapipe_tuning_is_cpu(gpu) && texels
+            ? (VkDeviceSize)plan->view.width * plan->view.height / texels
+            : 1;
     VkDeviceSize host_size = 0;
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
         const struct rg_plan_buffer *buffer = &plan->buffers[i];
         if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
             host_size += FRAMES_IN_FLIGHT * buffer->size;
     }
-    return gpu_check_memory(gpu, view, plan->memory_used / tile_count + plan->memory_persistent,
+    return gpu_check_memory(gpu, plan->view, plan->memory_used / tile_count + plan->memory_persistent,
                             host_size);
 }
 
@@ -59,7 +62,7 @@ enum status compiled_frame_compile(struct compiled_frame *compiled_frame,
         return log_out_of_memory(NULL);
     enum status status = frame_plan_init(compiled_frame->frame, &request);
     if (status == STATUS_OK)
-        status = check_memory(gpu, compiled_frame->frame->plan, request.view);
+        status = check_memory(gpu, compiled_frame->frame);
     return status;
 }
 
@@ -96,8 +99,6 @@ static void describe(struct exec_description *described,
         .import_count = compiled_frame->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
-        /* render passes only with validation layers, some of which ignore dynamic rendering */
-        .render_passes = gpu->validated,
         .measured = params->measured,
         .statistics = gpu->has_statistics,
         .constants = &d->info,
@@ -114,10 +115,17 @@ enum status compiled_frame_realise(struct compiled_frame *compiled_frame,
     struct exec_description described;
     VkResult result;
     describe(&described, compiled_frame, params, imports);
-    compiled_frame->exec = rg_exec_create(&described.params, &result);
+    compiled_frame->exec = rg_exec_create_extended(
+        &described.params,
+        &(struct rg_exec_extensions){
+            /* only with validation layers, some of which ignore dynamic rendering */
+            .render_passes = params->gpu->validated,
+            .more = frame_object_next_pass,
+            .same_texel = &frame_same_texel,
+        },
+        &result);
     if (compiled_frame->exec)
-        lavapipe_tuning_advise_memory(params->gpu, compiled_frame->frame->plan,
-                                      compiled_frame->exec);
+        lavapipe_tuning_advise_memory(params->gpu, compiled_frame->frame, compiled_frame->exec);
     return gpu_status(result);
 }
 
@@ -143,7 +151,7 @@ enum status compiled_frame_replace(struct compiled_frame *compiled_frame,
     if (status == STATUS_OK)
         status = gpu_status(rg_exec_update(former.exec, &described.params));
     if (status == STATUS_OK)
-        lavapipe_tuning_advise_memory(params->gpu, next->frame->plan, former.exec);
+        lavapipe_tuning_advise_memory(params->gpu, next->frame, former.exec);
     compiled_frame->frame = next->frame;
     next->frame = NULL;
     destroy_frame(&former);

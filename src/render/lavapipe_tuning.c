@@ -14,12 +14,12 @@ void lavapipe_tuning_prefer_start(void)
 }
 
 /* Page sizes can be chosen because a CPU device's memory is ordinary memory of this process. */
-void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
+void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct frame_plan *frame,
                                    struct rg_exec *exec)
 {
     const uintptr_t page = 2 << 20;
-    const bool whole =
-        plan->max_region.width == plan->view.width && plan->max_region.height == plan->view.height;
+    const struct rg_plan *plan = frame->plan;
+    const bool whole = !frame->max_region.width;
     if (!lavapipe_tuning_is_cpu(gpu))
         return;
     for (uint32_t i = 0; i < plan->block_count; i++) {

@@ -7,6 +7,7 @@
 
 #include "graph/rg_exec.h"
 #include "src/gpu/gpu.h"
+#include "src/render/frame/compile_frame_plan.h"
 
 enum {
     /* number of samples, of all pixels and frames, up to which a process prefers a short start */
@@ -24,7 +25,7 @@ void lavapipe_tuning_prefer_start(void);
 /* Chooses the page size of an executor's memory on a CPU device. A whole view gets huge pages,
  * because the first frame page-faults on all memory. A region of a view gets small pages, because
  * untouched pages between parts of rows are then never committed. */
-void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
+void lavapipe_tuning_advise_memory(const struct gpu *gpu, const struct frame_plan *frame,
                                    struct rg_exec *exec);
 
 #endif

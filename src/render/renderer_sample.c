@@ -2,6 +2,7 @@
  */
 #include <math.h>
 #include <string.h>
+#include "graph/rg_firn.h"
 #include "src/render/adaptive_sampling.h"
 #include "src/render/frame/thin_lens.h"
 #include "src/render/make_frame_request.h"

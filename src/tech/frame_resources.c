@@ -111,6 +111,7 @@ const struct rg_image frame_surface_split =
     FRAME_IMPORTED("frame.surface_split", VK_FORMAT_R16G16_SFLOAT, false);
 
 const struct rg_sampler frame_linear = { .linear = true };
+const struct rg_sampler frame_same_texel = { 0 };
 
 const struct rg_sampler frame_environment_sampler = {
     .linear = true,
@@ -163,8 +164,9 @@ VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *fra
 const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame)
 {
-    const struct frame_object *object = owner(pass, frame);
-    return object->next ? &object->next->passes[pass - object->passes] : NULL;
+    const struct frame_object *object =
+        pass->area == frame_object_drawn ? owner(pass, frame) : NULL;
+    return object && object->next ? &object->next->passes[pass - object->passes] : NULL;
 }
 
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)

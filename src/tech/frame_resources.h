@@ -131,6 +131,8 @@ extern const struct rg_image frame_surface_light, frame_surface_split;
 /* Maximum anisotropy of samplers; settings and device may lower it. */
 #define FRAME_ANISOTROPY 16.0f
 extern const struct rg_sampler frame_linear;              /* bilinear, clamped, one mip level */
+/* nearest, for passes that fetch only the texel at the fragment's own position (rg_firn.h) */
+extern const struct rg_sampler frame_same_texel;
 extern const struct rg_sampler frame_environment_sampler; /* wraps around horizontally, trilinear */
 extern const struct rg_sampler frame_texture_sampler;     /* repeats, trilinear, anisotropic */
 
@@ -140,7 +142,7 @@ VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *fram
 /* Returns the refractive object that a pass draws. The scene must have at least one object. */
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Implement rg_pass.area and rg_pass.more for passes that draw one of several objects. */
+/* Implement rg_pass.area and rg_exec_extensions.more for passes that draw one of several objects. */
 VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame);

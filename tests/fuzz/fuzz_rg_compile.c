@@ -208,8 +208,6 @@ static const struct field params_fields[] = {
     FIELD(rg_compile_params, U32, view.width),
     FIELD(rg_compile_params, U32, view.height),
     FIELD(rg_compile_params, U32, sharing),
-    FIELD(rg_compile_params, U32, max_region.width),
-    FIELD(rg_compile_params, U32, max_region.height),
     FIELD(rg_compile_params, MISSING, techniques),
     FIELD(rg_compile_params, MISSING, outputs),
     FIELD(rg_compile_params, MISSING, imports),

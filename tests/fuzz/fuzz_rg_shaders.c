@@ -48,9 +48,6 @@ static struct rg_pass row(uint8_t stage, const struct rg_shader *shader)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static const float value = 1.0F;
-    static const VkSpecializationMapEntry entry = { 3, 0, sizeof(value) };
-    static const VkSpecializationInfo constants = { 1, &entry, sizeof(value), &value };
     const size_t count = size ? (size - 1) / sizeof(uint32_t) : 0;
     uint32_t *words = malloc(count * sizeof(*words) + 1);
     FUZZ_CHECK(words != NULL);
@@ -68,7 +65,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         .import_count = 1,
         .outputs = &(struct rg_output){ .image = &stored, .access = RG_SAMPLED },
         .output_count = 1,
-        .constants = &constants,
     });
     FUZZ_CHECK(plan != NULL);
     for (uint32_t i = 0; i < plan->fault_count; i++) {

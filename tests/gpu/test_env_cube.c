@@ -161,7 +161,6 @@ static uint16_t *capture(struct gpu *gpu, const struct scene *scene, vec3s cente
             GPU_EXEC_PARAMS(gpu),
             .imports = imports,
             .import_count = 2,
-            .render_passes = true,
             .constants = &(VkSpecializationInfo){ 1, &entry, sizeof(background), &background },
         },
         NULL);

@@ -23,11 +23,13 @@ static const struct rg_buffer mixed_seen_out = COLOR_BUFFER("mixed seen out");
 static const struct rg_buffer fixed_out = COLOR_BUFFER("fixed out");
 static const struct rg_buffer history_out = COLOR_BUFFER("history out");
 
+static const struct rg_sampler same_texel = { 0 };
+
 #define CLEAR(target) \
     .color = RG_TARGETS({ &(target), RG_LOAD_CLEAR, .clear.color = { { 1, 2, 3, 4 } } })
 #define HERE(from) \
     { \
-        .image = &(from), .access = RG_SAMPLED, .binding = PAINT_SOURCE, .same_texel = true \
+        .image = &(from), .access = RG_SAMPLED, .binding = PAINT_SOURCE, .sampler = &same_texel \
     }
 #define FETCHED PAINTED_BY(painted_record, &fetch_frag)
 
@@ -160,7 +162,9 @@ static void open_noted(struct run *run, struct gpu *gpu, const struct run_params
     vkCmdSetScissor = note_scissor;
     vkCmdBeginRendering = note_rendering;
     vkCmdBeginRenderPass = note_render_pass;
-    run_open(run, gpu, params);
+    struct run_params noted_params = *params;
+    noted_params.same_texel = &same_texel;
+    run_open(run, gpu, &noted_params);
     vkCmdSetScissor = noted.set_scissor;
     vkCmdBeginRendering = noted.begin_rendering;
     vkCmdBeginRenderPass = noted.begin_render_pass;
@@ -192,7 +196,6 @@ static void only_a_region(void **state)
     const struct run_params all = {
         .technique = RG_TECHNIQUE("test", rows),
         .outputs = { &map_out, &own_out, &mixed_out, &mixed_seen_out, &fixed_out, &history_out },
-        .max_region = { 4, 3 },
     };
     const struct rg_frame frame = { .rows = rows, .paints = paints };
     for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
@@ -375,9 +378,9 @@ static const struct rg_pass *next_row(const struct rg_pass *row, const struct rg
 
 #define OVER(target) .color = RG_TARGETS({ &(target), RG_LOAD_KEEP })
 static const struct rg_pass further_rows[] = {
-    { .name = "board", CLEAR(board), .more = next_row, PAINTED },
-    { .name = "further", OVER(board), .area = no_area, .more = next_row, PAINTED },
-    { .name = "furthest", OVER(board), .area = no_area, .more = next_row, PAINTED },
+    { .name = "board", CLEAR(board), PAINTED },
+    { .name = "further", OVER(board), .area = no_area, PAINTED },
+    { .name = "furthest", OVER(board), .area = no_area, PAINTED },
     RUN_READ("read board", board, board_out),
 };
 
@@ -391,6 +394,7 @@ static void further_rows_of_a_pass(void **state)
     };
     const struct run_params all = {
         .technique = RG_TECHNIQUE("test", further_rows),
+        .more = next_row,
         .outputs = { &board_out },
     };
     const struct rg_frame frame = { .rows = further_rows, .paints = further_paints };

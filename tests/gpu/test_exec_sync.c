@@ -200,7 +200,6 @@ static void check_case(struct gpu *gpu, const struct sync_case *c)
                     .technique = c->technique,
                     .outputs = { &out },
                     .frames_in_flight = 2,
-                    .sharing = RG_SHARE_LEAST_MEMORY,
                     .render_passes = true,
                 });
     struct messages messages = run_frames(&run, run.plan, 2);

@@ -254,7 +254,6 @@ static void init_plan(struct rg_plan *plan)
         .memory_used = 7144,
         .memory_without_aliasing = 10144,
         .memory_bound = 7000,
-        .memory_least = 6000,
         .memory_persistent = 8448,
     };
 }

@@ -48,8 +48,11 @@ static void fill_image(const struct hazard *h, struct hazard_resource *resource)
 static void fill_buffer(const struct hazard *h, struct hazard_resource *resource)
 {
     const struct rg_buffer *buffer = resource->buffer;
-    VkExtent2D largest = h->params->max_region.width ? h->params->max_region : h->params->view;
-    resource->size = buffer->size + buffer->size_per_texel * largest.width * largest.height;
+    const VkExtent2D view = h->params->view;
+    resource->size = buffer->size + buffer->size_per_texel * view.width * view.height;
+    for (size_t i = 0; i < h->params->size_count; i++)
+        if (h->params->sizes[i].buffer == buffer)
+            resource->size = h->params->sizes[i].size;
     if (resource->import && resource->import->size)
         resource->size = resource->import->size;
     resource->persistent = buffer->persistent && !resource->import;

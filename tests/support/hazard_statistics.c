@@ -35,9 +35,8 @@ static VkDeviceSize peak_memory(const struct hazard *h, uint32_t block, bool by_
 static void check_bytes(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
-    VkDeviceSize used = 0, least = 0, bound = 0, apart = 0, persistent = 0;
+    VkDeviceSize used = 0, bound = 0, apart = 0, persistent = 0;
     for (uint32_t i = 0; i < plan->block_count; i++) {
-        least += peak_memory(h, i, false);
         bound += peak_memory(h, i, h->params->sharing == RG_SHARE_FEWEST_BATCHES);
         used += plan->blocks[i].size;
     }
@@ -51,9 +50,6 @@ static void check_bytes(struct hazard *h)
     }
     if (used != plan->memory_used)
         hazard_report(h, "memory_used is not the sum of the blocks");
-    if (least != plan->memory_least)
-        hazard_report(h, "memory_least is %ju, but %ju bytes are alive at once",
-                      (uintmax_t)plan->memory_least, (uintmax_t)least);
     if (bound != plan->memory_bound || bound > used)
         hazard_report(h, "memory_bound is %ju, but %ju bytes are taken at once",
                       (uintmax_t)plan->memory_bound, (uintmax_t)bound);
@@ -75,6 +71,6 @@ void hazard_check_statistics(struct hazard *h)
     if (plan->batch_count != batches)
         hazard_report(h, "%u batches are counted as %u", batches, plan->batch_count);
     uint32_t enough = hazard_min_batches(h);
-    if (h->params->sharing != RG_SHARE_LEAST_MEMORY && batches > enough)
+    if (batches > enough)
         hazard_report(h, "%u batches, but %u are enough", batches, enough);
 }

@@ -50,12 +50,10 @@ def buffer_line(plan, buffer):
 
 def memory_lines(plan):
     memory = plan['memory']
-    least = memory['least']
     for index, block in enumerate(plan['blocks']):
         yield f"block {index} {block['of']} size {block['size']}"
     yield (f"transient memory: used {memory['used']}, without aliasing"
-           f" {memory['without_aliasing']}, bound {memory['bound']}"
-           + (f', least {least} if batches did not count' if least != memory['bound'] else ''))
+           f" {memory['without_aliasing']}, bound {memory['bound']}")
     if memory['persistent']:
         yield f"persistent memory: {memory['persistent']}"
     yield f"barriers: {plan['barrier_count']} in {plan['batch_count']} batches"

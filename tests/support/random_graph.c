@@ -425,7 +425,7 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_
     }
     finish_histories(t);
     split(t, params);
-    params->sharing = (enum rg_sharing)random_graph_below(t, 3);
+    params->sharing = (enum rg_sharing)random_graph_below(t, 2);
     t->device = (struct rg_device){
         .image_memory = image_memory,
         .buffer_memory = buffer_memory,

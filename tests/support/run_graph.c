@@ -50,7 +50,6 @@ void run_tables_init(struct run_tables *tables, const struct run_params *params,
         .technique_count = 1,
         .view = params->view.width ? params->view : (VkExtent2D){ 8, 8 },
         .max_view = params->max_view,
-        .max_region = params->max_region,
         .outputs = tables->outputs,
         .output_count = output_count,
         .imports = params->imports,
@@ -102,7 +101,6 @@ static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *
         .sampler_count = run->params.own_sampler != NULL,
         .set_count = run->params.sets ? 1 : 0,
         .max_anisotropy = run->gpu->max_anisotropy,
-        .render_passes = run->params.render_passes,
         .measured = run->params.measure.clock || run->params.measure.statistics,
         .statistics = run->gpu->has_statistics,
         .constants = run->params.constants,
@@ -115,7 +113,11 @@ VkResult run_create(struct run *run, const struct rg_plan *plan)
 {
     const struct rg_exec_params params = exec_params(run, plan);
     VkResult result = VK_ERROR_UNKNOWN;
-    run->exec = rg_exec_create(&params, &result);
+    run->exec = rg_exec_create_extended(
+        &params,
+        &(struct rg_exec_extensions){ run->params.render_passes, run->params.more,
+                                      run->params.same_texel },
+        &result);
     if (run->exec)
         rg_exec_measure(run->exec, &run->params.measure);
     assert_int_equal(!run->exec, result != VK_SUCCESS);
@@ -177,7 +179,7 @@ struct run_params run_variant(const struct run_params *params, unsigned variant)
 {
     struct run_params changed = *params;
     changed.render_passes = variant & 1;
-    changed.sharing = variant & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
+    changed.sharing = variant & 2 ? RG_SHARE_NOTHING : RG_SHARE_FEWEST_BATCHES;
     return changed;
 }
 

@@ -20,13 +20,6 @@ VkRect2D small_graph_area(const struct rg_cmd *cmd, const struct rg_frame *frame
     return (VkRect2D){ 0 };
 }
 
-const struct rg_pass *small_graph_more(const struct rg_pass *row, const struct rg_frame *frame)
-{
-    (void)row;
-    (void)frame;
-    return NULL;
-}
-
 struct rg_plan *small_graph_compile(const struct small_graph *graph)
 {
     const struct rg_technique technique = { "tech", graph->passes, graph->pass_count };

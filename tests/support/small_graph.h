@@ -12,7 +12,6 @@ enum {
 extern const struct rg_shader small_graph_shader; /* a stub without SPIR-V code */
 rg_record_fn small_graph_record;
 rg_area_fn small_graph_area;
-rg_more_fn small_graph_more;
 
 /* Valid passes with stub shaders; the variable arguments are targets or uses. */
 #define DRAW(title, ...) \

@@ -186,7 +186,6 @@ static void join(struct by_hand *plan)
         .memory_used = BYTES + BYTES + 64,
         .memory_without_aliasing = 3 * BYTES + 64,
         .memory_bound = BYTES + BYTES + 64,
-        .memory_least = BYTES + BYTES + 64,
     };
 }
 

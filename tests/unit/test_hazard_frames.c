@@ -229,7 +229,6 @@ static void join(struct by_hand *b)
         .memory_used = BLOCK_BYTES,
         .memory_without_aliasing = BLOCK_BYTES,
         .memory_bound = BLOCK_BYTES,
-        .memory_least = BLOCK_BYTES,
         .memory_persistent = BYTES,
     };
 }
@@ -280,7 +279,6 @@ static void test_wrong_frames(void **state)
     CHECK_WRONG(b.plan.memory_persistent = 0);
     CHECK_WRONG(b.images[LIGHT].extent.width = 1);
     CHECK_WRONG(b.uses[1].range.layerCount = 1);
-    CHECK_WRONG(b.plan.memory_least -= BYTES);
     CHECK_WRONG(b.plan.memory_bound += BYTES);
     /* with the initial one, which does not count */
     CHECK_WRONG(b.plan.batch_count = 4);

@@ -180,13 +180,6 @@ static const struct rg_buffer up = { "up", 64, .memory = RG_MEMORY_UPLOAD,
 static const struct rg_set nameless = { NULL };
 static const struct rg_set own = { "own" };
 
-static const struct rg_pass *no_more(const struct rg_pass *row, const struct rg_frame *frame)
-{
-    (void)row;
-    (void)frame;
-    return NULL;
-}
-
 static VkFormatFeatureFlags no_features(const void *user, VkFormat format)
 {
     (void)user;
@@ -234,9 +227,6 @@ static const struct fault_case resource_cases[] = {
                   ELEMENT(PICTURE, 0, 0))) },
     { ROW(RG_ERROR_NO_NAME, NULL,
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .set = &nameless)) },
-    { ROW(RG_ERROR_VALUE, NULL,
-          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .secondary = true,
-               .more = no_more)) },
     { ROW(RG_ERROR_RANGE, "other",
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .layers = 2)) },
     { ROW(RG_ERROR_ACCESS, "own",

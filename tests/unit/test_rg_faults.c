@@ -228,9 +228,6 @@ static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_ACCESS, NULL,
           { "compute", RG_COMPUTE, .area = small_graph_area, .comp = &small_graph_shader,
             .record = small_graph_record, .uses = RG_USES({ WRITE_OTHER }) }) },
-    { ROW(RG_ERROR_ACCESS, NULL,
-          { "compute", RG_COMPUTE, .more = small_graph_more, .comp = &small_graph_shader,
-            .record = small_graph_record, .uses = RG_USES({ WRITE_OTHER }) }) },
     {
         .error = RG_ERROR_ACCESS, /* a clear that would not happen */
         .resource = "depth",

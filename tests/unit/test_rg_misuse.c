@@ -77,19 +77,9 @@ static void no_imports(struct rg_compile_params *params)
     params->import_count = 1;
 }
 
-static void flat_region(struct rg_compile_params *params)
-{
-    params->max_region.width = 1;
-}
-
 static void small_view(struct rg_compile_params *params)
 {
     params->max_view = (VkExtent2D){ FAULT_CASE_VIEW, FAULT_CASE_VIEW - 1 };
-}
-
-static void vast_region(struct rg_compile_params *params)
-{
-    params->max_region = (VkExtent2D){ FAULT_CASE_VIEW, FAULT_CASE_VIEW + 1 };
 }
 
 static void wild_sharing(struct rg_compile_params *params)
@@ -114,10 +104,6 @@ static const struct fault_case params_cases[] = {
       .text = NO_TABLE "imports: expected import_count entries, at most RG_MAX_ROWS" },
     { RG_ERROR_TABLE, .edit = many_imports,
       .text = NO_TABLE "imports: expected import_count entries, at most RG_MAX_ROWS" },
-    { RG_ERROR_NO_SIZE, .edit = flat_region,
-      .text = "has no size; max_region: expected width and height, or 0x0 for the view's" },
-    { RG_ERROR_TOO_LARGE, .edit = vast_region,
-      .text = "is too large; max_region: expected no more than the view" },
     { RG_ERROR_TOO_LARGE, .edit = small_view,
       .text = "is too large; view: expected no more than max_view" },
     { RG_ERROR_VALUE, .edit = wild_sharing,

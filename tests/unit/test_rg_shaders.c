@@ -332,57 +332,6 @@ static const struct fault_case access_cases[] = {
          READ, READ_WRITE, READ_WRITE, WRITE, WRITE),
 };
 
-/* ---- constants ---- */
-
-static const float values[] = { 2.0F, 3.0F };
-static const VkSpecializationMapEntry known[] = { { 3, 0, 4 } };
-static const VkSpecializationMapEntry unknown[] = { { 3, 0, 4 }, { 9, 4, 4 } };
-static const VkSpecializationMapEntry wide[] = { { 3, 0, 8 } };
-static const VkSpecializationInfo known_info = { 1, known, 8, values };
-static const VkSpecializationInfo unknown_info = { 2, unknown, 8, values };
-static const VkSpecializationInfo wide_info = { 1, wide, 8, values };
-
-static const struct rg_pass fill_rows[] = {
-    DRAW("fill", .color = RG_TARGETS({ CLEARED(fault_case_picture) })),
-};
-static const struct rg_technique fill = RG_TECHNIQUE("fill", fill_rows);
-static const struct rg_technique good = RG_TECHNIQUE("good", good_rows);
-
-static struct rg_plan *compile_good(const VkSpecializationInfo *constants)
-{
-    static const struct rg_technique *const both[] = { &fill, &good };
-    const struct rg_technique *const list[] = { &good };
-    const struct rg_output output = { .image = &target, .access = RG_SAMPLED };
-    const struct rg_import picture = { .image = &fault_case_picture, .access = RG_SAMPLED };
-    /* all code is known if the picture comes from outside */
-    return rg_compile(&(struct rg_compile_params){
-        .techniques = constants ? list : both,
-        .technique_count = constants ? 1 : 2,
-        .view = { 64, 64 },
-        .outputs = &output,
-        .output_count = 1,
-        .imports = &picture,
-        .import_count = constants ? 1 : 0,
-        .constants = constants,
-    });
-}
-
-static void check_constants(const VkSpecializationInfo *constants, const char *expected)
-{
-    char text[256] = "";
-    struct rg_plan *plan = compile_good(constants);
-    assert_non_null(plan);
-    if (plan->fault_count != (expected ? 1 : 0))
-        rg_dump(plan, stderr);
-    assert_int_equal(plan->fault_count, expected ? 1 : 0);
-    if (expected) {
-        assert_int_equal(plan->faults[0].error, RG_ERROR_CONSTANT);
-        rg_fault_text(&plan->faults[0], text, sizeof(text));
-        assert_non_null(strstr(text, expected));
-    }
-    rg_plan_destroy(plan);
-}
-
 static void skip_shaders(struct rg_compile_params *params)
 {
     params->skip_shaders = true;
@@ -468,15 +417,6 @@ static void test_lost_pointers(void **state)
     free(words);
 }
 
-static void test_constants(void **state)
-{
-    (void)state;
-    check_constants(NULL, NULL);
-    check_constants(&known_info, NULL);
-    check_constants(&unknown_info, "no shader has constant 9");
-    check_constants(&wide_info, "constant 3 has 4 bytes in 'match_comp', but 8 in the params");
-}
-
 /* ---- rows ---- */
 
 static void test_every_case(void **state)
@@ -488,7 +428,7 @@ static void test_every_case(void **state)
     bool provoked[RG_ERROR_COUNT] = { false };
     (void)state;
     fault_case_check(tables, sizeof(tables) / sizeof(tables[0]), provoked);
-    for (int error = RG_ERROR_SHADER; error < RG_ERROR_CONSTANT; error++)
+    for (int error = RG_ERROR_SHADER; error < RG_ERROR_COUNT; error++)
         assert_true(provoked[error]);
 }
 
@@ -542,7 +482,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),     cmocka_unit_test(test_skipped),
         cmocka_unit_test(test_good_resources), cmocka_unit_test(test_good_accesses),
-        cmocka_unit_test(test_lost_pointers),  cmocka_unit_test(test_constants),
+        cmocka_unit_test(test_lost_pointers),
         cmocka_unit_test(test_damaged_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -153,28 +153,42 @@ static bool list_techniques(struct frame_plan *p)
     return p->techniques;
 }
 
+/* Returns the size of a buffer that has elements for the pixels of one tile only. */
+static struct rg_size size_of_tile(const struct rg_buffer *buffer, VkExtent2D tile)
+{
+    return (struct rg_size){ .buffer = buffer,
+                             .size = buffer->size_per_texel * tile.width * tile.height };
+}
+
 static enum status compile(struct frame_plan *p, const struct frame_request *request)
 {
     const uint32_t side = request->face_size
                               ? request->face_size
                               : frame_face_size(request->config.settings, request->view.height);
     const VkExtent2D face = { side, side };
-    const struct rg_size sizes[] = { { &frame_env_cube, face }, { &frame_env_cube_depth, face } };
+    struct rg_size sizes[FRAME_READBACK_COUNT + 3] = { { &frame_env_cube, face },
+                                                       { &frame_env_cube_depth, face } };
+    size_t size_count = 2;
+    if (request->max_region.width) {
+        sizes[size_count++] = size_of_tile(&frame_samples, request->max_region);
+        for (uint32_t i = 0; i < p->readback_count; i++)
+            sizes[size_count++] = size_of_tile(&p->readbacks[i].buffer, request->max_region);
+    }
     const struct rg_compile_params params = {
         .techniques = p->techniques,
         .technique_count = p->technique_count,
         .view = request->view,
         .max_view = request->max_view,
-        .max_region = request->max_region,
         .outputs = p->outputs,
         .output_count = p->output_count,
         .imports = p->imports,
         .import_count = p->import_count,
         .sizes = sizes,
-        .size_count = sizeof(sizes) / sizeof(sizes[0]),
+        .size_count = size_count,
         .device = request->device,
         .sharing = request->sharing,
     };
+    p->max_region = request->max_region;
     p->plan = rg_compile(&params);
     if (!p->plan)
         return out_of_memory();

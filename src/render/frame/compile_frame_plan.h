@@ -36,6 +36,7 @@ struct frame_readback {
 /* Compiled plan and its tables. It contains pointers to itself, so it must not be moved. */
 struct frame_plan {
     struct rg_plan *plan;
+    VkExtent2D max_region; /* largest tile, pixels; 0: whole view */
     struct frame_list list;
     const struct rg_technique **techniques; /* pass groups of `list`, and `readback` */
     size_t technique_count;

@@ -246,7 +246,6 @@ static void keep_shared_in_pass(struct frame_list *list, const struct frame_list
         return;
     }
     pass->area = frame_object_drawn;
-    pass->more = frame_object_next_pass;
 }
 
 /* Lists the pass groups that belong to no object. */

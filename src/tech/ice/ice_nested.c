@@ -86,7 +86,7 @@ const struct rg_buffer ice_nested_media = {
     .uses = RG_USES(FRAME_USE_GLOBALS, { .image = &ice_nested_depths, \
                                          .access = RG_SAMPLED, \
                                          .binding = ICE_NESTED_BEFORE, \
-                                         .same_texel = true, \
+                                         .sampler = &frame_same_texel, \
                                          .range = { .layer = (first_layer), .layer_count = 2 } })
 
 static const struct rg_pass passes[] = {

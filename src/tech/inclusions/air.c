@@ -48,7 +48,7 @@ static const struct rg_sampler layers_sampler = {
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .same_texel = true),
+    FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .sampler = &frame_same_texel),
     FRAME_SAMPLE(air_layers, AIR_LAYERS, .sampler = &layers_sampler),
     { 0 },
 };
@@ -56,7 +56,7 @@ static const struct rg_use uses[] = {
 static const struct rg_use layer_uses[] = {
     FRAME_USE_GLOBALS,
     AIR_USE_ENVIRONMENT,
-    FRAME_SAMPLE(air_cover, COMPOSITE_AIR, .same_texel = true),
+    FRAME_SAMPLE(air_cover, COMPOSITE_AIR, .sampler = &frame_same_texel),
     { 0 },
 };
 

@@ -51,8 +51,8 @@ const struct rg_buffer bubbles_all = {
 
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .same_texel = true),
-    FRAME_SAMPLE(ice_depth_back, ICE_DEPTH_BACK, .same_texel = true),
+    FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .sampler = &frame_same_texel),
+    FRAME_SAMPLE(ice_depth_back, ICE_DEPTH_BACK, .sampler = &frame_same_texel),
     FRAME_SAMPLE(frame_env_cube, BUBBLES_ENV_CUBE, .sampler = &frame_linear),
     {
         .buffer = &bubbles_all,

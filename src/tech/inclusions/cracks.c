@@ -60,14 +60,14 @@ static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
 static const struct rg_use front_uses[] = {
     FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .same_texel = true),
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .sampler = &frame_same_texel),
     { 0 },
 };
 
 static const struct rg_use depth_uses[] = {
     FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .same_texel = true),
-    FRAME_SAMPLE(ice_depth_back, CRACKS_BACK, .same_texel = true),
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .sampler = &frame_same_texel),
+    FRAME_SAMPLE(ice_depth_back, CRACKS_BACK, .sampler = &frame_same_texel),
     { 0 },
 };
 
@@ -109,8 +109,8 @@ static const struct clipping interval = {
 static const struct rg_use *use_intervals(struct pass_arena *builder, uint32_t index)
 {
     const struct rg_use layers[] = {
-        FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .same_texel = true),
-        FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .same_texel = true),
+        FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .sampler = &frame_same_texel),
+        FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .sampler = &frame_same_texel),
         { 0 },
     };
     return pass_arena_join_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
@@ -174,7 +174,7 @@ static const struct rg_pass composite_passes[] = {
     {
         .name = "cracks.composite",
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
-        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_COMPOSITE, .same_texel = true)),
+        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_COMPOSITE, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_composite_frag,
         .record = frame_draw_screen,

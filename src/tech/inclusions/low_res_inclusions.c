@@ -51,7 +51,6 @@ static void read_small(struct low_res_images *small, struct rg_pass *pass, bool 
         if (!found)
             continue;
         use->image = found;
-        use->same_texel = use->same_texel && is_small;
         if (!is_small)
             use->sampler = &frame_linear;
     }

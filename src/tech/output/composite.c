@@ -24,10 +24,10 @@ static rg_record_fn record_area;
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     AIR_USE_ENVIRONMENT,
-    FRAME_SAMPLE(highlight_radiance, COMPOSITE_HIGHLIGHT, .same_texel = true),
-    FRAME_SAMPLE(air_cover, COMPOSITE_AIR, .same_texel = true),
-    FRAME_SAMPLE(bubbles_color, COMPOSITE_BUBBLES, .same_texel = true),
-    FRAME_SAMPLE(cracks_color, COMPOSITE_CRACKS, .same_texel = true),
+    FRAME_SAMPLE(highlight_radiance, COMPOSITE_HIGHLIGHT, .sampler = &frame_same_texel),
+    FRAME_SAMPLE(air_cover, COMPOSITE_AIR, .sampler = &frame_same_texel),
+    FRAME_SAMPLE(bubbles_color, COMPOSITE_BUBBLES, .sampler = &frame_same_texel),
+    FRAME_SAMPLE(cracks_color, COMPOSITE_CRACKS, .sampler = &frame_same_texel),
     { 0 },
 };
 

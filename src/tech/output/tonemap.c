@@ -19,7 +19,7 @@ static const struct rg_pass passes[] = {
     {
         .name = "tonemap.screen",
         .color = RG_TARGETS({ &frame_display, RG_LOAD_DISCARD }),
-        .uses = RG_USES(FRAME_SAMPLE(frame_color, TONEMAP_COLOR, .same_texel = true)),
+        .uses = RG_USES(FRAME_SAMPLE(frame_color, TONEMAP_COLOR, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &tonemap_frag,
         .push_size = sizeof(struct tonemap_params),

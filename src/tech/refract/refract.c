@@ -68,13 +68,13 @@ static const struct rg_use face_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 static const struct rg_use pixel_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
-    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .sampler = &frame_same_texel),
     { 0 },
 };
 
 #define UNPACK_USES \
-    FRAME_SAMPLE(refract_packed_path, REFRACT_PACKED_PATH, .same_texel = true), \
-        FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true)
+    FRAME_SAMPLE(refract_packed_path, REFRACT_PACKED_PATH, .sampler = &frame_same_texel), \
+        FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .sampler = &frame_same_texel)
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
@@ -119,7 +119,7 @@ static const struct rg_pass unpack_passes[] = {
                             { &refract_reflection, RG_LOAD_DISCARD },
                             { &refract_fresnel, RG_LOAD_DISCARD }),
         .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(refract_packed_light, REFRACT_PACKED_MORE,
-                                                  .same_texel = true)),
+                                                  .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_unpack_light_frag,
         .record = frame_draw_screen,
@@ -128,7 +128,7 @@ static const struct rg_pass unpack_passes[] = {
         .name = "refract.unpack_counts",
         .color = RG_TARGETS({ &refract_path, RG_LOAD_DISCARD }),
         .uses = RG_USES(UNPACK_USES, FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE,
-                                                  .same_texel = true)),
+                                                  .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_unpack_counts_frag,
         .record = frame_draw_screen,
@@ -139,8 +139,8 @@ static const struct rg_pass unpack_passes[] = {
                             { &refract_last_object, RG_LOAD_DISCARD }),
         .uses =
             RG_USES(UNPACK_USES,
-                    FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .same_texel = true),
-                    FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .same_texel = true)),
+                    FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .sampler = &frame_same_texel),
+                    FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_unpack_traced_frag,
         .record = frame_draw_screen,

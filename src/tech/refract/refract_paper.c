@@ -20,8 +20,7 @@ static rg_record_fn record_object;
 
 static const struct rg_use uses[] = {
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
-    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear,
-                 .same_texel = true),
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_same_texel),
     { 0 },
 };
 

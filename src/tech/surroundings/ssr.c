@@ -118,8 +118,8 @@ static const struct rg_pass object_passes[] = {
 static const struct rg_use refracted_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_READ(ice_normal_shading, REFRACT_SHADING),
-    FRAME_SAMPLE(hit_point, SSR_HIT_POINT, .same_texel = true),
-    FRAME_SAMPLE(hit_dir, SSR_HIT_DIR, .same_texel = true),
+    FRAME_SAMPLE(hit_point, SSR_HIT_POINT, .sampler = &frame_same_texel),
+    FRAME_SAMPLE(hit_dir, SSR_HIT_DIR, .sampler = &frame_same_texel),
     { 0 },
 };
 
@@ -152,13 +152,13 @@ static const struct rg_pass screen_passes[] = {
     {
         .name = "ssr.composite",
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
-        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_SAMPLE(frame_depth, SSR_DEPTH, .same_texel = true),
+        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_SAMPLE(frame_depth, SSR_DEPTH, .sampler = &frame_same_texel),
                         FRAME_SAMPLE(object_color, SSR_OBJECTS, .sampler = &object_sampler),
                         FRAME_SAMPLE(refracted, SSR_REFRACTED, .sampler = &frame_linear,
                                      .fallback = &none_refracted),
                         FRAME_READ(object_depth, SSR_OBJECT_DEPTH),
-                        FRAME_SAMPLE(ssr_surface, SSR_SURFACE, .same_texel = true),
-                        FRAME_SAMPLE(ssr_specular, SSR_SPECULAR, .same_texel = true)),
+                        FRAME_SAMPLE(ssr_surface, SSR_SURFACE, .sampler = &frame_same_texel),
+                        FRAME_SAMPLE(ssr_specular, SSR_SPECULAR, .sampler = &frame_same_texel)),
         .vert = &fullscreen_ray_vert,
         .frag = &ssr_frag,
         .push_size = sizeof(struct ssr_push),

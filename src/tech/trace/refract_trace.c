@@ -249,7 +249,7 @@ static const struct rg_use query_uses[] = {
 
 static const struct rg_use cube_uses[] = {
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
-    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .sampler = &frame_same_texel),
     REFRACT_USE_FULLSCREEN_CUBE,
     FRAME_READ(frame_env_cube, TRACE_CUBE_POINTS),
     { 0 },

@@ -1,5 +1,6 @@
 /* presenter.c: swapchain and render-graph plan that present the image in a window. */
 #include "src/view/window/presenter.h"
+#include "graph/rg_firn.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/render/compiled_frame.h"
@@ -125,8 +126,6 @@ static enum status realise(struct presenter *s, const struct presenter_images *i
     const struct rg_exec_params params = {
         .plan = plan,
         GPU_EXEC_PARAMS(s->gpu),
-        .render_passes =
-            s->gpu->validated, /* for older synchronization validation; see rg_exec.h */
         .log = log_exec,
         .constants = &constants,
         .frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT,
@@ -141,7 +140,8 @@ static enum status realise(struct presenter *s, const struct presenter_images *i
         const enum status status = gpu_status(rg_exec_wait_all(s->exec));
         return status == STATUS_OK ? gpu_status(rg_exec_update(s->exec, &params)) : status;
     }
-    s->exec = rg_exec_create(&params, &result);
+    s->exec = rg_exec_create_extended(
+        &params, &(struct rg_exec_extensions){ .render_passes = s->gpu->validated }, &result);
     if (s->exec)
         rg_exec_measure(s->exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
     return gpu_status(result);
