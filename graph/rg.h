@@ -346,6 +346,7 @@ struct rg_pass {
     struct rg_depth_bias depth_bias;  /* {0} means none */
     const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */
     const struct rg_set *set;         /* the application's set 1, or NULL */
+    enum rg_queue queue;              /* if rg_compile_params.queues lacks it, the main queue */
     /* layerCount of layered rendering, from rg_target.layer on; 0 means 1. Shaders choose a layer
      * by gl_Layer, which needs the feature shaderOutputLayer */
     uint32_t layers;
@@ -437,7 +438,8 @@ struct rg_compile_params {
     size_t size_count;
     const struct rg_device *device; /* NULL: tight sizes, 256-byte alignment */
     enum rg_sharing sharing;        /* aliasing of transient resources */
-    bool skip_shaders;              /* no shader validation (7 us each) */
+    VkFlags queues; /* mask of 1 << enum rg_queue: further queues to use; 0: only the main queue */
+    bool skip_shaders; /* no shader validation (7 us each) */
     /* Memory for compiling and for the plan. It must outlive the plan and be aligned for any type.
      * If NULL or too small, malloc() provides the rest. rg_plan.arena_size bytes are enough. */
     void *memory;

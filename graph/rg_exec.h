@@ -24,7 +24,7 @@
  *                its semaphores are untouched, and rg_exec_begin() may begin another one. After any
  *                other error, only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
- *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
+ *                share rg_exec_params.pipelines. The queues are used only by rg_exec_submit(),
  *                rg_exec_submit_synced(), rg_exec_submit_part() and rg_exec_abandon().
  */
 #ifndef RG_EXEC_H
@@ -82,6 +82,12 @@ typedef const struct rg_shader *rg_replace_shader_fn(void *user, const struct rg
 /* Receives a failed call with its object, such as "vkCreateImage of depth", and its result. */
 typedef void rg_log_fn(void *user, const char *what, VkResult result);
 
+/* A queue besides the main one. */
+struct rg_exec_queue {
+    VkQueue queue;   /* may equal another one of the parameters */
+    uint32_t family; /* of the queue */
+};
+
 /* Parameters of rg_exec_create(). */
 struct rg_exec_params {
     const struct rg_plan *plan; /* without faults, compiled for this device */
@@ -91,11 +97,12 @@ struct rg_exec_params {
     VkDevice device;
     /* must support graphics and compute; VK_NULL_HANDLE if only rg_exec_record() is used */
     VkQueue queue;
-    uint32_t queue_family;                /* of the queue */
-    VkPipelineCache pipeline_cache;       /* VK_NULL_HANDLE is allowed */
-    struct rg_pipelines *pipelines;       /* cache to reuse, or NULL */
-    uint32_t frames_in_flight;            /* maximum unfinished frames; 0 means 2 */
-    const struct rg_exec_import *imports; /* parallel to rg_compile_params.imports; not kept */
+    uint32_t queue_family;                  /* of the queue */
+    struct rg_exec_queue compute, transfer; /* those of rg_compile_params.queues; otherwise {0} */
+    VkPipelineCache pipeline_cache;         /* VK_NULL_HANDLE is allowed */
+    struct rg_pipelines *pipelines;         /* cache to reuse, or NULL */
+    uint32_t frames_in_flight;              /* maximum unfinished frames; 0 means 2 */
+    const struct rg_exec_import *imports;   /* parallel to rg_compile_params.imports; not kept */
     size_t import_count;
     const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
@@ -182,7 +189,7 @@ struct rg_exec_recording {
  * program waits for its fence or timeline value, and then writes rg_exec_mapped() of the slot.
  * rg_exec_wait() with the slot does not wait for such a frame, but makes its readback buffers and
  * times available; call it once the frame has finished. All frames must have finished when
- * rg_exec_destroy() is called. Objects that rg_exec_update() replaces are destroyed when
+ * rg_exec_destroy() is called. The plan uses only the main queue. Objects that rg_exec_update() replaces are destroyed when
  * rg_exec_wait() or rg_exec_record() has been called for the slots of all frames that use them.
  * RG_CLOCK_SUBMITS measures nothing.
  */
@@ -195,7 +202,8 @@ RG_API VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_record
  * a compute pass or a copy is never divided. Returns VK_NOT_READY until the last part, and then
  * VK_SUCCESS. Between the parts of a frame, which have equal `frame`, the host may use other
  * executors, but of this one only rg_exec_submit_part(), rg_exec_abandon() and rg_exec_destroy().
- * Values are those of rg_exec_submit(). Raster passes with storage writes are not divided.
+ * Values are those of rg_exec_submit(). Raster passes with storage writes are not divided. The plan
+ * uses only the main queue.
  */
 RG_API VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
                                     double seconds);

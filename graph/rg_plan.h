@@ -13,6 +13,14 @@ extern "C" {
 
 #define RG_NONE UINT32_MAX /* an index that refers to nothing */
 
+/* Queue that executes a pass. */
+enum rg_queue {
+    RG_QUEUE_MAIN,     /* graphics and compute */
+    RG_QUEUE_COMPUTE,  /* asynchronous compute, for RG_COMPUTE and RG_TRANSFER rows */
+    RG_QUEUE_TRANSFER, /* for RG_TRANSFER rows that only copy whole subresources or fill buffers */
+    RG_QUEUE_COUNT,
+};
+
 /* An image that passes of the plan access. */
 struct rg_plan_image {
     const struct rg_image *image; /* the declaration */
@@ -26,8 +34,9 @@ struct rg_plan_image {
     bool imported, persistent; /* neither: transient */
     uint32_t import;           /* index into rg_compile_params.imports, or RG_NONE */
     uint32_t partner; /* resource that it is swapped with after a frame (`previous`), or RG_NONE */
+    uint32_t queues;  /* mask of 1 << enum rg_queue; several: concurrent sharing mode */
     uint32_t first, last;      /* lifetime; `last` is pass_count for outputs */
-    uint32_t block;            /* index into blocks; RG_NONE unless transient */
+    uint32_t block;            /* index into blocks; RG_NONE: dedicated memory, or an import */
     VkDeviceSize offset, size; /* bytes; `offset` is within the block */
 };
 
@@ -39,8 +48,9 @@ struct rg_plan_buffer {
     VkBufferUsageFlags usage;         /* for all accesses */
     bool imported, persistent;        /* neither: transient */
     uint32_t import;                  /* index into rg_compile_params.imports, or RG_NONE */
+    uint32_t queues;                  /* as in rg_plan_image */
     uint32_t first, last;             /* lifetime; `last` is pass_count for outputs */
-    uint32_t block;                   /* RG_NONE unless transient and RG_MEMORY_DEVICE */
+    uint32_t block;                   /* as in rg_plan_image; RG_NONE in host memory */
     VkDeviceSize offset, memory_size; /* bytes; 0 in host memory */
 };
 
@@ -95,6 +105,14 @@ struct rg_plan_pass {
     struct rg_plan_target depth; /* image may be RG_NONE */
 };
 
+/* Consecutive passes that are submitted together to one queue. */
+struct rg_submission {
+    enum rg_queue queue;
+    uint32_t first_pass, pass_count;
+    /* per queue: 1 plus the index of the submission to wait for; 0 if there is none */
+    uint32_t waits[RG_QUEUE_COUNT];
+};
+
 /* A pass removed because no output needs it. */
 struct rg_culled {
     const struct rg_pass *pass;
@@ -108,6 +126,11 @@ struct rg_plan {
     VkExtent2D view; /* from rg_compile_params */
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count, color_count, fallback_count;
+    /* in order; 0: the frame is one submission to the main queue. Otherwise the first and the last
+     * one are on the main queue and have no passes: the first precedes all others of the frame, the
+     * last has the final barriers and waits for all queues */
+    uint32_t submission_count;
+    const struct rg_submission *submissions;
     uint32_t batch_count;               /* barrier batches, including the final one */
     const struct rg_plan_pass *passes;  /* in execution order */
     const struct rg_plan_image *images; /* in the order of first access */
@@ -125,7 +148,7 @@ struct rg_plan {
     VkDeviceSize memory_used;             /* bytes of all blocks */
     VkDeviceSize memory_without_aliasing; /* bytes if nothing aliased */
     VkDeviceSize memory_bound;            /* peak live bytes, a lower bound */
-    VkDeviceSize memory_persistent;       /* persistent bytes, not included above */
+    VkDeviceSize memory_persistent;       /* bytes of dedicated memory, not included above */
     size_t arena_size;                    /* arena bytes used by rg_compile() */
 };
 

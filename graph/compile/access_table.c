@@ -116,6 +116,7 @@ struct access *rg_access_init(struct access *a, struct resource *r, enum rg_acce
     a->cell_count = r->cell_count;
     a->range = r->all;
     a->kind = kind;
+    a->queue = RG_QUEUE_MAIN;
     a->flags = info->reads_content * (uint32_t)ACCESS_READS |
                info->writes_content * (uint32_t)ACCESS_WRITES;
     a->visibility = info->writes_content ? 0 : visibility_of(kind, stages);

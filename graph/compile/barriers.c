@@ -77,6 +77,87 @@ static void apply_access(struct cell *s, const struct access *a, uint32_t pass, 
         s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
 }
 
+/* ---- several queues ---- */
+
+/* Makes the current pass wait for accesses of other queues to the subresource. Returns true if it
+ * then needs no barrier: it reads what another queue wrote, which the semaphore makes visible. The
+ * state of the subresource describes its home queue only; a change on another queue moves it there,
+ * and then waits for all commands, which include the semaphore's wait. */
+static bool cross_queues(struct compiler *c, struct cell *s, const struct access *a, uint32_t pass)
+{
+    if (!a->resource->queue_cells)
+        return false;
+    struct cell_queues *q = &a->resource->queue_cells[s - a->resource->cells];
+    bool moves = q->home != a->queue;
+    bool changes = changes_cell(s, a) || (moves && a->kind == RG_HOST_READ);
+    bool waits = moves;
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
+        uint32_t wait = changes ? q->touched[i] : i == q->home ? s->written : 0;
+        if (i == a->queue || !wait)
+            continue;
+        c->waits[i] = c->waits[i] < wait ? wait : c->waits[i];
+        waits = true;
+    }
+    if (changes && moves) {
+        s->write_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        s->write_access = VK_ACCESS_2_MEMORY_WRITE_BIT;
+        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+        s->visible = 0;
+        s->flags &= ~(uint32_t)CELL_AWAITED;
+        q->home = a->queue;
+    }
+    if (changes && waits) /* the barrier follows this pass's wait */
+        s->written = s->touched = pass;
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT && changes; i++)
+        q->touched[i] = 0;
+    q->touched[a->queue] = pass + 1;
+    return moves && !changes;
+}
+
+/* Sets the state in which a frame leaves a subresource: the main queue has waited for all others. */
+static void join_queues(struct cell *s, struct cell_queues *q)
+{
+    if (q->home != RG_QUEUE_MAIN) {
+        s->write_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        s->write_access = VK_ACCESS_2_NONE;
+        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+        s->visible = RG_VISIBLE_TO_ALL;
+    }
+    *q = (struct cell_queues){ 0 };
+}
+
+/* Adds a pass to the newest submission, or opens one if the queue changes, if the pass waits for
+ * another queue, or if `pass_count` is 0. */
+static void submit(struct compiler *c, uint32_t pass, uint32_t pass_count)
+{
+    struct rg_plan *plan = c->plan;
+    struct rg_submission *s =
+        plan->submission_count ? &c->submissions[plan->submission_count - 1] : NULL;
+    bool opens = !s || !s->pass_count || !pass_count || s->queue != c->queue;
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT && !pass_count; i++)
+        c->waits[i] = 0;
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++)
+        opens = opens || c->waits[i] > c->waited[c->queue][i];
+    if (opens &&
+        ARENA_ROOM(c->arena, c->submissions, plan->submission_count, c->submission_room, 8)) {
+        s = &c->submissions[plan->submission_count++];
+        *s = (struct rg_submission){ .queue = c->queue, .first_pass = pass };
+        s->waits[RG_QUEUE_MAIN] = c->queue != RG_QUEUE_MAIN; /* for the frame's first submission */
+        for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
+            uint32_t of = plan->submission_count - 1;
+            if (c->waits[i] <= c->waited[c->queue][i])
+                continue;
+            while (c->submissions[of].first_pass >= c->waits[i] || c->submissions[of].queue != i)
+                of--;
+            s->waits[i] = of + 1;
+            c->waited[c->queue][i] = c->submissions[of].first_pass + c->submissions[of].pass_count;
+        }
+    }
+    if (s)
+        s->pass_count += pass_count;
+    c->plan->submissions = c->submissions;
+}
+
 /* ---- state at the start of a frame ---- */
 
 /* Returns the state in which an import's subresources begin a frame (struct rg_import). The first
@@ -102,11 +183,13 @@ static struct cell import_state(const struct compiler *c, struct resource *r)
 
 /* ---- persistent resources begin a frame in the state in which the previous frame ended ---- */
 
-static void simulate_access(const struct access *a)
+static void simulate_access(struct compiler *c, const struct access *a)
 {
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         struct rg_barrier unused;
         uint32_t release;
+        if (cross_queues(c, w.cell, a, 0))
+            continue;
         bool needed = needs_barrier(w.cell, a, &unused, &release);
         apply_access(w.cell, a, 0, needed);
     }
@@ -120,7 +203,7 @@ static void simulate_frame(struct compiler *c, bool only_pairs)
         const struct access *a = &c->accesses[pass->first_access];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             if (a[i].resource->persistent && (a[i].resource->partner || !only_pairs))
-                simulate_access(&a[i]);
+                simulate_access(c, &a[i]);
         }
     }
     for (uint32_t i = 0; i < c->boundary_count; i++) {
@@ -128,7 +211,7 @@ static void simulate_frame(struct compiler *c, bool only_pairs)
         if (!r->persistent || r->output == RG_NONE || (only_pairs && !r->partner))
             continue;
         const struct access a = rg_boundary_access(r, c->params->outputs[r->output].access);
-        simulate_access(&a);
+        simulate_access(c, &a);
     }
 }
 
@@ -152,7 +235,8 @@ static void each_history_read(struct compiler *c, history_read_fn *visit)
         for (const struct access *a = first; a < end; a++) {
             const struct resource *r =
                 rg_is_history(a->resource) ? a->resource->partner : a->resource;
-            for (struct cell_walk w = rg_cells(a); w.cell && r->persistent; rg_next_cell(&w)) {
+            for (struct cell_walk w = rg_cells(a); w.cell && r->persistent && !r->queue_cells;
+                 rg_next_cell(&w)) {
                 struct cell *left = &r->cells[w.cell - a->resource->cells];
                 const struct rg_barrier next = { r->plan_image, r->plan_buffer,
                                                  .range = rg_cell_range(&w) };
@@ -183,6 +267,8 @@ static void begin_next_frame(struct compiler *c)
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
             struct cell *s = &r->cells[k];
+            if (r->queue_cells)
+                join_queues(s, &r->queue_cells[k]);
             s->written = s->touched = s->barrier_end = 0;
             s->flags &= ~(uint32_t)(CELL_CHANGED | CELL_CERTAIN);
         }
@@ -309,8 +395,9 @@ static void append_barrier(struct compiler *c, const struct cell_walk *w, struct
                            uint32_t release, uint32_t deadline)
 {
     uint32_t before = r->last_barrier;
-    if (release >= c->batch_end) {
+    if (release >= c->batch_end || c->batch_queue != c->queue) {
         close_batch(c);
+        c->batch_queue = c->queue;
         c->batch_first = c->barrier_count;
         c->batch_end = deadline + 1;
     }
@@ -328,8 +415,10 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
     struct resource *r = a->resource;
     struct rg_barrier *b = &c->barriers[c->barrier_count];
     uint32_t release;
-    bool needed = needs_barrier(w->cell, a, b, &release);
     bool added = false;
+    if (cross_queues(c, w->cell, a, pass))
+        return false;
+    bool needed = needs_barrier(w->cell, a, b, &release);
     if (needed) {
         bool only_reads = !(a->flags & ACCESS_WRITES) && w->cell->layout == a->layout;
         b->image = r->plan_image;
@@ -542,6 +631,18 @@ static void write_pass(struct compiler *c, const struct pass *pass, uint32_t ind
     }
 }
 
+/* Ends the frame on the main queue, which waits for the last submission of each other queue. */
+static void join_all(struct compiler *c)
+{
+    const uint32_t last = c->plan->submission_count;
+    c->queue = RG_QUEUE_MAIN;
+    submit(c, c->plan->pass_count, 0);
+    for (uint32_t i = 0; i < last && !c->arena->failed; i++) {
+        if (c->submissions[i].queue != RG_QUEUE_MAIN)
+            c->submissions[last].waits[c->submissions[i].queue] = i + 1;
+    }
+}
+
 void rg_write_plan_passes(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -551,6 +652,8 @@ void rg_write_plan_passes(struct compiler *c)
     c->uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->access_count);
     c->colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_count);
     begin_cells(c);
+    if (c->has_queues)
+        submit(c, 0, 0);
     for (uint32_t p = 0; p < c->pass_count && !c->arena->failed; p++) {
         const struct rg_plan_pass *pass = &c->plan_passes[p];
         if (!c->passes[p].alive) {
@@ -559,7 +662,13 @@ void rg_write_plan_passes(struct compiler *c)
         }
         if (index < p)
             c->plan_passes[index] = *pass;
-        write_pass(c, &c->passes[p], index++);
+        c->queue = c->passes[p].queue;
+        for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++)
+            c->waits[i] = 0;
+        write_pass(c, &c->passes[p], index);
+        if (c->has_queues)
+            submit(c, index, 1);
+        index++;
     }
     plan->passes = c->plan_passes;
     plan->uses = c->uses;
@@ -567,6 +676,8 @@ void rg_write_plan_passes(struct compiler *c)
     plan->culled = culled;
     plan->fallbacks = c->fallbacks;
     plan->fallback_count = c->fallback_count;
+    if (c->has_queues)
+        join_all(c);
     if (!c->arena->failed)
         end_barriers(c);
 }

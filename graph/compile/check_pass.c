@@ -262,6 +262,11 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
 {
     const struct rg_target *depth = &pass->depth;
     RG_CHECK_ENUM(c, pass, kind, RG_TRANSFER, NULL, "enum rg_kind");
+    RG_CHECK_ENUM(c, pass, queue, RG_QUEUE_TRANSFER, NULL, "enum rg_queue");
+    rg_fault_if(
+        c, pass->queue > (unsigned)pass->kind, RG_ERROR_ACCESS, NULL,
+        "queue: expected one for this kind of pass: rasterisation needs the main queue, and "
+        "RG_QUEUE_TRANSFER only copies");
     RG_CHECK_ENUM(c, pass, repeat, RG_PER_MIP_UP, NULL, "enum rg_repeat");
     RG_CHECK_ENUM(c, pass, depth_compare, VK_COMPARE_OP_ALWAYS, NULL, "VkCompareOp");
     RG_CHECK_ENUM(c, pass, topology, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN, NULL,

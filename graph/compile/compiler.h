@@ -55,6 +55,12 @@ struct cell {
     bool changed;              /* scratch of rg_each_history_read() */
 };
 
+/* Accesses to a cell by several queues (barriers.c). */
+struct cell_queues {
+    uint32_t home;                    /* queue that `cell` describes: that of the last write */
+    uint32_t touched[RG_QUEUE_COUNT]; /* by queue: pass after the last access since that write */
+};
+
 #define RG_SIZE_OVERFLOW UINT64_MAX
 
 struct resource {
@@ -78,8 +84,10 @@ struct resource {
     uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_before;            /* pass before which memory is acquired */
     uint32_t last_barrier;               /* its newest barrier, or RG_NONE */
-    struct resource *partner; /* resource that it is swapped with after a frame, or NULL */
-    struct cell cell[];       /* storage for `cells` of single-cell resources */
+    struct resource *partner;        /* resource that it is swapped with after a frame, or NULL */
+    struct cell_queues *queue_cells; /* parallel to `cells`; NULL if only the main queue has it */
+    uint32_t queues;                 /* mask of the queues of its accesses */
+    struct cell cell[];              /* storage for `cells` of single-cell resources */
 };
 
 struct access {
@@ -91,6 +99,7 @@ struct access {
     enum rg_access kind;
     uint32_t flags;
     uint32_t visibility; /* reads: mask of (stage, access) pairs */
+    enum rg_queue queue;
     VkImageLayout layout;
     VkPipelineStageFlags2 stages;
     VkAccessFlags2 mask; /* all its Vulkan accesses */
@@ -99,6 +108,7 @@ struct access {
 struct pass {
     uint32_t first_access, access_count;
     bool alive; /* not culled */
+    enum rg_queue queue;
 };
 
 /* A transient resource to be packed into a memory block (in tests, any byte range). */
@@ -164,6 +174,14 @@ struct compiler {
     uint32_t barrier_count, barrier_room;
     uint32_t batch_first; /* first barrier of the newest batch */
     uint32_t batch_end;   /* index of its pass plus 1 */
+
+    /* Several queues: that of the current pass and of the newest batch, and, as pass index plus 1,
+     * for which passes of each queue the current pass, and each queue so far, must wait. */
+    bool has_queues;
+    enum rg_queue queue, batch_queue;
+    uint32_t waits[RG_QUEUE_COUNT], waited[RG_QUEUE_COUNT][RG_QUEUE_COUNT];
+    struct rg_submission *submissions;
+    uint32_t submission_room;
     struct rg_fault *faults;
     uint32_t fault_count, fault_room;
 };

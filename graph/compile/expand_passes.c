@@ -88,6 +88,7 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     uint32_t filled_now = when ? CELL_FILLED_BY + c->pass_count : CELL_FILLED;
     const struct access *conflict = NULL;
     bool all_filled = true;
+    a->queue = c->passes[c->pass_count].queue;
     if (when)
         a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
     rg_fault_if(c, (aspects & (aspects - 1)) && rg_is_shader_access(a->kind), RG_ERROR_RANGE, name,
@@ -322,6 +323,9 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     struct pass *pass = &c->passes[c->pass_count];
     struct rg_plan_pass *out = c->pass = &c->plan_passes[c->pass_count];
     pass->first_access = c->access_count;
+    pass->queue = RG_QUEUE_MAIN;
+    if ((unsigned)row->queue < RG_QUEUE_COUNT && c->params->queues >> row->queue & 1)
+        pass->queue = row->queue;
     out->pass = row;
     out->technique = c->technique;
     out->row = c->row;

@@ -41,6 +41,37 @@ static void extend_lifetime(struct compiler *c, struct resource *r, VkFlags usag
     r->usage |= usage;
 }
 
+/* Prepares a resource for accesses by another queue. It does not alias others, because memory is
+ * handed on by barriers, which only order commands of one queue. */
+static void add_queue(struct compiler *c, struct resource *r, enum rg_queue queue)
+{
+    r->queues |= 1u << queue;
+    if (!r->queue_cells)
+        r->queue_cells = ARENA_ZEROED(c->arena, struct cell_queues, r->cell_count);
+    for (uint32_t k = 0; k < r->cell_count && r->shared; k++) {
+        r->cells[k].flags = 0;
+        /* of the previous frame */
+        r->cells[k].write_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        r->cells[k].write_access = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    }
+    r->shared = false;
+    c->has_queues = true;
+}
+
+static void find_queues(struct compiler *c)
+{
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            if (pass->queue != RG_QUEUE_MAIN)
+                add_queue(c, a[i].resource, pass->queue);
+            if (pass->queue != RG_QUEUE_MAIN && a[i].resource->partner)
+                add_queue(c, a[i].resource->partner, pass->queue);
+        }
+    }
+}
+
 static VkFlags usage_of(const struct access *a)
 {
     return a->flags & ACCESS_TEXELS && a->kind != RG_SAMPLED
@@ -51,6 +82,8 @@ static VkFlags usage_of(const struct access *a)
 void rg_find_lifetimes(struct compiler *c)
 {
     uint32_t index = 0;
+    if (c->params->queues)
+        find_queues(c);
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
@@ -224,6 +257,7 @@ static void list_image(struct compiler *c, struct resource *r)
         .persistent = r->persistent,
         .import = r->import,
         .partner = r->partner ? r->partner->plan_image : RG_NONE,
+        .queues = r->queues | 1u << RG_QUEUE_MAIN,
         .first = r->first,
         .last = r->last,
         .block = RG_NONE,
@@ -263,6 +297,7 @@ static void list_buffer(struct compiler *c, struct resource *r)
         .imported = r->import != RG_NONE,
         .persistent = r->persistent,
         .import = r->import,
+        .queues = r->queues | 1u << RG_QUEUE_MAIN,
         .first = r->first,
         .last = r->last,
         .block = RG_NONE,

@@ -32,7 +32,7 @@ struct rg_dump_flag_name {
 
 extern const struct rg_dump_flag_name rg_dump_aspects[], rg_dump_stages[], rg_dump_accesses[];
 extern const struct rg_dump_flag_name rg_dump_layouts[], rg_dump_loads[], rg_dump_stores[];
-extern const struct rg_dump_flag_name rg_dump_kinds[], rg_dump_memories[];
+extern const struct rg_dump_flag_name rg_dump_kinds[], rg_dump_memories[], rg_dump_queues[];
 
 /* Returns the name of a value; "?" if it has none. */
 const char *rg_dump_flag_name(const struct rg_dump_flag_name *words, uint64_t value);

@@ -76,6 +76,13 @@ const struct rg_dump_flag_name rg_dump_stores[] = {
     { NULL, 0 },
 };
 
+const struct rg_dump_flag_name rg_dump_queues[] = {
+    { "main", RG_QUEUE_MAIN },
+    { "compute", RG_QUEUE_COMPUTE },
+    { "transfer", RG_QUEUE_TRANSFER },
+    { NULL, 0 },
+};
+
 const struct rg_dump_flag_name rg_dump_kinds[] = {
     { "raster", RG_RASTER },
     { "compute", RG_COMPUTE },

@@ -270,6 +270,21 @@ static void print_culled(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, "}");
 }
 
+static void print_submission(const struct rg_dump *d, uint32_t index)
+{
+    const struct rg_submission *s = &d->plan->submissions[index];
+    const char *separator = "";
+    rg_dump_print(d, "{\"queue\": \"%s\", \"first_pass\": %u, \"pass_count\": %u, \"after\": [",
+                  rg_dump_flag_name(rg_dump_queues, s->queue), s->first_pass, s->pass_count);
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
+        if (!s->waits[i])
+            continue;
+        rg_dump_print(d, "%s%u", separator, s->waits[i] - 1);
+        separator = ", ";
+    }
+    rg_dump_print(d, "]}");
+}
+
 static void print_members(const struct rg_dump *d)
 {
     const struct rg_plan *plan = d->plan;
@@ -288,6 +303,7 @@ static void print_members(const struct rg_dump *d)
     array_member(d, "passes", print_pass, 0, plan->pass_count);
     array_member(d, "final_barriers", print_barrier, plan->first_final_barrier,
                  plan->final_barrier_count);
+    array_member(d, "submissions", print_submission, 0, plan->submission_count);
     array_member(d, "culled", print_culled, 0, plan->culled_count);
 }
 

@@ -187,6 +187,16 @@ static void print_pass(const struct rg_dump *d, uint32_t index)
         rg_dump_print(d, "  set %n\n", pass->pass->set->name);
 }
 
+static void print_submission(const struct rg_dump *d, uint32_t index)
+{
+    const struct rg_submission *s = &d->plan->submissions[index];
+    rg_dump_print(d, "submission %u %s first %u count %u", index,
+                  rg_dump_flag_name(rg_dump_queues, s->queue), s->first_pass, s->pass_count);
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++)
+        rg_dump_print(d, s->waits[i] ? " after %u" : "", s->waits[i] - 1);
+    rg_dump_print(d, "\n");
+}
+
 static void print_plan(const struct rg_dump *d)
 {
     const struct rg_plan *plan = d->plan;
@@ -202,6 +212,8 @@ static void print_plan(const struct rg_dump *d)
         print_pass(d, p);
     }
     print_barriers(d, "barrier", plan->first_final_barrier, plan->final_barrier_count);
+    for (uint32_t i = 0; i < plan->submission_count; i++)
+        print_submission(d, i);
     for (uint32_t i = 0; i < plan->culled_count; i++) {
         rg_dump_print(d, "culled ");
         print_pass_name(d, plan->culled[i].pass, plan->culled[i].repetition);

@@ -218,6 +218,7 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
           writes_in(exec->plan, VK_SHADER_STAGE_FRAGMENT_BIT), core->fragmentStoresAndAtomics },
         { "the feature vertexPipelineStoresAndAtomics",
           writes_in(exec->plan, VK_SHADER_STAGE_VERTEX_BIT), core->vertexPipelineStoresAndAtomics },
+        { "the feature timelineSemaphore", exec->plan->submission_count, f.v12.timelineSemaphore },
         { "the feature samplerFilterMinmax", reduces(exec), f.v12.samplerFilterMinmax },
         { "the feature samplerAnisotropy", p->max_anisotropy >= 1.0f, core->samplerAnisotropy },
         { "the feature pipelineStatisticsQuery", p->statistics, core->pipelineStatisticsQuery },

@@ -42,6 +42,8 @@ static VkResult check_image(const struct rg_exec *exec, const struct rg_plan_ima
 {
     const VkImageCreateInfo needed = rg_image_create_info(plan);
     const VkImageCreateInfo *has = import->image_info ? import->image_info : &needed;
+    uint32_t families[RG_QUEUE_COUNT];
+    const bool is_shared = rg_exec_families(exec, plan->queues, families) > 1;
     const struct fact facts[] = {
         { "flags", has->flags, needed.flags, FACT_CONTAINS },
         { "imageType", (uint64_t)has->imageType, (uint64_t)needed.imageType, FACT_EQUAL },
@@ -53,6 +55,7 @@ static VkResult check_image(const struct rg_exec *exec, const struct rg_plan_ima
         { "arrayLayers", has->arrayLayers, needed.arrayLayers, FACT_AT_LEAST },
         { "samples", (uint64_t)has->samples, (uint64_t)needed.samples, FACT_EQUAL },
         { "usage", has->usage, needed.usage, FACT_CONTAINS },
+        { "sharingMode", has->sharingMode, import->image_info && is_shared, FACT_AT_LEAST },
     };
     bool is_null = !import->image_count && !import->image;
     for (uint32_t i = 0; i < import->image_count; i++)
@@ -69,6 +72,8 @@ static VkResult check_buffer(const struct rg_exec *exec, const struct rg_plan_bu
     const VkBufferCreateInfo *info = import->buffer_info;
     const bool is_structure = plan->usage & VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
     VkMemoryRequirements memory;
+    uint32_t families[RG_QUEUE_COUNT];
+    const bool is_shared = rg_exec_families(exec, plan->queues, families) > 1;
     if (!import->buffer || (is_structure && !import->acceleration))
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "VK_NULL_HANDLE as the import",
                              plan->buffer->name);
@@ -76,6 +81,7 @@ static VkResult check_buffer(const struct rg_exec *exec, const struct rg_plan_bu
     const struct fact facts[] = {
         { "size", info ? info->size : memory.size, plan->size, FACT_AT_LEAST },
         { "usage", info ? info->usage : plan->usage, plan->usage, FACT_CONTAINS },
+        { "sharingMode", info ? info->sharingMode : 1, is_shared, FACT_AT_LEAST },
     };
     return check_facts(exec, plan->buffer->name, facts, sizeof(facts) / sizeof(facts[0]));
 }

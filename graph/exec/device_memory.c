@@ -110,7 +110,7 @@ static void add_image(struct rg_exec *exec, const struct rg_plan_image *plan,
                                 plan->extent.width, plan->extent.height,
                                 plan->depth,        plan->layers,
                                 plan->mips,         plan->samples,
-                                plan->usage };
+                                plan->usage,        plan->queues };
     add_name(exec, plan->image->name, placeholder != NULL);
     if (plan->partner != RG_NONE) /* an update keeps both partners or neither */
         add_name(exec, exec->plan->images[plan->partner].image->name, plan->partner != RG_NONE);
@@ -129,10 +129,15 @@ VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *pl
 {
     const struct placement placement = { plan->image->name, plan->block, plan->offset, plan->size,
                                          placeholder != NULL };
-    const VkImageCreateInfo info = rg_image_create_info(plan);
+    uint32_t families[RG_QUEUE_COUNT];
+    VkImageCreateInfo info = rg_image_create_info(plan);
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
+    info.queueFamilyIndexCount = rg_exec_families(exec, plan->queues, families);
+    info.pQueueFamilyIndices = families;
+    info.sharingMode =
+        info.queueFamilyIndexCount > 1 ? VK_SHARING_MODE_CONCURRENT : VK_SHARING_MODE_EXCLUSIVE;
     add_image(exec, plan, placeholder);
     RG_MAKE(exec, placement.name, IMAGE, CreateImage, image, &info);
     if (exec->found == RG_FOUND_HERE)
@@ -223,6 +228,7 @@ VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo
     add_name(exec, name, slot);
     RG_KEY(exec, info->size);
     RG_KEY(exec, info->usage);
+    RG_KEY(exec, info->queueFamilyIndexCount);
     RG_KEY(exec, preferred);
     if (!RG_MAKE_ARRAY(exec, known, 1))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
@@ -253,6 +259,7 @@ static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInf
     VkResult result;
     add_name(exec, placement->name, info->usage);
     RG_KEY(exec, info->size);
+    RG_KEY(exec, info->queueFamilyIndexCount);
     RG_KEY(exec, placement->size);
     RG_KEY(exec, placement->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[placement->block]);
     RG_KEY(exec, placement->offset);
@@ -276,8 +283,13 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
     const struct placement placement = { plan->buffer->name, plan->block, plan->offset,
                                          plan->memory_size, 0 };
     bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
+    uint32_t families[RG_QUEUE_COUNT];
+    const uint32_t family_count = rg_exec_families(exec, plan->queues, families);
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .sharingMode = family_count > 1 ? VK_SHARING_MODE_CONCURRENT : VK_SHARING_MODE_EXCLUSIVE,
+        .queueFamilyIndexCount = family_count,
+        .pQueueFamilyIndices = families,
         /* vkCmdFillBuffer() writes multiples of 4 bytes */
         .size = is_host            ? plan->max_size
                 : plan->persistent ? (plan->size + 3) / 4 * 4

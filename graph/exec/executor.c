@@ -100,7 +100,8 @@ static VkResult make_all(struct rg_exec *exec)
         rg_exec_make_memory,    rg_exec_make_fallbacks,
         rg_exec_make_targets,   rg_exec_make_descriptors,
         rg_exec_make_pipelines, make_slots,
-        rg_exec_make_time,      rg_exec_make_coverage,
+        rg_exec_make_queues,    rg_exec_make_time,
+        rg_exec_make_coverage,
     };
     VkResult result = VK_SUCCESS;
     exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
@@ -288,11 +289,9 @@ VkResult rg_exec_wait_fence(const struct rg_exec *exec)
     return rg_exec_check(exec, wait_fence(exec, &exec->slots[exec->slot]), "vkWaitForFences", NULL);
 }
 
-/* Records a part of a frame into the command buffer of the slot. */
-static VkResult record_own(struct rg_exec *exec, const struct rg_frame *frame,
-                           const struct exec_part *part)
+VkResult rg_exec_record_own(struct rg_exec *exec, VkCommandBuffer commands,
+                            const struct rg_frame *frame, const struct exec_part *part)
 {
-    VkCommandBuffer commands = exec->slots[exec->slot].commands;
     VkResult result;
     RG_CALL(exec, NULL, BeginCommandBuffer, commands,
             &(VkCommandBufferBeginInfo){
@@ -329,7 +328,7 @@ VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *fr
         .pSignalSemaphoreInfos = sync->signals,
     };
     const uint64_t start = rg_time_now();
-    RG_TRY(record_own(exec, frame, part));
+    RG_TRY(rg_exec_record_own(exec, slot->commands, frame, part));
     RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
     const uint64_t recorded = rg_time_now();
     RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
@@ -396,7 +395,9 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
         return rg_exec_refuse(exec, "rg_exec_external_sync.image_index beyond the images");
     exec->external_sync = *sync;
     RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
-    if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
+    if (exec->plan->submission_count)
+        RG_TRY(rg_exec_submit_queues(exec, frame));
+    else if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
         RG_TRY(submit_alone(exec, frame));
     else
         RG_TRY(rg_exec_submit_recorded(exec, frame, &whole));
@@ -415,6 +416,8 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *re
     VkResult result;
     if (exec->next_part.count)
         return rg_exec_refuse(exec, "rg_exec_record() before the last part");
+    if (exec->plan->submission_count)
+        return rg_exec_refuse(exec, "rg_exec_record() of a plan for several queues");
     if (recording->slot >= exec->slot_count ||
         recording->image_index >= exec->image_set_count / exec->parities)
         return rg_exec_refuse(exec, "rg_exec_record() with a slot or image_index out of range");

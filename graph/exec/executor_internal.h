@@ -65,12 +65,13 @@ struct exec_descriptor {
 struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
-    bool submitted;              /* and not known to have finished */
-    bool recorded;               /* by rg_exec_record(), not known to have finished; no fence */
-    uint64_t frame;              /* number of its last frame */
-    struct rg_times times;       /* of the current frame, perhaps incomplete */
-    struct rg_pass_time *passes; /* per pass; NULL if not measured */
-    uint32_t stamp_count;        /* timestamps written in its current frame */
+    bool submitted;               /* and not known to have finished */
+    bool recorded;                /* by rg_exec_record(), not known to have finished; no fence */
+    uint64_t frame;               /* number of its last frame */
+    struct rg_times times;        /* of the current frame, perhaps incomplete */
+    struct rg_pass_time *passes;  /* per pass; NULL if not measured */
+    uint32_t stamp_count;         /* timestamps written in its current frame */
+    VkCommandBuffer *submissions; /* of the plan's submissions, if these are several */
 };
 
 /* List of objects that are freed together, with a hash table of their keys. */
@@ -154,6 +155,8 @@ struct rg_exec {
     struct exec_descriptor *descriptors; /* scratch: of the pass being created */
     VkDescriptorSetLayoutBinding *bindings;
     VkCommandPool command_pool;
+    VkSemaphore timelines[RG_QUEUE_COUNT]; /* by queue, if the plan uses several */
+    uint64_t timeline; /* value before the next frame; a submission signals this + index + 1 */
     struct exec_slot *slots;
     struct rg_exec_region region;               /* {0}: the whole view */
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
@@ -297,6 +300,13 @@ VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct r
 /* descriptors.c */
 VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 
+/* queues.c: frames that are submitted to several queues */
+VkResult rg_exec_make_queues(struct rg_exec *exec);
+/* Fills the distinct families of a mask of queues. Returns their number. */
+uint32_t rg_exec_families(const struct rg_exec *exec, uint32_t queues,
+                          uint32_t families[RG_QUEUE_COUNT]);
+VkResult rg_exec_submit_queues(struct rg_exec *exec, const struct rg_frame *frame);
+
 /* pipelines.c */
 VkResult rg_exec_make_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
@@ -379,6 +389,9 @@ bool rg_exec_select_images(struct rg_exec *exec, uint32_t image_index);
 void rg_exec_end_frame(struct rg_exec *exec);
 /* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
 VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
+/* Records a part of a frame into a command buffer that the executor owns. */
+VkResult rg_exec_record_own(struct rg_exec *exec, VkCommandBuffer commands,
+                            const struct rg_frame *frame, const struct exec_part *part);
 /* Records a part of the frame begun last, and submits it. */
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);

@@ -234,6 +234,7 @@ static void free_object(const struct rg_functions *vk, VkDevice device,
     DESTROY(DESCRIPTOR_POOL, DescriptorPool)
     DESTROY(DESCRIPTOR_SET_LAYOUT, DescriptorSetLayout)
     DESTROY(FENCE, Fence)
+    DESTROY(SEMAPHORE, Semaphore)
     DESTROY(FRAMEBUFFER, Framebuffer)
     DESTROY(IMAGE, Image)
     DESTROY(IMAGE_VIEW, ImageView)

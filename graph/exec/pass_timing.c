@@ -108,7 +108,7 @@ fail:
 bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock)
 {
     bool is_stamped = clock == RG_CLOCK_STREAM || clock == RG_CLOCK_EXACT;
-    return exec->time && (!is_stamped || exec->time->stamps);
+    return exec->time && (!is_stamped || exec->time->stamps) && !exec->plan->submission_count;
 }
 
 void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure)
@@ -143,7 +143,7 @@ void rg_time_begin(struct rg_exec *exec, uint64_t start)
 {
     struct exec_slot *slot = &exec->slots[exec->slot];
     slot->times = (struct rg_times){ .start = start, .begin = rg_time_now() - start };
-    if (!exec->time)
+    if (!exec->time || exec->plan->submission_count)
         return;
     slot->times.measure = exec->time->measure;
     slot->times.pass_count = exec->plan->pass_count;

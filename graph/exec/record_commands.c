@@ -219,7 +219,9 @@ VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
                              const struct rg_frame *frame, const struct exec_part *part)
 {
     const struct rg_plan *plan = exec->plan;
-    const bool is_first = part->first == 0 && part->begins;
+    /* of a plan for several queues, the first and the last part have no passes */
+    const bool is_boundary = !plan->submission_count || !part->count;
+    const bool is_first = part->first == 0 && part->begins && is_boundary;
     exec->record_result = VK_SUCCESS;
     if (is_first && !exec->initialized) {
         rg_exec_record_clear(exec, commands);
@@ -229,7 +231,7 @@ VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
         rg_time_begin_frame(exec, commands);
     for (uint32_t p = part->first; p < part->first + part->count; p++)
         record_pass(exec, p, commands, frame, part);
-    if (part->ends && part->first + part->count == plan->pass_count)
+    if (part->ends && part->first + part->count == plan->pass_count && is_boundary)
         rg_exec_add_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
     rg_exec_record_batch(exec, commands);
     return (VkResult)exec->record_result;

@@ -259,6 +259,8 @@ static void run(struct hazard *h)
     hazard_expect_useful(h);
     if (!map_resources(h) || !check_passes(h))
         return;
+    if (!hazard_check_queues(h))
+        return;
     hazard_check_memory(h);
     hazard_check_statistics(h);
     uint32_t barrier_count = h->plan->barrier_count + h->plan->initial_barrier_count;
@@ -284,9 +286,9 @@ static void finish(struct hazard *h)
     for (uint32_t i = 0; h->reach && i < h->slot_count * HAZARD_STAGE_COUNT; i++)
         free(h->reach[i].after);
     void *const arrays[] = {
-        h->resources,   h->passes,       h->uses,  h->cells,   h->barriers,
-        h->nodes,       h->expected,     h->ends,  h->aliases, h->plan_passes,
-        h->plan_images, h->plan_buffers, h->reach,
+        h->resources,   h->passes,       h->uses,  h->cells,         h->barriers,
+        h->nodes,       h->expected,     h->ends,  h->aliases,       h->plan_passes,
+        h->plan_images, h->plan_buffers, h->reach, h->happens_after,
     };
     for (size_t i = 0; i < sizeof(arrays) / sizeof(arrays[0]); i++)
         free(arrays[i]);

@@ -22,9 +22,9 @@ struct hazard_binding hazard_memory_binding(const struct hazard *h,
                                     buffer->persistent };
 }
 
-static bool belongs_in_block(const struct hazard_resource *resource)
+static bool belongs_in_block(const struct hazard *h, const struct hazard_resource *resource)
 {
-    return !resource->import && !resource->persistent &&
+    return !resource->import && !resource->persistent && !hazard_has_queues(h, resource) &&
            (resource->image || resource->buffer->memory == RG_MEMORY_DEVICE);
 }
 
@@ -84,9 +84,9 @@ static void check_place(struct hazard *h, const struct hazard_resource *resource
     if (!resource->import)
         need = resource->image ? image_need(h, resource) : buffer_need(h, resource);
     VkDeviceSize alignment = need.alignment ? need.alignment : 1;
-    if (place.size < need.size && (resource->persistent || belongs_in_block(resource)))
+    if (place.size < need.size && (resource->persistent || belongs_in_block(h, resource)))
         hazard_report(h, "'%s' has too little memory", name);
-    if (!belongs_in_block(resource)) {
+    if (!belongs_in_block(h, resource)) {
         if (place.block != RG_NONE)
             hazard_report(h, "'%s' is not transient but has memory in a block", name);
         return;

@@ -189,6 +189,7 @@ struct hazard {
     FILE *report;
     uint32_t findings;
     uint32_t frame_count, frame, slot, slot_count;
+    bool *happens_after; /* by submissions: element [b * submission_count + a] is true if b waits */
     rg_when_fn *conditions[HAZARD_CONDITIONS];
     uint32_t condition_count;
     uint32_t scenario, scenario_count;
@@ -272,6 +273,14 @@ uint32_t hazard_min_batches(const struct hazard *h);
 
 /* hazard_statistics.c: checks the plan's statistics of memory and batches. */
 void hazard_check_statistics(struct hazard *h);
+
+/* hazard_queues.c: checks the submissions. Returns false if they are broken. */
+bool hazard_check_queues(struct hazard *h);
+enum rg_queue hazard_queue_of(const struct hazard *h, uint32_t slot);
+/* Returns true if semaphores order slot `to` after slot `from`. */
+bool hazard_waits(const struct hazard *h, uint32_t from, uint32_t to);
+/* Returns true if a queue other than the main one has passes that access the resource. */
+bool hazard_has_queues(const struct hazard *h, const struct hazard_resource *resource);
 
 /* hazard_synchronization.c: tracks synchronization of one subresource. */
 void hazard_sync_reset(struct hazard *h, uint32_t cell); /* resets to no history */

@@ -38,6 +38,8 @@ static uint32_t reach(struct hazard *h, uint32_t from, uint32_t stage, uint32_t 
     while (row->last < to) {
         uint32_t count = 0, more = 0;
         const struct rg_barrier *batch = batch_of(h->plan, ++row->last, &count);
+        if (hazard_queue_of(h, row->last) != hazard_queue_of(h, from))
+            count = 0; /* barriers order commands of their own queue */
         for (uint32_t i = 0; i < count; i++) {
             const struct hazard_barrier *b = &h->barriers[batch + i - h->plan->barriers];
             if (b->earlier & (after | 1U << stage))
@@ -54,6 +56,10 @@ static bool is_ordered(struct hazard *h, const struct hazard_record *record,
 {
     if (event->returned && !(record->stages & ~event->stages))
         return true;
+    if (hazard_waits(h, record->slot, event->slot))
+        return true;
+    if (hazard_queue_of(h, record->slot) != hazard_queue_of(h, event->slot))
+        return false;
     for (uint32_t stage = 0; stage < HAZARD_STAGE_COUNT; stage++) {
         if (!(record->stages & 1U << stage))
             continue;
@@ -120,6 +126,14 @@ static void pass_barrier(struct hazard *h, struct trail *trail, const struct haz
     const struct hazard_barrier *barrier = &h->barriers[node->barrier];
     if (slot <= write->slot)
         return; /* the barrier precedes the write, or shares its batch */
+    if (hazard_waits(h, write->slot, slot)) { /* the write is visible to the barrier's queue */
+        trail->batch = slot;
+        trail->pending |= barrier->later;
+        make_visible(trail, barrier->dst, barrier->dst_access);
+        return;
+    }
+    if (hazard_queue_of(h, write->slot) != hazard_queue_of(h, slot))
+        return;
     advance_before(h, trail, slot);
     if (!makes_available(barrier, write) && !(trail->after & barrier->earlier))
         return;
@@ -143,6 +157,12 @@ static bool is_visible(struct hazard *h, const struct hazard_record *write,
     if (event->returned && write->stages && !(write->stages & ~event->stages) &&
         !(write->access & ~event->writes))
         return true;
+    /* a semaphore makes the write visible to all commands after its wait, but not to the host */
+    if (hazard_waits(h, write->slot, event->slot) && !(event->stages & HAZARD_HOST))
+        return !event->transition || event->transition->src;
+    if (hazard_queue_of(h, write->slot) != hazard_queue_of(h, event->slot) &&
+        !(event->stages & HAZARD_HOST))
+        return false;
     struct trail trail = { .slot = write->slot };
     if (write->available) {
         trail.after = hazard_later(write->stages);

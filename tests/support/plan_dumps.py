@@ -124,6 +124,10 @@ def text_lines(plan):
         yield from (barrier_line(plan, barrier) for barrier in row['barriers'])
         yield from pass_lines(plan, index)
     yield from (barrier_line(plan, barrier) for barrier in plan['final_barriers'])
+    for index, submission in enumerate(plan['submissions']):
+        after = ''.join(f' after {i}' for i in submission['after'])
+        yield (f"submission {index} {submission['queue']} first {submission['first_pass']}"
+               f" count {submission['pass_count']}{after}")
     yield from (f'culled {display_name(culled)}' for culled in plan['culled'])
 
 

@@ -380,6 +380,17 @@ static void split(struct random_tables *t, struct rg_compile_params *params)
     }
 }
 
+/* Moves passes to other queues, of which the params may have none, some or all. */
+static void draw_queues(struct random_tables *t, struct rg_compile_params *params)
+{
+    for (uint32_t i = 0; i < t->pass_count; i++) {
+        struct rg_pass *pass = &t->passes[i];
+        pass->queue = (enum rg_queue)random_graph_below(t, (uint32_t)pass->kind + 1);
+    }
+    if (random_graph_chance(t, 40))
+        params->queues = random_graph_below(t, 4) << RG_QUEUE_COMPUTE;
+}
+
 /* Chooses the graph's size and features: most graphs are small and use only some features. */
 static void draw_counts(struct random_tables *t)
 {
@@ -435,6 +446,7 @@ bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_
     };
     if (random_graph_chance(t, 50))
         params->device = &t->device;
+    draw_queues(t, params);
     return true;
 }
 

@@ -56,6 +56,7 @@ void run_tables_init(struct run_tables *tables, const struct run_params *params,
         .import_count = params->import_count,
         .device = device,
         .sharing = params->sharing,
+        .queues = params->queues,
     };
 }
 
@@ -91,6 +92,8 @@ static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *
         .device = run->gpu->device,
         .queue = run->gpu->queue,
         .queue_family = run->gpu->queue_family,
+        .compute = { run->gpu->queue, run->gpu->queue_family },
+        .transfer = { run->gpu->queue, run->gpu->queue_family },
         .pipeline_cache = run->gpu->pipeline_cache,
         .pipelines = run->params.pipelines,
         .frames_in_flight = run->params.frames_in_flight,

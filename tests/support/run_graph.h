@@ -31,6 +31,7 @@ struct run_params {
     rg_more_fn *more;
     const struct rg_sampler *same_texel;
     enum rg_sharing sharing;
+    VkFlags queues; /* of rg_compile_params; all are the device's main queue */
     bool no_device; /* compile without a device */
     struct rg_measure measure;
     const VkSpecializationInfo *constants;
