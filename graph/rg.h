@@ -302,9 +302,9 @@ struct rg_frame; /* program-defined per-frame data for callbacks */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Returns true if a conditional pass runs in a frame; `repetition` is 0 unless the pass is
- * repeated. Called once per recording of each pass, but more often for a frame in parts
- * (rg_exec_submit_part()); must depend only on its arguments. A skipped pass changes and clears
- * nothing; its barriers are recorded with those of the next pass that runs.
+ * repeated. May be called several times in a frame, and must depend only on its arguments. A
+ * skipped pass changes and clears nothing; its barriers are recorded with those of the next pass
+ * that runs.
  * Content that only conditional passes write may be read only by passes with the same condition
  * (that of the last writer) and, if it depends on the repetition, by the same repetition, unless it
  * is persistent or imported. */

@@ -146,8 +146,7 @@ typedef void rg_secondary_fn(struct rg_cmd *cmd, void *user);
  *
  * The record function of the pass calls it directly, or in other threads for which it waits: at the
  * same time for command buffers of different pools. The pass has rg_pass.secondary; otherwise
- * submitting fails with VK_ERROR_VALIDATION_FAILED_EXT. In a frame in parts, the record function of
- * a pass may be called several times, each after the previous part has finished.
+ * submitting fails with VK_ERROR_VALIDATION_FAILED_EXT.
  */
 RG_API VkResult rg_cmd_record_secondary(const struct rg_cmd *cmd, VkCommandBuffer secondary,
                                         rg_secondary_fn *record, void *user);

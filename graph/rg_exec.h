@@ -5,9 +5,10 @@
  * requires Vulkan 1.3 with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
  * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
  * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, samplerFilterMinmax,
- * accelerationStructure and the features of the shaders' OpCapabilities. rg_exec_create() logs each
- * missing feature. Functions are loaded through the application's vkGetInstanceProcAddr, without a
- * linked loader, so that executors of several instances can exist side by side.
+ * accelerationStructure, timelineSemaphore and the features of the shaders' OpCapabilities.
+ * rg_exec_create() logs each missing feature. Functions are loaded through the application's
+ * vkGetInstanceProcAddr, without a linked loader, so that executors of several instances can exist
+ * side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -20,12 +21,12 @@
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
  * Errors:        VkResult. The log callback receives the failed call and the name of its object.
  *                VK_ERROR_VALIDATION_FAILED_EXT means invalid usage: the call had no effect. A
- *                rejected frame is not submitted (of one in parts, only the earlier parts are),
- *                its semaphores are untouched, and rg_exec_begin() may begin another one. After any
- *                other error, only rg_exec_destroy() may be called.
+ *                rejected frame is not submitted, its semaphores are untouched, and
+ *                rg_exec_begin() may begin another one. After any other error, only
+ *                rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
- *                share rg_exec_params.pipelines. The queues are used only by rg_exec_submit(),
- *                rg_exec_submit_synced(), rg_exec_submit_part() and rg_exec_abandon().
+ *                share rg_exec_params.pipelines. The queues are used only by rg_exec_submit() and
+ *                rg_exec_submit_synced().
  */
 #ifndef RG_EXEC_H
 #define RG_EXEC_H
@@ -189,29 +190,12 @@ struct rg_exec_recording {
  * program waits for its fence or timeline value, and then writes rg_exec_mapped() of the slot.
  * rg_exec_wait() with the slot does not wait for such a frame, but makes its readback buffers and
  * times available; call it once the frame has finished. All frames must have finished when
- * rg_exec_destroy() is called. The plan uses only the main queue. Objects that rg_exec_update() replaces are destroyed when
+ * rg_exec_destroy() is called. Objects that rg_exec_update() replaces are destroyed when
  * rg_exec_wait() or rg_exec_record() has been called for the slots of all frames that use them.
- * RG_CLOCK_SUBMITS measures nothing.
+ * RG_CLOCK_SUBMITS measures nothing. The plan must use only the main queue.
  */
 RG_API VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
                                const struct rg_frame *frame);
-
-/*
- * Submits the next part of the frame begun last, and waits for it. A part is a group of passes, or
- * a band of rows of one raster pass, that will take about `seconds` by the times of earlier parts;
- * a compute pass or a copy is never divided. Returns VK_NOT_READY until the last part, and then
- * VK_SUCCESS. Between the parts of a frame, which have equal `frame`, the host may use other
- * executors, but of this one only rg_exec_submit_part(), rg_exec_abandon() and rg_exec_destroy().
- * Values are those of rg_exec_submit(). Raster passes with storage writes are not divided. The plan
- * uses only the main queue.
- */
-RG_API VkResult rg_exec_submit_part(struct rg_exec *exec, const struct rg_frame *frame,
-                                    double seconds);
-
-/* Ends a frame of which only some parts have been submitted, without the other passes' commands.
- * Resources that these passes write have undefined content, persistent ones too. Does nothing if
- * there is no such frame. */
-RG_API VkResult rg_exec_abandon(struct rg_exec *exec);
 
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);

@@ -63,8 +63,8 @@ struct rg_times {
     uint64_t whole;  /* from start to end */
 };
 
-/* Returns true if a clock works, which requires `measured`, for timestamps queue support, and a plan
- * that uses only the main queue. */
+/* Returns true if a clock works, which requires `measured`, for timestamps queue support, and a
+ * plan that uses only the main queue. */
 RG_API bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock);
 
 /* Sets what is measured in frames from the next rg_exec_begin() on. If a clock cannot be used, it

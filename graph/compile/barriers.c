@@ -114,7 +114,7 @@ static bool cross_queues(struct compiler *c, struct cell *s, const struct access
     return moves && !changes;
 }
 
-/* Sets the state in which a frame leaves a subresource: the main queue has waited for all others. */
+/* Sets the state in which a frame leaves a subresource: the main queue has waited for all. */
 static void join_queues(struct cell *s, struct cell_queues *q)
 {
     if (q->home != RG_QUEUE_MAIN) {

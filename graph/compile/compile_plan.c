@@ -6,8 +6,8 @@
  * except sorting by size. The design is that of frame graphs with declared resources (O'Donnell,
  * "FrameGraph: Extensible Rendering Architecture in Frostbite", GDC 2017), as a compiler.
  *
- * 1. Check: create_resource_records.c, check_pass.c, and check_shaders.c against the interfaces that
- *    spirv_reflection.c reads from the modules. Faults are collected (fault.c), and the compiler
+ * 1. Check: create_resource_records.c, check_pass.c, and check_shaders.c against the interfaces
+ *    that spirv_reflection.c reads from the modules. Faults are collected (fault.c); the compiler
  *    stops after a stage that has found any.
  * 2. Expand (expand_passes.c, create_resource_records.c): makes a pass of each repetition of a row,
  *    and an access of each target and use. A resource is divided into cells, one per aspect, mip
@@ -19,10 +19,11 @@
  * 5. Barriers (barriers.c): a state machine per cell after the Vulkan specification,
  *    chapter "Synchronization and Cache Control". A barrier has a release and a deadline; stabbing
  *    these intervals greedily by deadline gives the fewest batches (Cormen et al., "Introduction to
- *    Algorithms", activity selection).
- * 6. Memory (pack_memory.c): dynamic storage allocation, first-fit by several
- *    orders, then squeaky wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block
- *    reaches its lower bound, the peak of live bytes.
+ *    Algorithms", activity selection). If passes run on several queues, a cell has a home queue;
+ *    crossing to another one waits for a timeline semaphore instead, which divides submissions.
+ * 6. Memory (pack_memory.c): dynamic storage allocation, first-fit by several orders, then squeaky
+ *    wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block reaches its lower
+ *    bound, the peak of live bytes.
  * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners.
  *    Stage 6 only aliases where stage 5 has made a batch that can carry this barrier.
  */

@@ -1,7 +1,7 @@
 /* queues.c: submits the passes of a frame to several queues, ordered by timeline semaphores. */
 #include "graph/exec/executor_internal.h"
 
-static struct rg_exec_queue queue_of(const struct rg_exec *exec, enum rg_queue queue)
+static struct rg_exec_queue queue_of(const struct rg_exec *exec, uint32_t queue)
 {
     const struct rg_exec_params *p = &exec->params;
     const struct rg_exec_queue queues[RG_QUEUE_COUNT] = {
@@ -17,8 +17,8 @@ uint32_t rg_exec_families(const struct rg_exec *exec, uint32_t queues,
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
-        const uint32_t family = queue_of(exec, (enum rg_queue)i).family;
-        bool known = !(queues >> i & 1) || (i != RG_QUEUE_MAIN && !queue_of(exec, (enum rg_queue)i).queue);
+        const uint32_t family = queue_of(exec, i).family;
+        bool known = !(queues >> i & 1) || (i != RG_QUEUE_MAIN && !queue_of(exec, i).queue);
         for (uint32_t k = 0; k < count; k++)
             known = known || families[k] == family;
         if (!known)

@@ -22,7 +22,8 @@
     row(CreateComputePipelines) row(CreateDescriptorPool) row(CreateDescriptorSetLayout) \
     row(CreateFence) row(CreateFramebuffer) row(CreateGraphicsPipelines) row(CreateImage) \
     row(CreateImageView) row(CreatePipelineLayout) row(CreateQueryPool) row(CreateRenderPass) \
-    row(CreateSampler) row(CreateSemaphore) row(CreateShaderModule) row(DestroyBuffer) row(DestroyBufferView) \
+    row(CreateSampler) row(CreateSemaphore) row(CreateShaderModule) row(DestroyBuffer) \
+    row(DestroyBufferView) \
     row(DestroyCommandPool) row(DestroyDescriptorPool) row(DestroyDescriptorSetLayout) \
     row(DestroyFence) row(DestroyFramebuffer) row(DestroyImage) row(DestroyImageView) \
     row(DestroyPipeline) row(DestroyPipelineLayout) row(DestroyQueryPool) row(DestroyRenderPass) \

@@ -1,6 +1,7 @@
 /* renderer_progressive.c: accumulates full-size samples and tone-maps their mean. */
 #include <stdlib.h>
 #include <string.h>
+#include "graph/rg_firn.h"
 #include "src/base/log.h"
 #include "src/file/half_float.h"
 #include "src/render/make_frame_request.h"

@@ -97,7 +97,7 @@ static void use(struct rg_pass *row, uint32_t i, struct rg_use use)
     ((struct rg_use *)(uintptr_t)row->uses)[i] = use;
 }
 
-/* Adds a row that draws an image of floats: a colour, and the texels of an earlier image, if any. */
+/* Adds a row that draws an image of floats: a colour, plus the texels of an earlier image. */
 static void draw(struct graph *g)
 {
     const uint32_t index = g->row_count;
