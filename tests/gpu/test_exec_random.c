@@ -13,23 +13,26 @@
 enum {
     SIDE = 128, /* texels; an image of integers has 64 KiB */
     SEEDS = 12,
-    ROWS = 28,   /* random ones */
-    MOST = 40,   /* with those that make the outputs */
-    OUTPUTS = 4, /* two images of floats and two buffers of integers */
-    RECENT = 6,  /* how far back rows read, for short lifetimes */
+    ROWS = 28,  /* random ones */
+    MOST = 40,  /* with those that make the outputs */
+    RECENT = 6, /* how far back rows read, for short lifetimes */
     FRAMES = 3,
+};
+
+static const struct rg_buffer outputs[] = {
+    { "floats", 0, 16, RG_MEMORY_READBACK },
+    { "integers", 0, 4, RG_MEMORY_READBACK },
 };
 
 struct graph {
     uint64_t state; /* of the random numbers */
     struct rg_image colors[MOST], integers[MOST];
     struct rg_buffer buffers[MOST];
-    uint32_t color_count, integer_count, buffer_count, row_count;
+    uint32_t color_count, integer_count, buffer_count, row_count, use_count;
     struct rg_use uses[MOST][3];
     struct rg_target targets[MOST];
     struct paint_push paints[MOST];
     struct rg_pass rows[MOST];
-    struct rg_buffer outputs[OUTPUTS];
     char names[4 * MOST][8];
     uint32_t name_count;
 };
@@ -48,26 +51,17 @@ static uint32_t recent(struct graph *g, uint32_t count)
 
 static const char *new_name(struct graph *g)
 {
-    char *name = g->names[g->name_count];
-    (void)snprintf(name, sizeof(g->names[0]), "%u", g->name_count++);
-    return name;
+    (void)snprintf(g->names[g->name_count], sizeof(g->names[0]), "%u", g->name_count);
+    return g->names[g->name_count++];
 }
 
 static const struct rg_image *new_image(struct graph *g, bool is_color)
 {
     struct rg_image *image =
         is_color ? &g->colors[g->color_count++] : &g->integers[g->integer_count++];
-    *image = (struct rg_image){
-        .name = new_name(g),
-        .format = is_color ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32_UINT,
-    };
+    image->name = new_name(g);
+    image->format = is_color ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32_UINT;
     return image;
-}
-
-static const struct rg_buffer *new_buffer(struct graph *g)
-{
-    g->buffers[g->buffer_count] = (struct rg_buffer){ .name = new_name(g), .size_per_texel = 4 };
-    return &g->buffers[g->buffer_count++];
 }
 
 static void record_fill(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -88,13 +82,16 @@ static struct rg_pass *new_row(struct graph *g, enum rg_kind kind, rg_record_fn 
     struct rg_pass *row = &g->rows[g->row_count];
     *row = (struct rg_pass){ .name = new_name(g), .kind = kind, .record = record };
     row->uses = g->uses[g->row_count++];
+    g->use_count = 0;
     row->queue = (enum rg_queue)below(g, (uint32_t)kind + 1);
     return row;
 }
 
-static void use(struct rg_pass *row, uint32_t i, struct rg_use use)
+/* Adds a use of an image or a buffer, the other one being NULL, to the newest row. */
+static void use(struct graph *g, const struct rg_image *image, const struct rg_buffer *buffer,
+                enum rg_access access, uint16_t binding)
 {
-    ((struct rg_use *)(uintptr_t)row->uses)[i] = use;
+    g->uses[g->row_count - 1][g->use_count++] = (struct rg_use){ image, buffer, access, binding };
 }
 
 /* Adds a row that draws an image of floats: a colour, plus the texels of an earlier image. */
@@ -104,7 +101,7 @@ static void draw(struct graph *g)
     struct rg_pass *row = new_row(g, RG_RASTER, painted_record);
     const bool fetches = g->color_count && below(g, 4);
     if (fetches)
-        use(row, 0, (struct rg_use)PAINTED_SOURCE(g->colors[recent(g, g->color_count)]));
+        use(g, &g->colors[recent(g, g->color_count)], NULL, RG_SAMPLED, PAINT_SOURCE);
     g->targets[index] = (struct rg_target){ .image = new_image(g, true), .load = RG_LOAD_CLEAR };
     g->paints[index] = (struct paint_push){ .color = painted_color((float)index, 1, 2, 3), ALL };
     if (below(g, 2))
@@ -116,70 +113,51 @@ static void draw(struct graph *g)
     row->push_size = sizeof(struct paint_push);
 }
 
-/* Adds a row that writes a buffer of integers to a new image. */
-static void store(struct graph *g, uint32_t buffer)
+/* Adds a row that adds an image's numbers to a buffer, or stores a buffer to a new image. */
+static void compute(struct graph *g, bool adds)
 {
-    struct rg_pass *row = new_row(g, RG_COMPUTE, record_groups);
-    row->comp = &copy_comp;
-    use(row, 0,
-        (struct rg_use){
-            .buffer = &g->buffers[buffer], .access = RG_STORAGE_READ, .binding = DATA_NUMBERS });
-    use(row, 1,
-        (struct rg_use){
-            .image = new_image(g, false), .access = RG_STORAGE_WRITE, .binding = DATA_TEXELS });
+    new_row(g, RG_COMPUTE, record_groups)->comp = adds ? &add_comp : &copy_comp;
+    use(g, NULL, &g->buffers[recent(g, g->buffer_count)],
+        adds ? RG_STORAGE_READ_WRITE : RG_STORAGE_READ, DATA_NUMBERS);
+    use(g, adds ? &g->integers[recent(g, g->integer_count)] : new_image(g, false), NULL,
+        adds ? RG_STORAGE_READ : RG_STORAGE_WRITE, DATA_TEXELS);
 }
 
-/* Adds a row that adds an image's numbers to a buffer. */
-static void add(struct graph *g)
-{
-    struct rg_pass *row = new_row(g, RG_COMPUTE, record_groups);
-    row->comp = &add_comp;
-    use(row, 0,
-        (struct rg_use){ .buffer = &g->buffers[recent(g, g->buffer_count)],
-                         .access = RG_STORAGE_READ_WRITE,
-                         .binding = DATA_NUMBERS });
-    use(row, 1,
-        (struct rg_use){ .image = &g->integers[recent(g, g->integer_count)],
-                         .access = RG_STORAGE_READ,
-                         .binding = DATA_TEXELS });
-}
-
-/* Adds a row that copies an image to a buffer. */
 static void copy(struct graph *g, const struct rg_image *image, const struct rg_buffer *buffer)
 {
-    struct rg_pass *row = new_row(g, RG_TRANSFER, run_record_read);
-    use(row, 0, (struct rg_use){ .image = image, .access = RG_COPY_SRC });
-    use(row, 1, (struct rg_use){ .buffer = buffer, .access = RG_COPY_DST });
+    new_row(g, RG_TRANSFER, run_record_read);
+    use(g, image, NULL, RG_COPY_SRC, 0);
+    use(g, NULL, buffer, RG_COPY_DST, 0);
+}
+
+static void fill(struct graph *g)
+{
+    new_row(g, RG_TRANSFER, record_fill);
+    use(g, NULL, &g->buffers[g->buffer_count++], RG_COPY_DST, 0);
 }
 
 static void make(struct graph *g, uint32_t seed)
 {
     *g = (struct graph){ .state = seed };
+    for (uint32_t i = 0; i < MOST; i++)
+        g->buffers[i] = (struct rg_buffer){ .name = new_name(g), .size_per_texel = 4 };
     while (g->row_count < ROWS) {
         const uint32_t choice = below(g, 6);
         if (choice < 2)
             draw(g);
         else if (choice == 2 || !g->buffer_count)
-            use(new_row(g, RG_TRANSFER, record_fill), 0,
-                (struct rg_use){ .buffer = new_buffer(g), .access = RG_COPY_DST });
-        else if (choice == 3 || !g->integer_count)
-            store(g, recent(g, g->buffer_count));
-        else if (choice == 4)
-            add(g);
+            fill(g);
+        else if (choice < 5)
+            compute(g, choice == 3 && g->integer_count);
+        else if (!g->integer_count)
+            compute(g, false);
         else
-            copy(g, &g->integers[recent(g, g->integer_count)], new_buffer(g));
+            copy(g, &g->integers[recent(g, g->integer_count)], &g->buffers[g->buffer_count++]);
     }
-    for (uint32_t i = 0; i < OUTPUTS; i++) {
-        g->outputs[i] = (struct rg_buffer){ .name = new_name(g),
-                                            .size_per_texel = i < 2 ? 16 : 4,
-                                            .memory = RG_MEMORY_READBACK };
-        if (i < 2)
-            draw(g);
-        else
-            store(g, recent(g, g->buffer_count));
-        copy(g, i < 2 ? &g->colors[g->color_count - 1] : &g->integers[g->integer_count - 1],
-             &g->outputs[i]);
-    }
+    draw(g);
+    copy(g, &g->colors[g->color_count - 1], &outputs[0]);
+    compute(g, false);
+    copy(g, &g->integers[g->integer_count - 1], &outputs[1]);
 }
 
 /* Runs frames, and compares the last one's outputs with `expected`, or stores them there. Returns
@@ -192,23 +170,22 @@ static VkDeviceSize run_graph(struct gpu *gpu, const struct graph *g, enum rg_sh
         .view = { SIDE, SIDE },
         .sharing = sharing,
         .queues = queues,
+        .outputs = { &outputs[0], &outputs[1] },
     };
     const struct rg_frame frame = { .rows = g->rows, .paints = g->paints };
     struct run run;
-    for (uint32_t i = 0; i < OUTPUTS; i++)
-        params.outputs[i] = &g->outputs[i];
     run_open(&run, gpu, &params);
     for (uint32_t i = 0; i < FRAMES; i++) {
         assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
         assert_int_equal(rg_exec_submit(run.exec, &frame), VK_SUCCESS);
     }
     assert_int_equal(rg_exec_wait_all(run.exec), VK_SUCCESS);
-    for (uint32_t i = 0; i < OUTPUTS; i++) {
-        const size_t size = (size_t)SIDE * SIDE * g->outputs[i].size_per_texel;
+    for (uint32_t i = 0; i < 2; i++) {
+        const size_t size = (size_t)SIDE * SIDE * outputs[i].size_per_texel;
         if (compares)
-            assert_memory_equal(expected, run_data(&run, &g->outputs[i]), size);
+            assert_memory_equal(expected, run_data(&run, &outputs[i]), size);
         else
-            memcpy(expected, run_data(&run, &g->outputs[i]), size);
+            memcpy(expected, run_data(&run, &outputs[i]), size);
         expected += size;
     }
     assert_true(!queues == !run.plan->submission_count);
@@ -220,7 +197,7 @@ static VkDeviceSize run_graph(struct gpu *gpu, const struct graph *g, enum rg_sh
 static void results_do_not_depend_on_memory_or_queues(void **state)
 {
     const VkFlags all = 1 << RG_QUEUE_COMPUTE | 1 << RG_QUEUE_TRANSFER;
-    unsigned char *expected = malloc((size_t)SIDE * SIDE * 16 * OUTPUTS);
+    unsigned char *expected = malloc((size_t)SIDE * SIDE * 20);
     struct graph *g = malloc(sizeof(*g));
     VkDeviceSize saved = 0;
     assert_true(expected && g);
