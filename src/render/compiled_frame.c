@@ -35,8 +35,8 @@ static enum status check_memory(const struct gpu *gpu, const struct frame_plan *
         if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
             host_size += FRAMES_IN_FLIGHT * buffer->size;
     }
-    return gpu_check_memory(gpu, plan->view, plan->memory_used / tile_count + plan->memory_persistent,
-                            host_size);
+    return gpu_check_memory(gpu, plan->view,
+                            plan->memory_used / tile_count + plan->memory_persistent, host_size);
 }
 
 struct rg_vulkan compiled_frame_vulkan(const struct gpu *gpu)

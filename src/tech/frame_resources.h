@@ -130,7 +130,7 @@ extern const struct rg_image frame_surface_light, frame_surface_split;
 
 /* Maximum anisotropy of samplers; settings and device may lower it. */
 #define FRAME_ANISOTROPY 16.0f
-extern const struct rg_sampler frame_linear;              /* bilinear, clamped, one mip level */
+extern const struct rg_sampler frame_linear; /* bilinear, clamped, one mip level */
 /* nearest, for passes that fetch only the texel at the fragment's own position (rg_firn.h) */
 extern const struct rg_sampler frame_same_texel;
 extern const struct rg_sampler frame_environment_sampler; /* wraps around horizontally, trilinear */

@@ -205,12 +205,9 @@ static const struct field output_fields[] = {
 };
 
 static const struct field params_fields[] = {
-    FIELD(rg_compile_params, U32, view.width),
-    FIELD(rg_compile_params, U32, view.height),
-    FIELD(rg_compile_params, U32, sharing),
-    FIELD(rg_compile_params, MISSING, techniques),
-    FIELD(rg_compile_params, MISSING, outputs),
-    FIELD(rg_compile_params, MISSING, imports),
+    FIELD(rg_compile_params, U32, view.width),  FIELD(rg_compile_params, U32, view.height),
+    FIELD(rg_compile_params, U32, sharing),     FIELD(rg_compile_params, MISSING, techniques),
+    FIELD(rg_compile_params, MISSING, outputs), FIELD(rg_compile_params, MISSING, imports),
 };
 
 static const struct field technique_fields[] = {

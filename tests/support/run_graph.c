@@ -116,11 +116,11 @@ VkResult run_create(struct run *run, const struct rg_plan *plan)
 {
     const struct rg_exec_params params = exec_params(run, plan);
     VkResult result = VK_ERROR_UNKNOWN;
-    run->exec = rg_exec_create_extended(
-        &params,
-        &(struct rg_exec_extensions){ run->params.render_passes, run->params.more,
-                                      run->params.same_texel },
-        &result);
+    run->exec = rg_exec_create_extended(&params,
+                                        &(struct rg_exec_extensions){ run->params.render_passes,
+                                                                      run->params.more,
+                                                                      run->params.same_texel },
+                                        &result);
     if (run->exec)
         rg_exec_measure(run->exec, &run->params.measure);
     assert_int_equal(!run->exec, result != VK_SUCCESS);

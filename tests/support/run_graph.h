@@ -15,8 +15,8 @@ enum {
 
 struct run_params {
     struct rg_technique technique;
-    VkExtent2D view;                 /* pixels; 0 means 8 x 8 */
-    VkExtent2D max_view;             /* passed on to rg_compile_params */
+    VkExtent2D view;     /* pixels; 0 means 8 x 8 */
+    VkExtent2D max_view; /* passed on to rg_compile_params */
     /* readback buffers that are outputs; NULL-terminated */
     const struct rg_buffer *outputs[RUN_OUTPUT_COUNT + 1];
     struct rg_output kept[RUN_KEPT_COUNT + 1]; /* further outputs; ends at {0} */
@@ -27,7 +27,7 @@ struct run_params {
     const struct rg_exec_sampler *own_sampler; /* the application's, or NULL */
     uint32_t frames_in_flight;
     struct rg_pipelines *pipelines; /* shared with other executors; NULL for none */
-    bool render_passes; /* these three are of struct rg_exec_extensions */
+    bool render_passes;             /* these three are of struct rg_exec_extensions */
     rg_more_fn *more;
     const struct rg_sampler *same_texel;
     enum rg_sharing sharing;

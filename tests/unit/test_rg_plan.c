@@ -361,8 +361,7 @@ static const struct rg_pass relay[] = {
 static void test_disjoint_lives_share_memory(void **state)
 {
     (void)state;
-    struct rg_plan *plan = small_graph_compile(
-        &(struct small_graph){ PASSES(relay), WANTS(d) });
+    struct rg_plan *plan = small_graph_compile(&(struct small_graph){ PASSES(relay), WANTS(d) });
     assert_int_equal(plan->block_count, 1);
     assert_int_equal(image_of(plan, &a)->size, SMALL_GRAPH_BYTES);
     assert_int_equal(image_of(plan, &a)->offset, image_of(plan, &c)->offset);

@@ -482,8 +482,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_case),     cmocka_unit_test(test_skipped),
         cmocka_unit_test(test_good_resources), cmocka_unit_test(test_good_accesses),
-        cmocka_unit_test(test_lost_pointers),
-        cmocka_unit_test(test_damaged_code),
+        cmocka_unit_test(test_lost_pointers),  cmocka_unit_test(test_damaged_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -52,9 +52,10 @@ static const struct rg_pass passes[] = {
     {
         .name = "ice_depth.layers",
         .color = RG_TARGETS({ &ice_depth_layers, RG_LOAD_CLEAR }),
-        .uses = RG_USES(FRAME_USE_GLOBALS,
-                        FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .sampler = &frame_same_texel),
-                        FRAME_SAMPLE(ice_depth_back, ICE_DEPTH_BACK, .sampler = &frame_same_texel)),
+        .uses =
+            RG_USES(FRAME_USE_GLOBALS,
+                    FRAME_SAMPLE(ice_depth_front, ICE_DEPTH_FRONT, .sampler = &frame_same_texel),
+                    FRAME_SAMPLE(ice_depth_back, ICE_DEPTH_BACK, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &ice_depth_frag,
         .record = frame_draw_screen,

@@ -96,8 +96,14 @@ static struct rg_technique make_passes(const struct technique_config *config,
     const struct rg_image *near = &ice_interval_near[index];
     const struct rg_image *far = &ice_interval_far[index];
     const struct rg_use count_uses[] = {
-        { .image = near, .access = RG_SAMPLED, .binding = ICE_INTERVAL_NEAR, .sampler = &frame_same_texel },
-        { .image = far, .access = RG_SAMPLED, .binding = ICE_INTERVAL_FAR, .sampler = &frame_same_texel },
+        { .image = near,
+          .access = RG_SAMPLED,
+          .binding = ICE_INTERVAL_NEAR,
+          .sampler = &frame_same_texel },
+        { .image = far,
+          .access = RG_SAMPLED,
+          .binding = ICE_INTERVAL_FAR,
+          .sampler = &frame_same_texel },
         { 0 },
     };
     struct rg_pass *passes = pass_arena_alloc(builder, 5 * sizeof(*passes));

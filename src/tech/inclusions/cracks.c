@@ -174,7 +174,8 @@ static const struct rg_pass composite_passes[] = {
     {
         .name = "cracks.composite",
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
-        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_COMPOSITE, .sampler = &frame_same_texel)),
+        .uses =
+            RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_COMPOSITE, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_composite_frag,
         .record = frame_draw_screen,

@@ -137,10 +137,10 @@ static const struct rg_pass unpack_passes[] = {
         .name = "refract.unpack_traced",
         .color = RG_TARGETS({ &refract_media, RG_LOAD_DISCARD },
                             { &refract_last_object, RG_LOAD_DISCARD }),
-        .uses =
-            RG_USES(UNPACK_USES,
-                    FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .sampler = &frame_same_texel),
-                    FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .sampler = &frame_same_texel)),
+        .uses = RG_USES(
+            UNPACK_USES,
+            FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .sampler = &frame_same_texel),
+            FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_unpack_traced_frag,
         .record = frame_draw_screen,

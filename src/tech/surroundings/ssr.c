@@ -152,7 +152,8 @@ static const struct rg_pass screen_passes[] = {
     {
         .name = "ssr.composite",
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
-        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_SAMPLE(frame_depth, SSR_DEPTH, .sampler = &frame_same_texel),
+        .uses = RG_USES(FRAME_USE_GLOBALS,
+                        FRAME_SAMPLE(frame_depth, SSR_DEPTH, .sampler = &frame_same_texel),
                         FRAME_SAMPLE(object_color, SSR_OBJECTS, .sampler = &object_sampler),
                         FRAME_SAMPLE(refracted, SSR_REFRACTED, .sampler = &frame_linear,
                                      .fallback = &none_refracted),
