@@ -187,7 +187,7 @@ static const struct field pass_fields[] = {
     FIELD(rg_pass, RECORD, record),     FIELD(rg_pass, WHEN, when),
     FIELD(rg_pass, TARGETS_OF, color),  FIELD(rg_pass, U32, color_count),
     CHOSEN(rg_pass, stencil, stencils), FIELD(rg_pass, FLOAT, depth_bias.slope),
-    CHOSEN(rg_pass, set, sets),
+    FIELD(rg_pass, U32, queue),         CHOSEN(rg_pass, set, sets),
 };
 
 static const struct field import_fields[] = {
@@ -205,9 +205,10 @@ static const struct field output_fields[] = {
 };
 
 static const struct field params_fields[] = {
-    FIELD(rg_compile_params, U32, view.width),  FIELD(rg_compile_params, U32, view.height),
-    FIELD(rg_compile_params, U32, sharing),     FIELD(rg_compile_params, MISSING, techniques),
-    FIELD(rg_compile_params, MISSING, outputs), FIELD(rg_compile_params, MISSING, imports),
+    FIELD(rg_compile_params, U32, view.width),     FIELD(rg_compile_params, U32, view.height),
+    FIELD(rg_compile_params, U32, sharing),        FIELD(rg_compile_params, U32, queues),
+    FIELD(rg_compile_params, MISSING, techniques), FIELD(rg_compile_params, MISSING, outputs),
+    FIELD(rg_compile_params, MISSING, imports),
 };
 
 static const struct field technique_fields[] = {
