@@ -142,7 +142,7 @@ VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *fram
 /* Returns the refractive object that a pass draws. The scene must have at least one object. */
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Implement rg_pass.area and rg_exec_extensions.more for passes that draw one of several objects. */
+/* Implement rg_pass.area and rg_exec_extensions.more for passes that draw one of the objects. */
 VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
                                              const struct rg_frame *frame);
