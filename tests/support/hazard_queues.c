@@ -108,7 +108,9 @@ bool hazard_waits(const struct hazard *h, uint32_t from, uint32_t to)
                                                              (to - HAZARD_FIRST_SLOT) / passes;
     if (same_frame)
         return h->happens_after[b * count + a];
-    /* the first submission follows the previous frame, whose last one waits for all queues */
-    return h->plan->submissions[b].queue != RG_QUEUE_MAIN ||
+    /* The first submission follows the previous frame and the accesses of the application. Other
+     * queues wait for it, and so do submissions that wait for them. The last submission of a frame
+     * waits for all queues. */
+    return h->happens_after[b * count] ||
            (from >= HAZARD_FIRST_SLOT && h->happens_after[(count - 1) * count + a]);
 }
