@@ -21,6 +21,7 @@ enum {
     OP_CONSTANT = 43,
     OP_SPEC_CONSTANT = 50,
     OP_FUNCTION = 54,
+    OP_FUNCTION_PARAMETER = 55,
     OP_FUNCTION_CALL = 57,
     OP_VARIABLE = 59,
     OP_IMAGE_TEXEL_POINTER = 60,
@@ -62,10 +63,12 @@ enum {
     DECORATION_SET = 34,
     DECORATION_OFFSET = 35,
     DIM_SUBPASS = 6,
+    STORAGE_FUNCTION = 7, /* storage class of local variables */
     HEADER_WORDS = 5,
     MAGIC = 0x07230203,
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
+    MAX_CALLS = 64,           /* nesting of calls */
 };
 
 /* Parsed properties of a SPIR-V id. `definition` and `name` are word indices; 0 means none. */
@@ -75,9 +78,9 @@ struct spirv_id {
     uint32_t stride;                 /* of an array in bytes */
     uint32_t binding, set, location; /* decorations plus 1; 0: not decorated */
     uint32_t variable;               /* `variables` index plus 1, or 0 */
-    uint32_t root;                   /* base variable of a pointer or image; 0 if there is none */
-    uint16_t unread, unwritten;      /* of a struct: members that are NonReadable, NonWritable */
-    uint8_t access, denied; /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
+    uint32_t root;              /* base variable or parameter of a pointer or image; 0 if none */
+    uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
+    uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
 };
 
@@ -440,8 +443,9 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
 /* ---- instructions of functions ---- */
 
 enum {
-    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also assumed of functions that receive a pointer */
+    BOTH = SPIRV_LOADS | SPIRV_STORES, /* also assumed if the base of a pointer is unknown */
     DERIVES = 4,                       /* the result points into what the operand points to */
+    PASSES = 8,                        /* argument of a call: as its parameter */
     ALL_OPERANDS = UINT8_MAX,
 };
 
@@ -452,7 +456,7 @@ struct operand_rule {
 };
 
 static const struct operand_rule operand_rules[OP_IMAGE_SPARSE_READ + 1] = {
-    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { BOTH, BOTH } },
+    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { PASSES, PASSES } },
     [OP_IMAGE_TEXEL_POINTER] = { 3, 1, { DERIVES } },
     [OP_LOAD] = { 3, 1, { SPIRV_LOADS } },
     [OP_STORE] = { 1, 2, { SPIRV_STORES, BOTH } },
@@ -484,12 +488,15 @@ static struct operand_rule operand_rule_of(uint32_t op)
     return op <= OP_IMAGE_SPARSE_READ ? operand_rules[op] : (struct operand_rule){ 0 };
 }
 
-/* Adds an access to `root`, the base variable of an operand. */
+/* Adds an access to `root`, the base variable or parameter of an operand. */
 static void add_access(struct spirv *s, const struct instruction *in, uint32_t root,
                        uint32_t access)
 {
     struct spirv_id *result = in->count > 2 ? find_id(s, in->words[2]) : NULL;
-    if (access != DERIVES && !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
+    if (access == PASSES)
+        s->passes_storage = s->passes_storage || s->ids[root].variable;
+    else if (access != DERIVES &&
+             !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
         s->ids[root].access = (uint8_t)(s->ids[root].access | access);
     else if (result)
         result->root = root;
@@ -499,8 +506,14 @@ static void add_access(struct spirv *s, const struct instruction *in, uint32_t r
 static void trace(struct spirv *s, const struct instruction *in, bool all_listed)
 {
     const struct operand_rule rule = operand_rule_of(in->op);
+    const uint32_t *pointer = NULL;
+    struct spirv_id *id;
+    if (in->op == OP_FUNCTION_PARAMETER && in->count > 2 && s->has_storage)
+        pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
+    if (pointer && pointer[2] != STORAGE_FUNCTION && (id = find_id(s, in->words[2])))
+        id->root = in->words[2];
     for (uint32_t i = 0; i < rule.count && rule.first + i < in->count; i++) {
-        const struct spirv_id *id = find_id(s, in->words[rule.first + i]);
+        id = find_id(s, in->words[rule.first + i]);
         if (id && id->variable && (!all_listed || id->in_interface))
             s->variables[id->variable - 1].used = true;
         if (id && id->root)
@@ -508,10 +521,44 @@ static void trace(struct spirv *s, const struct instruction *in, bool all_listed
     }
 }
 
+/* Returns the parameter of a function that receives argument `index`; NULL if there is none. */
+static const struct spirv_id *parameter(const struct spirv *s, uint32_t function, uint32_t index)
+{
+    const uint32_t *words = definition(s, function, OP_FUNCTION, 5);
+    struct instruction in = { OP_FUNCTION, 5, words };
+    while (words && next(s->shader, &in) && in.op == OP_FUNCTION_PARAMETER && in.count > 2) {
+        if (!index--)
+            return find_id(s, in.words[2]);
+    }
+    return NULL;
+}
+
+/* Propagates the accesses of functions to their parameters to the arguments of calls. Returns true
+ * if that adds an access. */
+static bool trace_calls(struct spirv *s)
+{
+    bool changed = false;
+    struct instruction in = { 0 };
+    while (next(s->shader, &in)) {
+        for (uint32_t i = 4; in.op == OP_FUNCTION_CALL && i < in.count; i++) {
+            const struct spirv_id *given = find_id(s, in.words[i]);
+            if (!given || !given->root)
+                continue;
+            const struct spirv_id *to = parameter(s, in.words[3], i - 4);
+            const uint32_t access = to ? to->access : SPIRV_LOADS | SPIRV_STORES;
+            changed = changed || access & ~(uint32_t)s->ids[given->root].access;
+            add_access(s, &in, given->root, access);
+        }
+    }
+    return changed;
+}
+
 /* Sets what the module does to each storage variable, once all instructions are known. */
 static void find_accesses(struct spirv *s)
 {
     uint32_t count;
+    for (uint32_t depth = 0; s->passes_storage && depth < MAX_CALLS && trace_calls(s); depth++)
+        continue;
     for (uint32_t i = 0; i < s->variable_count; i++) {
         struct spirv_variable *v = &s->variables[i];
         const struct spirv_id *id = &s->ids[v->id];
@@ -537,7 +584,7 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     bool in_function = false;
     s->shader = shader;
     s->variable_count = 0;
-    s->has_storage = false;
+    s->has_storage = s->passes_storage = false;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
         shader->words[3] > shader->word_count)
         return "expected a SPIR-V module in native byte order";
@@ -553,6 +600,8 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     struct instruction in = { 0 };
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
+        if (in.op == OP_FUNCTION && in.count > 4 && find_id(s, in.words[2]))
+            find_id(s, in.words[2])->definition = (uint32_t)(in.words - shader->words);
         if (in_function) {
             trace(s, &in, shader->words[1] >= VERSION_1_4);
         } else if (in.op == OP_ENTRY_POINT) {

@@ -35,8 +35,8 @@ struct spirv_variable {
     uint32_t type;                   /* id of the type pointed to */
     uint32_t binding, set, location; /* SPIRV_NONE if there is none */
     uint32_t id;
-    /* SPIRV_LOADS and SPIRV_STORES, by any function of the module. A pointer or image that is
-     * passed to a function counts as both, except for what NonReadable and NonWritable exclude */
+    /* SPIRV_LOADS and SPIRV_STORES, by any function of the module. A pointer that cannot be
+     * followed counts as both, except for what NonReadable and NonWritable exclude */
     uint32_t access;
     bool used;         /* referenced by the entry point's instructions */
     bool in_interface; /* listed by the entry point */
@@ -62,7 +62,8 @@ struct spirv {
     uint32_t variable_count;
     struct spirv_id *ids; /* opaque, as is the rest */
     uint32_t id_room, variable_room;
-    bool has_storage; /* declares storage variables */
+    bool has_storage;    /* declares storage variables */
+    bool passes_storage; /* passes pointers to them, or images, to functions */
 };
 
 /* Parses the entry point `main` of a stage and its variables. Returns NULL, or an error message.
