@@ -439,13 +439,22 @@ static bool has_room(struct compiler *c)
     return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 4);
 }
 
+/* Returns true if the main queue reads what another queue wrote last. read_stages does not include
+ * such reads, because a semaphore orders them after the write. */
+static bool is_read_elsewhere(const struct cell *s, const struct resource *r)
+{
+    const struct cell_queues *q = r->queue_cells ? &r->queue_cells[s - r->cells] : NULL;
+    return q && q->home != RG_QUEUE_MAIN && q->touched[RG_QUEUE_MAIN];
+}
+
 /* Returns true if the frame changes the state in which an import's subresource arrived. */
 static bool must_be_restored(const struct cell *s, const struct access *arrival)
 {
     if (!(arrival->flags & ACCESS_WRITES))
         return s->flags & CELL_CHANGED;
     return s->layout != arrival->layout || s->write_stages != arrival->stages ||
-           s->write_access != rg_access_table[arrival->kind].writes || s->read_stages;
+           s->write_access != rg_access_table[arrival->kind].writes || s->read_stages ||
+           is_read_elsewhere(s, arrival->resource);
 }
 
 static void add_barriers(struct compiler *c, const struct access *a, uint32_t pass,

@@ -92,11 +92,58 @@ static void test_one_queue_by_default(void **state)
     }
 }
 
+/* ---- imports ---- */
+
+static bool sometimes(const struct rg_frame *frame, uint32_t repetition)
+{
+    (void)frame;
+    (void)repetition;
+    return true; /* the hazard checker also simulates frames that skip the row */
+}
+
+static const struct rg_buffer commands = { "commands", 64 };
+static const struct rg_pass import_rows[] = {
+    { .name = "fill",
+      .kind = RG_TRANSFER,
+      .queue = RG_QUEUE_TRANSFER,
+      .when = sometimes,
+      .record = small_graph_record,
+      .uses = RG_USES({ .buffer = &commands, .access = RG_COPY_DST }) },
+    COMPUTE("count", { .buffer = &commands, .access = RG_INDIRECT }, STORES(main_out, 0)),
+};
+
+/* If "fill" is skipped, "count" reads what the application wrote. If not, the application may only
+ * overwrite the commands after "count" has read them. */
+static void test_import_returns(void **state)
+{
+    (void)state;
+    static const struct rg_technique technique = RG_TECHNIQUE("test", import_rows);
+    const struct rg_import import = { .buffer = &commands, .access = RG_COPY_DST };
+    const struct rg_output output = { &main_out, .access = RG_SAMPLED };
+    const struct rg_compile_params params = {
+        .techniques = (const struct rg_technique *const[]){ &technique },
+        .technique_count = 1,
+        .view = { SMALL_GRAPH_SIZE, SMALL_GRAPH_SIZE },
+        .imports = &import,
+        .import_count = 1,
+        .outputs = &output,
+        .output_count = 1,
+        .queues = 1 << RG_QUEUE_TRANSFER,
+    };
+    struct rg_plan *plan = rg_compile(&params);
+    assert_non_null(plan);
+    assert_int_equal(plan->fault_count, 0);
+    assert_int_equal(hazard_check(plan, &params, stderr), 0);
+    assert_int_equal(plan->submission_count, 4);
+    rg_plan_destroy(plan);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_waits),
         cmocka_unit_test(test_one_queue_by_default),
+        cmocka_unit_test(test_import_returns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
