@@ -421,18 +421,65 @@ static void calls_are_refused(void **state)
     gpu_buffer_destroy(*state, &buffers[1]);
 }
 
+/* ---- mistakes in plans for several queues ---- */
+
+static const struct rg_pass queue_rows[] = {
+    { .name = "fill",
+      .kind = RG_TRANSFER,
+      .queue = RG_QUEUE_TRANSFER,
+      .uses = RG_USES({ .buffer = &marks, .access = RG_COPY_DST }),
+      .record = record_fill },
+};
+
+static void queues_are_checked(void **state)
+{
+    const struct rg_frame frame = { 0 };
+    struct run_params params = {
+        .technique = RG_TECHNIQUE("queues", queue_rows),
+        .outputs = { &marks },
+        .queues = 1 << RG_QUEUE_TRANSFER,
+    };
+    struct run run;
+    run_open(&run, *state, &params);
+    assert_int_equal(rg_exec_record(run.exec, &(struct rg_exec_recording){ 0 }, &frame),
+                     VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "rg_exec_record() of a plan for several queues");
+    assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
+    assert_int_equal(rg_exec_submit_part(run.exec, &frame, 1), VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "rg_exec_submit_part() of a plan for several queues");
+    run_frame(&run, &frame);
+    assert_int_equal(((uint32_t *)run_data(&run, &marks))[1], 7);
+    run_close(&run);
+
+    params.transfer = &(struct rg_exec_queue){ VK_NULL_HANDLE, 0 };
+    run_compile(&run, *state, &params);
+    assert_int_equal(run_create(&run, run.plan), VK_ERROR_INITIALIZATION_FAILED);
+    check_line(&run, "params without a queue that the plan uses");
+    run_close(&run);
+}
+
 /* ---- mistakes in imports ---- */
 
-static const struct rg_pass import_rows[] = { RUN_READ("read", picture, pixels) };
+static const struct rg_pass import_rows[] = {
+    { .name = "read",
+      .kind = RG_TRANSFER,
+      .queue = RG_QUEUE_TRANSFER,
+      .uses = RG_USES({ .image = &picture, .access = RG_COPY_SRC },
+                      { .buffer = &pixels, .access = RG_COPY_DST }),
+      .record = record_nothing },
+};
 static const struct rg_pass buffer_rows[] = {
     { .name = "read",
       .kind = RG_TRANSFER,
+      .queue = RG_QUEUE_TRANSFER,
       .uses = RG_USES({ .buffer = &numbers, .access = RG_COPY_SRC },
                       { .buffer = &pixels, .access = RG_COPY_DST }),
       .record = record_nothing },
 };
 
-static void check_import(struct gpu *gpu, const struct rg_exec_import *object, const char *text)
+/* Checks the message about an import, NULL for none. `transfer` is NULL for the main queue only. */
+static void check_import(struct gpu *gpu, const struct rg_exec_import *object,
+                         const struct rg_exec_queue *transfer, const char *text)
 {
     const bool is_image = !object->buffer;
     const struct rg_import import = {
@@ -446,6 +493,8 @@ static void check_import(struct gpu *gpu, const struct rg_exec_import *object, c
         .imports = &import,
         .objects = object,
         .import_count = 1,
+        .queues = transfer ? 1 << RG_QUEUE_TRANSFER : 0,
+        .transfer = transfer,
     };
     struct run run;
     run_compile(&run, gpu, &params);
@@ -459,6 +508,8 @@ static void check_import(struct gpu *gpu, const struct rg_exec_import *object, c
 static void imports_are_checked(void **state)
 {
     struct gpu *gpu = *state;
+    /* never used, because the executor is not created */
+    const struct rg_exec_queue transfer = { gpu->queue, gpu->queue_family + 1 };
     struct gpu_buffer buffer;
     const VkImageCreateInfo good = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
@@ -484,29 +535,34 @@ static void imports_are_checked(void **state)
         "samples 4, where the plan has 1, in the import of picture",
     };
     for (int i = 0; i < 4; i++)
-        check_import(gpu, &(struct rg_exec_import){ .image = image, .image_info = &bad[i] },
+        check_import(gpu, &(struct rg_exec_import){ .image = image, .image_info = &bad[i] }, NULL,
                      texts[i]);
-    check_import(gpu, &(struct rg_exec_import){ .image = image, .image_info = &good }, NULL);
-    check_import(gpu, &(struct rg_exec_import){ 0 }, "VK_NULL_HANDLE as the import of picture");
+    const struct rg_exec_import known = { .image = image, .image_info = &good };
+    check_import(gpu, &known, NULL, NULL);
+    check_import(gpu, &known, &transfer,
+                 "sharingMode 0, where the plan has 1, in the import of picture");
+    check_import(gpu, &(struct rg_exec_import){ 0 }, NULL,
+                 "VK_NULL_HANDLE as the import of picture");
     vkDestroyImage(gpu->device, image, NULL);
 
     assert_int_equal(gpu_buffer_create(gpu, &buffer, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, words,
                                        sizeof(words), "mesh"),
                      STATUS_OK);
-    check_import(gpu, &(struct rg_exec_import){ .buffer = buffer.buffer },
+    check_import(gpu, &(struct rg_exec_import){ .buffer = buffer.buffer }, NULL,
                  "size 64, where the plan has 256, in the import of numbers");
     const VkBufferCreateInfo info = { .size = 256, .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT };
     check_import(gpu, &(struct rg_exec_import){ .buffer = buffer.buffer, .buffer_info = &info },
-                 "usage 16, where the plan has 1, in the import of numbers");
+                 &transfer, "sharingMode 0, where the plan has 1, in the import of numbers");
+    check_import(gpu, &(struct rg_exec_import){ .buffer = buffer.buffer, .buffer_info = &info },
+                 NULL, "usage 16, where the plan has 1, in the import of numbers");
     gpu_buffer_destroy(gpu, &buffer);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tables_have_faults),
-        ON_DEVICE(frames_are_refused),
-        ON_DEVICE(calls_are_refused),
+        cmocka_unit_test(tables_have_faults), ON_DEVICE(frames_are_refused),
+        ON_DEVICE(calls_are_refused),         ON_DEVICE(queues_are_checked),
         ON_DEVICE(imports_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -84,6 +84,7 @@ void run_compile(struct run *run, struct gpu *gpu, const struct run_params *para
 
 static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *plan)
 {
+    const struct rg_exec_queue main_queue = { run->gpu->queue, run->gpu->queue_family };
     return (struct rg_exec_params){
         .plan = plan,
         .instance = run->gpu->instance,
@@ -92,8 +93,8 @@ static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *
         .device = run->gpu->device,
         .queue = run->gpu->queue,
         .queue_family = run->gpu->queue_family,
-        .compute = { run->gpu->queue, run->gpu->queue_family },
-        .transfer = { run->gpu->queue, run->gpu->queue_family },
+        .compute = main_queue,
+        .transfer = run->params.transfer ? *run->params.transfer : main_queue,
         .pipeline_cache = run->gpu->pipeline_cache,
         .pipelines = run->params.pipelines,
         .frames_in_flight = run->params.frames_in_flight,

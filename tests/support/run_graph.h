@@ -31,8 +31,9 @@ struct run_params {
     rg_more_fn *more;
     const struct rg_sampler *same_texel;
     enum rg_sharing sharing;
-    VkFlags queues; /* of rg_compile_params; all are the device's main queue */
-    bool no_device; /* compile without a device */
+    VkFlags queues; /* of rg_compile_params; all are the device's main queue, except: */
+    const struct rg_exec_queue *transfer; /* NULL for the main queue, too */
+    bool no_device;                       /* compile without a device */
     struct rg_measure measure;
     const VkSpecializationInfo *constants;
     bool is_in_parts; /* run_frame() submits the smallest parts */
