@@ -215,13 +215,32 @@ static void simulate_frame(struct compiler *c, bool only_pairs)
     }
 }
 
-/* Handles a read, in the next frame, of a subresource whose state at the end of this frame is
- * `left`. `next` gives the resource in this frame, and the range. */
-typedef void history_read_fn(struct compiler *c, struct cell *left, const struct rg_barrier *next,
-                             const struct access *a);
+/* Tries to extend an earlier barrier of this frame to cover a read too. If this succeeds, returns
+ * true, and the read does not need the barrier `next`. */
+static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
+                  const struct rg_barrier *next)
+{
+    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < c->barrier_count; i++) {
+        struct rg_barrier *b = &c->barriers[i];
+        const VkImageSubresourceRange *all = &b->range;
+        const VkImageSubresourceRange *one = &next->range;
+        if (b->image != next->image || b->buffer != next->buffer)
+            continue;
+        if (b->image != RG_NONE && (!(all->aspectMask & one->aspectMask) ||
+                                    one->baseMipLevel - all->baseMipLevel >= all->levelCount ||
+                                    one->baseArrayLayer - all->baseArrayLayer >= all->layerCount))
+            continue;
+        b->dst_stages |= a->stages;
+        b->dst_access |= a->mask;
+        return true;
+    }
+    return false;
+}
 
-/* Calls `visit` for each read that depends on content or layout left by the previous frame. */
-static void each_history_read(struct compiler *c, history_read_fn *visit)
+/* Handles the reads that depend on content or layout left by the previous frame, if that frame has
+ * a barrier for another such read: marks them as synchronised or, if the barriers are complete,
+ * extends the one of this frame to cover such a read in the next frame. */
+static void share_history_barriers(struct compiler *c, bool is_complete)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];
@@ -238,26 +257,20 @@ static void each_history_read(struct compiler *c, history_read_fn *visit)
             for (struct cell_walk w = rg_cells(a); w.cell && r->persistent && !r->queue_cells;
                  rg_next_cell(&w)) {
                 struct cell *left = &r->cells[w.cell - a->resource->cells];
+                const uint32_t added = a->visibility & RG_VISIBLE_TO_ALL & ~left->visible;
                 const struct rg_barrier next = { r->plan_image, r->plan_buffer,
                                                  .range = rg_cell_range(&w) };
                 if (a->flags & ACCESS_WRITES || left->layout != a->layout)
                     w.cell->changed = true;
-                if (!w.cell->changed)
-                    visit(c, left, &next, a);
+                if (w.cell->changed || !left->visible || !added)
+                    continue;
+                if (!is_complete)
+                    left->visible |= added;
+                else if (!widen(c, left, a, &next))
+                    assert(false);
             }
         }
     }
-}
-
-/* Marks a read of the previous frame's content as synchronised if the previous frame has a barrier
- * for another such read. barriers.c then extends this barrier to cover both reads. */
-static void expect_history_read(struct compiler *c, struct cell *left,
-                                const struct rg_barrier *next, const struct access *a)
-{
-    (void)c;
-    (void)next;
-    if (left->visible)
-        left->visible |= a->visibility & RG_VISIBLE_TO_ALL;
 }
 
 /* Converts the states at the end of a frame to those at the start of the next frame. */
@@ -287,7 +300,7 @@ static void begin_persistent(struct compiler *c)
 {
     for (int i = 0; i < 2; i++) { /* twice, since a history starts as its partner ends */
         simulate_frame(c, i > 0);
-        each_history_read(c, expect_history_read);
+        share_history_barriers(c, false);
         begin_next_frame(c);
     }
 }
@@ -366,28 +379,6 @@ static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
 {
     while (c->barrier_count >= start + 2 && merge(c, c->barrier_count - 2))
         r->last_barrier = c->barrier_count - 1;
-}
-
-/* Tries to extend an earlier barrier of this frame to cover a read too. If this succeeds, returns
- * true, and the read does not need the barrier `next`. */
-static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
-                  const struct rg_barrier *next)
-{
-    for (uint32_t i = s->first_barrier; i < s->barrier_end && i < c->barrier_count; i++) {
-        struct rg_barrier *b = &c->barriers[i];
-        const VkImageSubresourceRange *all = &b->range;
-        const VkImageSubresourceRange *one = &next->range;
-        if (b->image != next->image || b->buffer != next->buffer)
-            continue;
-        if (b->image != RG_NONE && (!(all->aspectMask & one->aspectMask) ||
-                                    one->baseMipLevel - all->baseMipLevel >= all->levelCount ||
-                                    one->baseArrayLayer - all->baseArrayLayer >= all->layerCount))
-            continue;
-        b->dst_stages |= a->stages;
-        b->dst_access |= a->mask;
-        return true;
-    }
-    return false;
 }
 
 /* Adds barrier c->barrier_count to the newest batch, or to a new one if it must come later. */
@@ -532,17 +523,6 @@ static void begin_history(struct compiler *c, struct resource *r)
     merge_newest(c, r, start);
 }
 
-/* Extends a barrier of this frame so that it also covers a read in the next frame. */
-static void extend_to_history_read(struct compiler *c, struct cell *left,
-                                   const struct rg_barrier *next, const struct access *a)
-{
-    if (!(a->visibility & RG_VISIBLE_TO_ALL & ~left->visible) || !left->visible)
-        return;
-    bool extended = widen(c, left, a, next);
-    assert(extended);
-    (void)extended;
-}
-
 static void end_barriers(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -551,7 +531,7 @@ static void end_barriers(struct compiler *c)
             end_resource(c, c->resources[i]);
     }
     if (c->persistent_count && !c->arena->failed)
-        each_history_read(c, extend_to_history_read);
+        share_history_barriers(c, true);
     close_batch(c);
     plan->barrier_count = c->barrier_count;
     plan->first_initial_barrier = c->batch_first = c->barrier_count;

@@ -3,11 +3,6 @@
 #include <math.h>
 #include "graph/compile/compiler.h"
 
-static const char *use_name(const struct rg_use *use)
-{
-    return use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
-}
-
 /* Returns true if the fallback colour of a use is in the range of its image's format. */
 static bool fits_format(const struct rg_use *use)
 {
@@ -57,7 +52,7 @@ static bool is_view_format(const struct rg_use *use)
 
 static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
 {
-    const char *name = use_name(use);
+    const char *name = rg_use_name(use);
     if (!rg_is_valid_use(use)) {
         rg_fault(c, RG_ERROR_NOT_ONE_RESOURCE, name,
                  "a use needs exactly one image or buffer, and an access");
@@ -100,7 +95,7 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, const 
         for (const struct rg_use *other = use + 1; other < end && !found; other++) {
             found = rg_is_shader_access(other->access) && !other->element &&
                     other->binding == use->binding;
-            rg_fault_if(c, found, RG_ERROR_DUPLICATE_BINDING, use_name(other),
+            rg_fault_if(c, found, RG_ERROR_DUPLICATE_BINDING, rg_use_name(other),
                         "give each use of the row a unique binding");
         }
     }
@@ -122,7 +117,7 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
             continue;
         ascending = ascending && (use->element || !before || use->binding > before->binding);
         rg_fault_if(
-            c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, use_name(use),
+            c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, rg_use_name(use),
             "element: expected one more than that of the previous use, with the same binding, "
             "descriptor type and stages");
         before = use;

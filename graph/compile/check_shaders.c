@@ -65,12 +65,6 @@ static const char *descriptor_name(VkDescriptorType type)
                                                                             : "an unsupported type";
 }
 
-static const char *use_name(const struct rg_use *use)
-{
-    const char *name = use->image ? use->image->name : use->buffer->name;
-    return name ? name : "?";
-}
-
 /* Returns true if a descriptor of type `type` can be bound to a variable of type `variable`. */
 static bool is_compatible(VkDescriptorType type, VkDescriptorType variable)
 {
@@ -150,10 +144,10 @@ static void check_texels(const struct shaders *s, const char *name, const struct
     if (declared->format && !(format && format->spirv_format == declared->format))
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
               v->binding, format_name(rg_storage_format(declared->format)), format_name(format),
-              use_name(use));
+              rg_use_name(use));
     else if (component != '?' && declared->component != component)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
-              v->binding, use_name(use), component_name(component),
+              v->binding, rg_use_name(use), component_name(component),
               component_name(declared->component));
 }
 
@@ -169,7 +163,7 @@ static void check_comparison(const struct shaders *s, const struct spirv *stage,
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: '%s' %s: %s rg_sampler.compare of '%s'", v->binding, shader_of(stage),
               compares ? "does not compare depths" : "compares depths", compares ? "remove" : "set",
-              use_name(use));
+              rg_use_name(use));
 }
 
 static void check_image(const struct shaders *s, const struct spirv *stage,
@@ -199,7 +193,7 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
     if (declared->dim != (cube ? (uint32_t)SPIRV_DIM_CUBE : dim) || declared->arrayed != array ||
         declared->multisampled != is_multisampled)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' is %s in the row", v->binding,
-              use_name(use), is);
+              rg_use_name(use), is);
     else
         check_texels(s, name, v, declared, use);
     if (use->access == RG_SAMPLED)
@@ -215,7 +209,7 @@ static void check_uniform(const struct shaders *s, const struct spirv *stage,
     if (!use->buffer->size_per_texel && size < needed)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: expected %u bytes or more, '%s' has %llu", v->binding, needed,
-              use_name(use), (unsigned long long)size);
+              rg_use_name(use), (unsigned long long)size);
 }
 
 /* Returns the length of the descriptor array that begins at `first`; 1 for a single use. */
@@ -249,7 +243,7 @@ static void check_access(const struct shaders *s, const struct spirv *stage,
     const bool is_stored_to = use->access == RG_STORAGE_READ && v->access & SPIRV_STORES;
     const bool is_loaded = use->access == RG_STORAGE_WRITE && v->access & SPIRV_LOADS;
     if (is_stored_to || is_loaded)
-        fault(s, RG_ERROR_SHADER_ACCESS, use_name(use), "binding %u: '%s' %s '%s': expected %s",
+        fault(s, RG_ERROR_SHADER_ACCESS, rg_use_name(use), "binding %u: '%s' %s '%s': expected %s",
               v->binding, shader_of(stage), is_loaded ? "loads from" : "stores to",
               rg_spirv_name(stage, v), names[access_of(s, v->binding)]);
 }
@@ -264,11 +258,11 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
     if (!is_compatible(rg_use_descriptor(use), type))
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u is %s in '%s', '%s' is %s", v->binding, descriptor_name(type),
-              shader_of(stage), use_name(use), descriptor_name(rg_use_descriptor(use)));
+              shader_of(stage), rg_use_name(use), descriptor_name(rg_use_descriptor(use)));
     else if (!(rg_use_stages(s->row, use) & in))
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u: name the stage of '%s' in .stages of '%s'", v->binding, shader_of(stage),
-              use_name(use));
+              rg_use_name(use));
     else if (rg_spirv_image(stage, v->type, &image) && use->image)
         check_image(s, stage, v, &image, use);
     else if (rg_spirv_image(stage, v->type, &image))
@@ -306,7 +300,7 @@ static void report_missing(const struct shaders *s, const struct spirv *stage,
     else if (other)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u of '%s' is not in the row; no shader uses binding %u ('%s')", v->binding,
-              shader_of(stage), other->binding, use_name(other));
+              shader_of(stage), other->binding, rg_use_name(other));
     else
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u of '%s' is not in the row", v->binding, shader_of(stage));
@@ -347,8 +341,8 @@ static void check_bindings(const struct shaders *s)
     if (s->row->set && !uses_program_set)
         fault(s, RG_ERROR_SHADER_BINDING, s->row->set->name, "set 1: no shader of the row uses it");
     for (const struct rg_use *use; (use = find_unused(s, missing)); missing++)
-        fault(s, RG_ERROR_SHADER_BINDING, use_name(use), "binding %u: no shader of the row uses it",
-              use->binding);
+        fault(s, RG_ERROR_SHADER_BINDING, rg_use_name(use),
+              "binding %u: no shader of the row uses it", use->binding);
 }
 
 /* ---- vertex inputs, colour outputs ---- */

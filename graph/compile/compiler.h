@@ -52,7 +52,7 @@ struct cell {
     uint32_t filled;
     bool is_needed;            /* culling: needed later in the frame */
     bool is_needed_next_frame; /* culling: needed by the next frame */
-    bool changed;              /* scratch of rg_each_history_read() */
+    bool changed;              /* scratch of share_history_barriers() */
 };
 
 /* Accesses to a cell by several queues (barriers.c). */
@@ -345,6 +345,15 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 static inline bool rg_is_use(const struct rg_use *use)
 {
     return use->image || use->buffer || use->access;
+}
+
+/* Returns the name of the image or buffer of a use: "?" without a name, NULL without both. */
+static inline const char *rg_use_name(const struct rg_use *use)
+{
+    if (!use->image && !use->buffer)
+        return NULL;
+    const char *name = use->image ? use->image->name : use->buffer->name;
+    return name ? name : "?";
 }
 
 /* Returns true if a use names exactly one resource and a valid access. */

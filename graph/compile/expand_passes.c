@@ -45,12 +45,6 @@ static bool is_in_range(const struct resource *r, const VkImageSubresourceRange 
            range->layerCount <= r->all.layerCount - range->baseArrayLayer;
 }
 
-static bool is_all(const struct resource *r, const VkImageSubresourceRange *range)
-{
-    return r->cell_count == 1 && range->aspectMask == r->all.aspectMask && !range->baseMipLevel &&
-           !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
-}
-
 /* Initialises an access, to be added by keep_access(). Returns NULL if out of memory. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   VkPipelineStageFlags2 stages)
@@ -64,8 +58,6 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
 static bool find_cells(struct compiler *c, struct access *a)
 {
     const VkImageSubresourceRange *range = &a->range;
-    if (is_all(a->resource, range))
-        return true;
     bool fits = is_in_range(a->resource, range);
     rg_fault_if(c, !fits, RG_ERROR_RANGE, a->resource->name,
                 "name a mip, layer and aspect that the image has");
