@@ -26,13 +26,25 @@ void lavapipe_environment(void)
         setenv("VK_LOADER_DRIVERS_SELECT", "*lvp*", 1);
 }
 
-int lavapipe_open(void **state)
+static int open_device(void **state)
 {
-    lavapipe_environment();
     struct gpu *gpu = calloc(1, sizeof(*gpu));
     const struct gpu_params params = lavapipe_params();
     *state = gpu;
     return gpu && gpu_create(gpu, &params) == STATUS_OK && gpu->validated ? 0 : -1;
+}
+
+int lavapipe_open(void **state)
+{
+    lavapipe_environment();
+    return open_device(state);
+}
+
+int lavapipe_open_for_timelines(void **state)
+{
+    lavapipe_environment();
+    unsetenv("VK_LAYER_ENABLES");
+    return open_device(state);
 }
 
 int lavapipe_close(void **state)

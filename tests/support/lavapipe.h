@@ -20,6 +20,9 @@ void lavapipe_environment(void);
 /* cmocka setup and teardown; *state is a struct gpu. Teardown fails if the validation layer
  * reported anything, including objects that were not destroyed. */
 int lavapipe_open(void **state);
+/* Without synchronization validation across submissions, which ignores timeline semaphores in
+ * releases of the layer before 2024. */
+int lavapipe_open_for_timelines(void **state);
 int lavapipe_close(void **state);
 
 /* Declares a test that gets its own device. */
