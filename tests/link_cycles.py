@@ -11,7 +11,6 @@ import sys
 
 # Files that call each other.
 ALLOWED = (
-    # an import's and an output's record are sized by the functions that check images
     # a buffer view is decompressed from the bytes of another buffer view
     {'src/scene/import/gltf/gltf_accessor.c', 'src/scene/import/gltf/gltf_meshopt.c'},
     # two models of where bubbles are, which share the test of a bubble's distance from the surface

@@ -2,6 +2,21 @@
 #include <string.h>
 #include "graph/exec/executor_internal.h"
 
+uint32_t rg_exec_families(const struct rg_exec *exec, uint32_t queues,
+                          uint32_t families[RG_QUEUE_COUNT])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
+        const uint32_t family = rg_exec_queue_of(exec, i).family;
+        bool known = !(queues >> i & 1) || (i != RG_QUEUE_MAIN && !rg_exec_queue_of(exec, i).queue);
+        for (uint32_t k = 0; k < count; k++)
+            known = known || families[k] == family;
+        if (!known)
+            families[count++] = family;
+    }
+    return count;
+}
+
 /* Returns the first memory type with `needed` and preferably `preferred` properties, or RG_NONE. */
 static uint32_t find_type(const struct rg_exec *exec, uint32_t bits,
                           VkMemoryPropertyFlags preferred, VkMemoryPropertyFlags needed)

@@ -242,11 +242,6 @@ fail:
     return result;
 }
 
-VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse)
-{
-    return rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, misuse, NULL);
-}
-
 static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
 {
     return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
@@ -287,22 +282,6 @@ static const char *pass_name(const struct rg_exec *exec, const struct exec_part 
 VkResult rg_exec_wait_fence(const struct rg_exec *exec)
 {
     return rg_exec_check(exec, wait_fence(exec, &exec->slots[exec->slot]), "vkWaitForFences", NULL);
-}
-
-VkResult rg_exec_record_own(struct rg_exec *exec, VkCommandBuffer commands,
-                            const struct rg_frame *frame, const struct exec_part *part)
-{
-    VkResult result;
-    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
-            &(VkCommandBufferBeginInfo){
-                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-            });
-    (void)rg_exec_record_part(exec, commands, frame, part);
-    RG_CALL(exec, NULL, EndCommandBuffer, commands);
-    result = (VkResult)exec->record_result;
-fail:
-    return result;
 }
 
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,

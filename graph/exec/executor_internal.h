@@ -195,6 +195,8 @@ struct rg_cmd {
 /* Logs a failed call on the object `of`, or on the frame if that is NULL. Returns `result`. */
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
                        const char *of);
+/* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
 
 /* Calls a function that logs its own failures. If the call fails, jumps to `fail`. The caller has a
  * variable `result` and a label `fail`. */
@@ -254,8 +256,20 @@ void rg_exec_free_objects(struct rg_exec *exec);
 
 /* ---- other files ---- */
 
+/* Returns a queue of the parameters; {0} if they have none. */
+static inline struct rg_exec_queue rg_exec_queue_of(const struct rg_exec *exec, uint32_t queue)
+{
+    const struct rg_exec_params *p = &exec->params;
+    return queue == RG_QUEUE_COMPUTE    ? p->compute
+           : queue == RG_QUEUE_TRANSFER ? p->transfer
+                                        : (struct rg_exec_queue){ p->queue, p->queue_family };
+}
+
 /* device_memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
+/* Fills the distinct families of a mask of queues. Returns their number. */
+uint32_t rg_exec_families(const struct rg_exec *exec, uint32_t queues,
+                          uint32_t families[RG_QUEUE_COUNT]);
 /* Creates an image and binds its memory. `placeholder` is the use that a placeholder is for, or
  * NULL. Sets exec->found to RG_FOUND_HERE if the placeholder is shared with another use. */
 VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan,
@@ -302,9 +316,6 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 
 /* queues.c: frames that are submitted to several queues */
 VkResult rg_exec_make_queues(struct rg_exec *exec);
-/* Fills the distinct families of a mask of queues. Returns their number. */
-uint32_t rg_exec_families(const struct rg_exec *exec, uint32_t queues,
-                          uint32_t families[RG_QUEUE_COUNT]);
 VkResult rg_exec_submit_queues(struct rg_exec *exec, const struct rg_frame *frame);
 
 /* pipelines.c */
@@ -377,6 +388,9 @@ rg_exec_misuse(const struct rg_cmd *cmd, const char *resource, const char *forma
 /* Records a part of a frame, with the final barriers if it contains the last pass. */
 VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
                              const struct rg_frame *frame, const struct exec_part *part);
+/* Records a part of a frame into a command buffer that the executor owns. */
+VkResult rg_exec_record_own(struct rg_exec *exec, VkCommandBuffer commands,
+                            const struct rg_frame *frame, const struct exec_part *part);
 /* Binds the pass's pipeline and descriptor set 0, and sets viewport and scissor. */
 void rg_exec_bind(const struct rg_cmd *cmd);
 /* Returns the render area of a pass in a frame; empty if the pass does not run. */
@@ -387,11 +401,6 @@ VkRect2D rg_exec_pass_area(struct rg_exec *exec, uint32_t index, const struct rg
 bool rg_exec_select_images(struct rg_exec *exec, uint32_t image_index);
 /* Marks a frame as completely recorded. */
 void rg_exec_end_frame(struct rg_exec *exec);
-/* Logs a call that is not allowed now. Returns VK_ERROR_VALIDATION_FAILED_EXT. */
-VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse);
-/* Records a part of a frame into a command buffer that the executor owns. */
-VkResult rg_exec_record_own(struct rg_exec *exec, VkCommandBuffer commands,
-                            const struct rg_frame *frame, const struct exec_part *part);
 /* Records a part of the frame begun last, and submits it. */
 VkResult rg_exec_submit_recorded(struct rg_exec *exec, const struct rg_frame *frame,
                                  const struct exec_part *part);

@@ -34,6 +34,11 @@ VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *
     return result;
 }
 
+VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse)
+{
+    return rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, misuse, NULL);
+}
+
 static uint32_t *chain_of(const struct exec_objects *list, uint64_t hash)
 {
     return &list->chains[hash & (list->room - 1)];

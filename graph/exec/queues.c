@@ -1,32 +1,6 @@
 /* queues.c: submits the passes of a frame to several queues, ordered by timeline semaphores. */
 #include "graph/exec/executor_internal.h"
 
-static struct rg_exec_queue queue_of(const struct rg_exec *exec, uint32_t queue)
-{
-    const struct rg_exec_params *p = &exec->params;
-    const struct rg_exec_queue queues[RG_QUEUE_COUNT] = {
-        [RG_QUEUE_MAIN] = { p->queue, p->queue_family },
-        [RG_QUEUE_COMPUTE] = p->compute,
-        [RG_QUEUE_TRANSFER] = p->transfer,
-    };
-    return queues[queue];
-}
-
-uint32_t rg_exec_families(const struct rg_exec *exec, uint32_t queues,
-                          uint32_t families[RG_QUEUE_COUNT])
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
-        const uint32_t family = queue_of(exec, i).family;
-        bool known = !(queues >> i & 1) || (i != RG_QUEUE_MAIN && !queue_of(exec, i).queue);
-        for (uint32_t k = 0; k < count; k++)
-            known = known || families[k] == family;
-        if (!known)
-            families[count++] = family;
-    }
-    return count;
-}
-
 /* Creates a timeline semaphore and a command pool for a queue. */
 static VkResult make_queue(struct rg_exec *exec, enum rg_queue queue, VkCommandPool *pool)
 {
@@ -42,7 +16,7 @@ static VkResult make_queue(struct rg_exec *exec, enum rg_queue queue, VkCommandP
             &(VkCommandPoolCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                 .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                .queueFamilyIndex = queue_of(exec, queue).family,
+                .queueFamilyIndex = rg_exec_queue_of(exec, queue).family,
             });
 fail:
     return result;
@@ -55,7 +29,7 @@ VkResult rg_exec_make_queues(struct rg_exec *exec)
     VkResult result = VK_SUCCESS;
     for (uint32_t s = 0; s < plan->submission_count; s++) {
         const enum rg_queue queue = plan->submissions[s].queue;
-        if (!queue_of(exec, queue).queue)
+        if (!rg_exec_queue_of(exec, queue).queue)
             return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED,
                                  "params without a queue that the plan uses", NULL);
         if (!pools[queue])
@@ -108,7 +82,7 @@ static VkResult submit(struct rg_exec *exec, uint32_t index)
             waits[wait_count++] = semaphore_info(exec, (enum rg_queue)i, submission->waits[i] - 1);
     }
     VkResult result;
-    RG_CALL(exec, NULL, QueueSubmit2, queue_of(exec, submission->queue).queue, 1,
+    RG_CALL(exec, NULL, QueueSubmit2, rg_exec_queue_of(exec, submission->queue).queue, 1,
             &(VkSubmitInfo2){
                 .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                 .waitSemaphoreInfoCount = is_first ? sync->wait_count : wait_count,

@@ -236,3 +236,19 @@ VkResult rg_exec_record_part(struct rg_exec *exec, VkCommandBuffer commands,
     rg_exec_record_batch(exec, commands);
     return (VkResult)exec->record_result;
 }
+
+VkResult rg_exec_record_own(struct rg_exec *exec, VkCommandBuffer commands,
+                            const struct rg_frame *frame, const struct exec_part *part)
+{
+    VkResult result;
+    RG_CALL(exec, NULL, BeginCommandBuffer, commands,
+            &(VkCommandBufferBeginInfo){
+                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+            });
+    (void)rg_exec_record_part(exec, commands, frame, part);
+    RG_CALL(exec, NULL, EndCommandBuffer, commands);
+    result = (VkResult)exec->record_result;
+fail:
+    return result;
+}
