@@ -5,7 +5,7 @@
 
 /* Radii of the floor, in radii of the object. The colour fades between the first two. */
 #define FADE_START 1.5f
-#define FADE_END   13.0f
+#define FADE_END   8.0f
 #define EDGE       300.0f
 
 enum {
