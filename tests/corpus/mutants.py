@@ -1,13 +1,14 @@
 """mutants.py: runs firn on mutated valid files of all formats.
 
-Usage: mutants.py FIRN COUNT SEED [--trace] FILE_OR_FOLDER...
+Usage: mutants.py FIRN COUNT SEED [--trace] [--seconds=N] FILE_OR_FOLDER...
 
 Models go to `firn info`; JPEG, WebP, AVIF and every other PNG too, as the texture of a quad; other
-images to `firn diff`, and every fourth to `firn graph --env`; settings to `firn graph --preset`.
-With --trace, what `firn info` accepts is also rendered, 48 x 36 pixels. Prints and keeps those that
-end in anything but success, or one error line with 65 or 66; that a sanitizer reports; or that need
-more than a minute of CPU time. Prints the exit codes for each format. Exits with 1 if there was a
-fault.
+images to `firn diff`, and every fourth to `firn graph --env`; settings to `firn graph --preset`;
+JSON to `firn profile --baseline`; .cube files to `firn render --ocio`. After N seconds, or on
+SIGTERM, no more runs start. With --trace, what `firn info` accepts is also rendered, 48 x 36
+pixels. Prints and keeps those that end in anything but success, or one error line with 65 or 66;
+that a sanitizer reports; or that need more than a minute of CPU time. Prints the exit codes for
+each format. Exits with 1 if there was a fault.
 """
 import concurrent.futures
 import json
@@ -16,15 +17,19 @@ import pathlib
 import random
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import threading
 
 MODELS = {'.gltf', '.glb', '.obj', '.ply', '.stl'}
 IMAGES = {'.exr', '.hdr', '.png'}
 TEXTURES = {'.jpg', '.jpeg', '.webp', '.avif'}
-SETTINGS = '.set'
+SETTINGS = {'.set', '.txt'}
+BASELINES = {'.json'}
+TABLES = {'.cube'}
 QUAD = {'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0}],
         'meshes': [{'primitives': [{'attributes': {'POSITION': 0, 'TEXCOORD_0': 1}, 'mode': 5,
                                     'material': 0}]}],
@@ -37,12 +42,24 @@ QUAD = {'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}], 'no
                        'min': [0, 0, 0], 'max': [1, 1, 0]},
                       {'bufferView': 1, 'componentType': 5126, 'count': 4, 'type': 'VEC2'}]}
 QUAD_DATA = struct.pack('<20f', 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 0, 0, 1, 1, 1)
+CONFIG = '''ocio_profile_version: 2
+roles: {default: lin_rec709, scene_linear: lin_rec709}
+displays:
+  Own:
+    - !<View> {name: Own, colorspace: own}
+colorspaces:
+  - !<ColorSpace> {name: lin_rec709}
+  - !<ColorSpace>
+    name: own
+    from_scene_reference: !<FileTransform> {src: FILE, interpolation: linear}
+'''
 WORDS = (0, 1, 2, 3, 4, 5, 0x7f, 0x80, 0xff, 0x100, 0x7fff, 0x8000, 0xffff, 0x10000, 0x7fffffff,
          0x80000000, 0xfffffffe, 0xffffffff, 0x7f800000, 0xff800000, 0x7fc00000, 0x7149f2ca,
          0x00000001, 0x3f800000)
 VALUES = (0, -1, 1, 2, 0.5, 1e30, 1e-38, -1e38, 4294967295, 4294967296, 9007199254740993, True,
           None, '', 'data:,', [], {}, [0, 0, 0], [1e30] * 3, 5120, 5126, 'CUBICSPLINE', 'BLEND')
 SECONDS = 60
+stop = threading.Event()  # set when no more runs start
 
 
 def change_bytes(data, pick, other):
@@ -156,8 +173,15 @@ def commands(firn, mutant, turn, traces):
         if traces:
             yield [firn, 'render', model, '-q', '-r', 'trace', '--size', '48x36', '--samples', '1',
                    '-o', mutant.parent / 'out.exr']
-    elif mutant.suffix == SETTINGS:
+    elif mutant.suffix in SETTINGS:
         yield [firn, 'graph', 'sphere', '--preset', mutant]
+    elif mutant.suffix in TABLES:
+        config = mutant.parent / 'config.ocio'
+        config.write_text(CONFIG.replace('FILE', mutant.name))
+        yield [firn, 'render', 'sphere', '-q', '--plain', '--ocio', f'{config},Own', '--size',
+               '8x8', '--samples', '1', '-o', mutant.parent / 'out.png']
+    elif mutant.suffix in BASELINES:
+        yield [firn, 'profile', 'sphere', '--baseline', mutant]
     else:
         yield [firn, 'diff', mutant, mutant]
         if turn % 4 == 0 and mutant.suffix != '.png':
@@ -165,7 +189,10 @@ def commands(firn, mutant, turn, traces):
 
 
 def run(firn, number, seed, groups, traces, kept):
-    """Runs a mutant; formats take turns. Returns the format, a description of a fault, the code."""
+    """Runs a mutant; formats take turns. Returns the format, a description of a fault, the code, or
+    None after a stop."""
+    if stop.is_set():
+        return None
     pick = random.Random(f'{seed} {number}')
     path = pick.choice(groups[number % len(groups)])
     other = pick.choice(pick.choice(groups))
@@ -178,6 +205,8 @@ def run(firn, number, seed, groups, traces, kept):
         code = None
         for command in commands(firn, mutant, number // len(groups), traces):
             fault, code = fault_of(command)
+            if fault and stop.is_set() and code == -signal.SIGTERM:
+                return None  # the signal went to the whole process group
             if fault:
                 shutil.copy(mutant, kept / f'{seed}-{number}{path.suffix}')
                 return path.suffix, f'{path.name} ({seed} {number}): {command[1]}: {fault}', code
@@ -187,21 +216,29 @@ def run(firn, number, seed, groups, traces, kept):
 
 
 def main():
-    words = [word for word in sys.argv[1:] if word != '--trace']
+    words = [word for word in sys.argv[1:] if not word.startswith('--')]
+    seconds = [float(word[10:]) for word in sys.argv if word.startswith('--seconds=')]
     firn, count, seed = words[0], int(words[1]), words[2]
     files = [path for word in map(pathlib.Path, words[3:])
              for path in (sorted(word.rglob('*')) if word.is_dir() else [word])
-             if path.suffix in MODELS | IMAGES | TEXTURES | {SETTINGS} and
+             if path.suffix in MODELS | IMAGES | TEXTURES | SETTINGS | BASELINES | TABLES and
              0 < path.stat().st_size < 1 << 20]
     suffixes = sorted({path.suffix for path in files})
     groups = [[path for path in files if path.suffix == suffix] for suffix in suffixes]
     kept = pathlib.Path(f'mutants-{seed}')
     kept.mkdir(exist_ok=True)
+    signal.signal(signal.SIGTERM, lambda *_: stop.set())
+    for limit_s in seconds:
+        timer = threading.Timer(limit_s, stop.set)
+        timer.daemon = True
+        timer.start()
     codes, faults = {}, 0  # number of runs for each pair of format and exit code
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = [pool.submit(run, firn, number, seed, groups, '--trace' in sys.argv, kept)
                 for number in range(count)]
         for job in concurrent.futures.as_completed(jobs):
+            if not job.result():
+                continue
             suffix, fault, code = job.result()
             codes[suffix, code] = codes.get((suffix, code), 0) + 1
             if fault:
@@ -210,7 +247,7 @@ def main():
     for suffix in suffixes:
         rows = {code: n for (of, code), n in sorted(codes.items(), key=str) if of == suffix}
         print(f'{suffix[1:]}: {sum(rows.values())}, exit codes {rows}')
-    print(f'{count} mutants of {len(files)} files, {faults} faults')
+    print(f'{sum(codes.values())} of {count} mutants of {len(files)} files, {faults} faults')
     return 1 if faults else 0
 
 
