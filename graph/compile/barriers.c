@@ -140,6 +140,7 @@ static void submit(struct compiler *c, uint32_t pass, uint32_t pass_count)
         opens = opens || c->waits[i] > c->waited[c->queue][i];
     if (opens &&
         ARENA_ROOM(c->arena, c->submissions, plan->submission_count, c->submission_room, 8)) {
+        assert(c->submissions);
         s = &c->submissions[plan->submission_count++];
         *s = (struct rg_submission){ .queue = c->queue, .first_pass = pass };
         s->waits[RG_QUEUE_MAIN] = c->queue != RG_QUEUE_MAIN; /* for the frame's first submission */
@@ -237,6 +238,28 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
+/* Handles the subresources of one access, as share_history_barriers(). */
+static void share_history_barrier(struct compiler *c, const struct access *a, bool is_complete)
+{
+    const struct resource *r = rg_is_history(a->resource) ? a->resource->partner : a->resource;
+    if (!r->persistent || r->queue_cells)
+        return;
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
+        struct cell *left = &r->cells[w.cell - a->resource->cells];
+        const uint32_t added = a->visibility & RG_VISIBLE_TO_ALL & ~left->visible;
+        const struct rg_barrier next = { r->plan_image, r->plan_buffer,
+                                         .range = rg_cell_range(&w) };
+        if (a->flags & ACCESS_WRITES || left->layout != a->layout)
+            w.cell->changed = true;
+        if (w.cell->changed || !left->visible || !added)
+            continue;
+        if (!is_complete)
+            left->visible |= added;
+        else if (!widen(c, left, a, &next))
+            assert(false);
+    }
+}
+
 /* Handles the reads that depend on content or layout left by the previous frame, if that frame has
  * a barrier for another such read: marks them as synchronised or, if the barriers are complete,
  * extends the one of this frame to cover such a read in the next frame. */
@@ -251,25 +274,8 @@ static void share_history_barriers(struct compiler *c, bool is_complete)
         const struct pass *pass = &c->passes[p];
         const struct access *first = &c->accesses[pass->first_access];
         const struct access *end = first + (pass->alive ? pass->access_count : 0);
-        for (const struct access *a = first; a < end; a++) {
-            const struct resource *r =
-                rg_is_history(a->resource) ? a->resource->partner : a->resource;
-            for (struct cell_walk w = rg_cells(a); w.cell && r->persistent && !r->queue_cells;
-                 rg_next_cell(&w)) {
-                struct cell *left = &r->cells[w.cell - a->resource->cells];
-                const uint32_t added = a->visibility & RG_VISIBLE_TO_ALL & ~left->visible;
-                const struct rg_barrier next = { r->plan_image, r->plan_buffer,
-                                                 .range = rg_cell_range(&w) };
-                if (a->flags & ACCESS_WRITES || left->layout != a->layout)
-                    w.cell->changed = true;
-                if (w.cell->changed || !left->visible || !added)
-                    continue;
-                if (!is_complete)
-                    left->visible |= added;
-                else if (!widen(c, left, a, &next))
-                    assert(false);
-            }
-        }
+        for (const struct access *a = first; a < end; a++)
+            share_history_barrier(c, a, is_complete);
     }
 }
 

@@ -166,23 +166,28 @@ static void check_comparison(const struct shaders *s, const struct spirv *stage,
               rg_use_name(use));
 }
 
+/* Returns the number of array layers that a use of an image names. */
+static uint32_t named_layers(const struct shaders *s, const struct rg_use *use, uint32_t layers)
+{
+    const struct rg_range *range = &use->range;
+    if (range->each && s->row->repeat == RG_PER_LAYER)
+        return 1;
+    return range->layer_count ? range->layer_count : layers - range->layer;
+}
+
 static void check_image(const struct shaders *s, const struct spirv *stage,
                         const struct spirv_variable *v, const struct spirv_image *declared,
                         const struct rg_use *use)
 {
     const char *name = rg_spirv_name(stage, v);
     const struct rg_image *image = use->image;
-    const struct rg_range *range = &use->range;
     const struct resource *known = known_resource(s, image);
     uint32_t layers = known           ? known->all.layerCount
                       : image->layers ? image->layers
                       : image->cube   ? 6
                                       : 1;
-    uint32_t named = range->each && s->row->repeat == RG_PER_LAYER ? 1
-                     : range->layer_count                          ? range->layer_count
-                                                                   : layers - range->layer;
     uint32_t dim = image->depth ? SPIRV_DIM_3D : SPIRV_DIM_2D;
-    bool cube = image->cube && use->access == RG_SAMPLED && named == 6;
+    bool cube = image->cube && use->access == RG_SAMPLED && named_layers(s, use, layers) == 6;
     bool array = !cube && (layers > 1 || image->array);
     bool is_multisampled = image->samples > 1;
     const char *is = cube              ? "a cube"
@@ -374,7 +379,9 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
     const VkVertexInputAttributeDescription *a = find_attribute(s->row->vertices, location);
     uint32_t count;
     char component = rg_spirv_component(s->stages[0], v->type, &count);
-    char kind = a ? component_of(a->format, 0) : '?';
+    char kind = '?';
+    if (a)
+        kind = component_of(a->format, 0);
     uint32_t given = kind == '?' ? 0 : component_count(rg_format_info(a->format));
     if (!a)
         fault(s, RG_ERROR_SHADER_VERTEX, rg_spirv_name(s->stages[0], v),

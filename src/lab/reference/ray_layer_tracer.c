@@ -331,7 +331,7 @@ static void add_to_matte(float *pairs, const struct id_table *table, uint32_t nu
         return;
     for (uint32_t rank = 0; rank < RAY_LAYER_RANKS; rank++) {
         float *pair = &pairs[2 * (size_t)rank];
-        if (pair[1] > 0.0f && memcmp(&pair[0], &id, sizeof(id)) != 0)
+        if (pair[1] > 0.0f && fabsf(pair[0] - id) > 0.0f)
             continue;
         pair[0] = id;
         pair[1] += weight;
@@ -342,8 +342,8 @@ static void add_to_matte(float *pairs, const struct id_table *table, uint32_t nu
 /* Sorts the pairs by descending coverage; pairs of equal coverage keep their order. */
 static void sort_matte(float *pairs)
 {
-    for (uint32_t i = 1; i < RAY_LAYER_RANKS; i++) {
-        for (uint32_t k = i; k > 0 && pairs[2 * k + 1] > pairs[2 * k - 1]; k--) {
+    for (size_t i = 1; i < RAY_LAYER_RANKS; i++) {
+        for (size_t k = i; k > 0 && pairs[2 * k + 1] > pairs[2 * k - 1]; k--) {
             float swap[2];
             memcpy(swap, &pairs[2 * k], sizeof(swap));
             memcpy(&pairs[2 * k], &pairs[2 * k - 2], sizeof(swap));

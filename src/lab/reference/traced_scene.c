@@ -1,7 +1,7 @@
 /* traced_scene.c: prepares a scene for ray tracing on the CPU with Embree. */
 #include "src/lab/reference/traced_scene.h"
 #include <cglm/struct.h>
-#include <string.h>
+#include <math.h>
 #include "src/base/log.h"
 #include "src/base/machine.h"
 #include "src/lab/reference/whitted.h"
@@ -131,6 +131,15 @@ enum status traced_scene_init(struct traced_scene *traced, const struct traced_s
                              memory_limit(params->memory));
 }
 
+static bool is_equal(const mat4s *a, const mat4s *b)
+{
+    for (int i = 0; i < 16; i++) {
+        if (fabsf(a->raw[i / 4][i % 4] - b->raw[i / 4][i % 4]) > 0.0f)
+            return false;
+    }
+    return true;
+}
+
 bool traced_scene_set_shot(struct traced_scene *traced, const struct renderer_shot *shot)
 {
     const mat4s objects = traced->globals.world_from_object;
@@ -138,8 +147,8 @@ bool traced_scene_set_shot(struct traced_scene *traced, const struct renderer_sh
     if (traced->params.scene->has_pool)
         return false;
     set_view(traced, shot);
-    return !memcmp(&objects, &traced->globals.world_from_object, sizeof(objects)) &&
-           !memcmp(&movers, &traced->globals.world_from_movers, sizeof(movers));
+    return is_equal(&objects, &traced->globals.world_from_object) &&
+           is_equal(&movers, &traced->globals.world_from_movers);
 }
 
 void traced_scene_finish(struct traced_scene *traced)
