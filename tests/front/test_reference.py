@@ -93,8 +93,9 @@ class With(Case):
     def test_no_device_is_needed(self):
         picture = Exr(self.trace('a.exr', '-o', 'a.png', '--samples', '2', '--aov', 'all'))
         self.assertEqual(picture.size, (64, 48))
-        self.assertEqual(picture.channels,
-                         {**dict.fromkeys('RGBA', 'half'), **dict.fromkeys(LAYERS, 'float')})
+        expected = {**dict.fromkeys('RGBA', 'half'), **dict.fromkeys(LAYERS, 'float'),
+                    'depths.0': 'float', 'object.Z': 'uint', 'object.last.Z': 'uint'}
+        self.assertEqual({name: picture.channels.get(name) for name in expected}, expected)
         self.assertRegex(picture.text('firn/device'), r'\AEmbree \d+\.\d+\.\d+\Z')
         self.assertRegex(picture.text('firn/settings'), r'refraction=reference .*samples=2\b')
         self.assertEqual((self.folder / 'a.png').read_bytes()[:8], b'\x89PNG\r\n\x1a\n')
