@@ -2,7 +2,7 @@
 
 Usage: sbom.py OUTPUT VERSION NAME=VERSION... | sbom.py --check SBOM BUILD PROGRAM
 
-NAME is a name of `components`. The same arguments give the same bytes: the creation time is
+NAME is a name of `components`. The output is reproducible: the creation time is
 SOURCE_DATE_EPOCH, or the year 1970. --check exits with 1 if a dependency that Meson has found, or a
 library that the program is linked with, is missing from the file.
 """

@@ -114,7 +114,8 @@ static bool cross_queues(struct compiler *c, struct cell *s, const struct access
     return moves && !changes;
 }
 
-/* Sets the state in which a frame leaves a subresource: the main queue has waited for all. */
+/* Sets the access state of a subresource at the end of the frame, where the main queue has waited
+ * on the semaphores of all other queues. */
 static void join_queues(struct cell *s, struct cell_queues *q)
 {
     if (q->home != RG_QUEUE_MAIN) {

@@ -18,8 +18,8 @@ uint32_t machine_core_count(void);
 /* Chooses huge pages, or small ones, for pages of this process. Failure only costs time. */
 void machine_advise_pages(void *begin, size_t size, bool is_huge);
 
-/* Returns the CPU time in milliseconds, user and system, of this process, or of its child processes
- * that have ended and been waited for (0 on Windows). */
+/* Returns the user and system CPU time in milliseconds of this process or, with `of_children`, of
+ * the child processes that were waited for. The time of child processes is 0 on Windows. */
 double machine_cpu_ms(bool of_children);
 
 /* Writes the processor's name, truncated to `size` bytes, or "a processor". */

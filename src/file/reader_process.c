@@ -127,8 +127,8 @@ static bool is_slow(const struct reader *reader)
            reader->waited > idle_seconds * (1.0 + cpu_seconds + reader->received / PATIENCE_SIZE);
 }
 
-/* Waits for data or its end. Returns false if the child makes no progress in time, or if both pipes
- * have ended. */
+/* Waits until a pipe has data or reaches its end. Returns false if the child makes no progress in
+ * time, or if both pipes are at their end. */
 static bool wait_for_data(struct reader *reader)
 {
     while (reader_child_is_open(reader->child, READER_CHILD_DATA) ||

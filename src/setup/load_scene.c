@@ -125,7 +125,7 @@ static void switch_off_ice_effects(struct setup_scene *options, const struct sce
         switch_off(options, &highlight);
 }
 
-/* Switches off bubbles and cracks in ice whose walls are thinner than the bubbles and cracks. */
+/* Disables bubbles and cracks in ice whose walls are thinner than these inclusions would be. */
 static void clear_thin_walls(struct setup_scene *options, const struct scene *scene,
                              bool is_verbose)
 {
@@ -294,8 +294,7 @@ static void note_blended(const struct setup_scene *options, const struct scene *
         offer_materials(options->name, &scene->model);
 }
 
-/* Logs a note that offers --up z if a file seems to lie on its side, unless its orientation is set.
- */
+/* Logs a note that offers --up z if a model seems to be Z-up and no orientation is given. */
 static void note_up_axis(const struct setup_scene *options, const struct scene *scene)
 {
     const struct model *model = &scene->model;

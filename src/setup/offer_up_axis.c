@@ -5,7 +5,8 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 
-/* Thickness of the layer above the lowest point that belongs to the base, in extents of the box. */
+/* Thickness of the slab above the lowest point that counts as the base, as a fraction of the
+ * bounding box along the axis. */
 #define BASE_THICKNESS 0.01f
 /* Least area of a base, relative to the bounding box seen along the axis. */
 #define BASE_AREA 0.1f

@@ -1,4 +1,5 @@
-/* test_air.c: air planes: density towards the centre, clipping to the ice, lighting. */
+/* test_air.c: planar layers of fine bubbles in ice (air planes): their density rises towards the
+ * centre, they are clipped to the ice, and they are lit. */
 #include <math.h>
 #include <stdlib.h>
 

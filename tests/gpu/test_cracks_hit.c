@@ -1,6 +1,6 @@
 /*
- * test_cracks_hit.c: cracks that rays of the refraction model bounce hit in a ball, and the light
- * along the reflected rays.
+ * test_cracks_hit.c: cracks in a ball as the refraction model `bounce` draws them: intersections
+ * and the radiance along reflected rays.
  */
 #include <cglm/struct.h>
 #include <math.h>

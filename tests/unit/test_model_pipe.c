@@ -228,7 +228,7 @@ static void model_comes_through(void **state)
     model_finish(&wanted);
 }
 
-/* A copy owns all of its arrays, and is sent as the same bytes but for the pointers. */
+/* A copy owns its arrays. Its message in the pipe is bit-identical except for pointers. */
 static void models_are_copied(void **state)
 {
     (void)state;

@@ -70,7 +70,8 @@ static bool is_right(const struct rg_plan *plan, const struct rg_compile_params 
     return hazard_check(plan, params, report) == 0;
 }
 
-/* What plans with and without aliasing promise of each other. */
+/* Returns true if the plans with and without aliasing are valid, have equally many barrier batches,
+ * and aliasing takes no more memory. */
 static bool is_shared_well(const struct rg_compile_params *params, FILE *report)
 {
     struct rg_plan *plans[2];
@@ -104,7 +105,8 @@ static size_t dump(const struct rg_plan *plan, char *text, size_t size)
     return length < 0 ? 0 : (size_t)length;
 }
 
-/* The same plan, in memory of the caller's: nothing, too little, and all that it takes. */
+/* Returns true if compiling into the caller's memory gives the same plan: with none, too little,
+ * and exactly enough memory. */
 static bool is_same_in_arena(const struct rg_plan *plan, const struct rg_compile_params *params,
                              uint64_t seed, FILE *report)
 {

@@ -19,7 +19,7 @@
 #include "src/tech/output/ray_layers.h"
 
 enum {
-    CROSSINGS_MAX = 4096, /* surfaces tested along a straight ray */
+    CROSSINGS_MAX = 4096, /* surfaces tested along an unrefracted camera ray */
     PLANES_MAX = sizeof(struct ray_layer_values) / sizeof(float),
     NEIGHBOURS = 4,
 };
@@ -157,7 +157,7 @@ void ray_layer_tracer_destroy(struct ray_layer_tracer *tracer)
     free(tracer);
 }
 
-/* ---- straight ray ---- */
+/* ---- unrefracted camera ray ---- */
 
 static bool is_surface(const struct job *job, const struct embree_scene_hit *hit)
 {

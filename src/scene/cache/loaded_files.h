@@ -30,7 +30,8 @@ bool loaded_files_copy_model(const struct loaded_files *files, const char *name,
 void loaded_files_keep_model(struct loaded_files *files, const char *name, enum model_role role,
                              const struct model_pose *pose, const struct model *model);
 
-/* The same for the environment, without turn and exposure. */
+/* Copies or keeps the environment map without its rotation and exposure, as the functions above do
+ * the model. */
 bool loaded_files_copy_environment(const struct loaded_files *files, const char *name,
                                    struct environment *environment);
 void loaded_files_keep_environment(struct loaded_files *files, const char *name,

@@ -74,7 +74,8 @@ static char *local_name(const struct model_import *import, const char *path)
     return strdup(strncmp(path, import->path, folder) == 0 ? path + folder : path);
 }
 
-/* Opens a file within the model's folder, or records its name in *import and returns NULL. */
+/* Opens a file within the model's folder for reading. If the path leaves the folder or cannot be
+ * opened, stores the path in *import and returns NULL. */
 static FILE *open_inside(struct model_import *import, const char *path)
 {
     FILE *file = NULL;

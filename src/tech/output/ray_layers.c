@@ -21,7 +21,7 @@ static const struct frame_layer layers[] = {
                     "depths.6", "depths.7" },
         VALUE(depths),
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance along the view axis of the first 8 surfaces on the straight ray, front "
+        .help = "distance along the view axis of the first 8 surfaces on the camera ray, front "
                 "and back faces, metres; 1e10 past the last one",
     },
     {

@@ -1,12 +1,12 @@
 /* ray_layers.h: values of layers that the CPU traces through pixel centres, with all refraction
- * models: ordered surfaces along the straight ray, and the end of the refracted path. */
+ * models: ordered surfaces along the unrefracted camera ray, and the end of the refracted path. */
 #ifndef FIRN_TECH_OUTPUT_RAY_LAYERS_H
 #define FIRN_TECH_OUTPUT_RAY_LAYERS_H
 
 #include "shaders/abi.h"
 
 enum {
-    RAY_LAYER_SURFACES = 8, /* maximum number of surfaces along a straight ray */
+    RAY_LAYER_SURFACES = 8, /* maximum number of surfaces along a camera ray */
     RAY_LAYER_RANKS = 4,    /* of a Cryptomatte: pairs of an ID and its coverage */
 };
 
@@ -19,10 +19,10 @@ enum ray_layer_boundary {
 
 /* Values of a pixel. The layers' `first_channel` counts floats from the beginning. */
 struct ray_layer_values {
-    /* Surfaces of objects and surroundings along the straight ray, front to back. Skips holes, and
-     * blended surfaces with alpha below 0.5. */
+    /* Surfaces of objects and surroundings along the unrefracted camera ray, front to back. Skips
+     * texels that alpha masks cut out, and blended surfaces with alpha below 0.5. */
     float depths[RAY_LAYER_SURFACES];  /* view depth, metres; 1e10 past the last one */
-    float objects[RAY_LAYER_SURFACES]; /* numbers of layer `object`; 0 past the last one */
+    float objects[RAY_LAYER_SURFACES]; /* object IDs of layer `object`; 0 past the last */
     /* the first surface */
     float material; /* index into model.materials + 1; 0 if there is none */
     float class_id; /* material.class_id */
