@@ -353,7 +353,7 @@ class Scenes(Case):
         (self.folder / 'a.obj').write_text('mtllib gone.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\n'
                                            'f 1 2 3\n')
         self.assertEqual(self.succeed('graph', 'a.obj', '-q', env=NO_DRIVER).stderr,
-                         b'firn: warning: a.obj: refers to gone.mtl, which does not exist; its '
+                         b'firn: warning: a.obj: refers to gone.mtl: file not found; its '
                          b'materials are left out\n')
         head = ('ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
                 'property float z\n')

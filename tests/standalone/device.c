@@ -107,6 +107,11 @@ int lavapipe_open(void **state)
     return gpu && gpu_create(gpu, &params) == STATUS_OK ? 0 : -1;
 }
 
+int lavapipe_open_for_timelines(void **state)
+{
+    return lavapipe_open(state);
+}
+
 int lavapipe_close(void **state)
 {
     gpu_destroy(*state);
