@@ -164,8 +164,12 @@ class Panels(PanelsCase):
         """Clicks on the heading of a group until a row of it shows, or does not."""
         def is_so():  # while a list is open, nothing else can be used, headings neither
             return self.control(group) and bool(self.control(row)) == shown
-        wait_until(f'{group}, {row}', is_so, self.words,
-                   act=lambda: is_so() or self.click(window, group))
+
+        def click():
+            self.at_rest(window)  # while a list closes, the row is missing
+            if not is_so():
+                self.click(window, group)
+        wait_until(f'{group}, {row}', is_so, self.words, act=click)
 
     def test_objects_are_selected_and_changed(self):
         """By a click in the image and by the list; what changes them can be undone."""
