@@ -147,7 +147,8 @@ RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkRes
  */
 RG_API VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params);
 
-/* Waits for all submitted frames and frees everything. NULL is allowed. */
+/* Waits for all submitted frames, and until all queues of a plan with several are idle, and frees
+ * everything. NULL is allowed. */
 RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* ---- a frame ---- */

@@ -216,6 +216,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
         .slots = former.slots,
         .frame = former.frame,
         .parity = former.parity,
+        .timeline = former.timeline,
         .objects = former.objects,
         .former = former.unshared,
         .plan_number = former.plan_number + 1,
@@ -255,6 +256,7 @@ void rg_exec_destroy(struct rg_exec *exec)
         if (exec->slots[i].submitted) /* also if the device is lost */
             (void)wait_fence(exec, &exec->slots[i]);
     }
+    rg_exec_wait_for_queues(exec);
     rg_exec_free_objects(exec);
     free(exec->slots);
     free(exec);

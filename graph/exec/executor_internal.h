@@ -316,6 +316,9 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 
 /* queues.c: frames that are submitted to several queues */
 VkResult rg_exec_make_queues(struct rg_exec *exec);
+/* Waits until the queues with timeline semaphores are idle. Fences alone do not suffice for
+ * lavapipe: it locks the semaphores of a submission once more after it has signalled the fence. */
+void rg_exec_wait_for_queues(const struct rg_exec *exec);
 VkResult rg_exec_submit_queues(struct rg_exec *exec, const struct rg_frame *frame);
 
 /* pipelines.c */

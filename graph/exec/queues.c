@@ -1,7 +1,7 @@
 /* queues.c: submits the passes of a frame to several queues, ordered by timeline semaphores. */
 #include "graph/exec/executor_internal.h"
 
-/* Creates a timeline semaphore and a command pool for a queue. */
+/* Creates a timeline semaphore, which later plans share, and a command pool for a queue. */
 static VkResult make_queue(struct rg_exec *exec, enum rg_queue queue, VkCommandPool *pool)
 {
     const VkSemaphoreTypeCreateInfo timeline = {
@@ -9,6 +9,7 @@ static VkResult make_queue(struct rg_exec *exec, enum rg_queue queue, VkCommandP
         .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE,
     };
     VkResult result;
+    RG_KEY(exec, queue);
     RG_MAKE(exec, NULL, SEMAPHORE, CreateSemaphore, &exec->timelines[queue],
             &(VkSemaphoreCreateInfo){ .sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
                                       .pNext = &timeline });
@@ -52,6 +53,14 @@ VkResult rg_exec_make_queues(struct rg_exec *exec)
     }
 fail:
     return result;
+}
+
+void rg_exec_wait_for_queues(const struct rg_exec *exec)
+{
+    for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++) {
+        if (exec->timelines[i])
+            (void)exec->vk.QueueWaitIdle(rg_exec_queue_of(exec, i).queue);
+    }
 }
 
 static VkSemaphoreSubmitInfo semaphore_info(const struct rg_exec *exec, enum rg_queue queue,

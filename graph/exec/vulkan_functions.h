@@ -32,8 +32,9 @@
     row(GetImageMemoryRequirements) row(GetPhysicalDeviceFeatures2) \
     row(GetPhysicalDeviceMemoryProperties) row(GetPhysicalDeviceProperties) \
     row(GetPhysicalDeviceQueueFamilyProperties) row(GetQueryPoolResults) \
-    row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(ResetFences) \
-    row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
+    row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(QueueWaitIdle) \
+    row(ResetFences) row(UnmapMemory) row(UpdateDescriptorSets) \
+    row(WaitForFences)
 
 /* Functions that are NULL without VK_EXT_debug_utils. */
 #define RG_FUNCTIONS_OPTIONAL(row) \
