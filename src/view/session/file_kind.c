@@ -18,7 +18,7 @@ static bool has_panorama_shape(const struct image_header *head)
 
 /* Classifies a PNG file: a preset if it contains settings written by firn, otherwise an image. */
 static enum status classify_png(const char *path, const struct reader_params *reader,
-                                enum file_kind *kind)
+                                enum opened_kind *kind)
 {
     struct image_header head;
     const enum status status = image_reader_check(&head, path, reader);
@@ -29,7 +29,7 @@ static enum status classify_png(const char *path, const struct reader_params *re
 }
 
 static enum status classify_image(const char *path, const struct reader_params *reader,
-                                  enum file_kind *kind)
+                                  enum opened_kind *kind)
 {
     struct image_reader *image_reader;
     struct image_header head;
@@ -42,7 +42,7 @@ static enum status classify_image(const char *path, const struct reader_params *
 }
 
 enum status file_kind_detect(const char *path, const struct reader_params *reader,
-                             enum file_kind *kind)
+                             enum opened_kind *kind)
 {
     if (scene_is_environment(path))
         *kind = FILE_KIND_ENVIRONMENT;

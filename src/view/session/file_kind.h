@@ -4,7 +4,7 @@
 
 #include "src/file/reader_process.h"
 
-enum file_kind {
+enum opened_kind {
     FILE_KIND_MODEL,       /* model file or scene name (default) */
     FILE_KIND_ENVIRONMENT, /* panorama file or built-in environment */
     FILE_KIND_IMAGE,       /* an image to compare with */
@@ -18,6 +18,6 @@ enum file_kind {
  * the aspect ratio of a panorama. Image files are read in a reader process (see reader_process.h
  * for errors); *kind is set only on success. */
 MUST_USE enum status file_kind_detect(const char *path, const struct reader_params *reader,
-                                      enum file_kind *kind);
+                                      enum opened_kind *kind);
 
 #endif

@@ -11,7 +11,7 @@ struct opening {
     const char *path;
     const struct setup_scene *scene; /* options for the scene that is open; NULL: another file */
     const char *change;              /* how `scene` differs from the options in use */
-    enum file_kind kind;
+    enum opened_kind kind;
 };
 
 static enum status detect_kind(void *user)
