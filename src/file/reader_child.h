@@ -32,9 +32,8 @@ bool reader_child_wait(const struct reader_child *child, double seconds,
 size_t reader_child_read(struct reader_child *child, enum reader_child_pipe pipe, void *bytes,
                          size_t size);
 
-/* Returns the child's CPU time and, on Linux, the time that it waited for a core, so that a busy
- * machine does not make it look idle; the last known ones if it has ended. */
-double reader_child_active_seconds(struct reader_child *child);
+/* Returns the child's CPU time, or the last known one if it has ended. */
+double reader_child_cpu_seconds(struct reader_child *child);
 
 /* The end of a child. All members are 0 if that is unknown. */
 struct reader_child_end {

@@ -5,7 +5,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -24,7 +23,7 @@ enum {
 struct reader_child {
     pid_t process;
     int pipes[READER_CHILD_PIPE_COUNT]; /* read ends, or -1 */
-    double active_seconds;              /* last known */
+    double cpu_seconds;                 /* last known */
     bool stays_dumpable;
 };
 
@@ -210,29 +209,13 @@ size_t reader_child_read(struct reader_child *child, enum reader_child_pipe pipe
     return 0;
 }
 
-/* Returns the time that a process waited for a core, as Linux counts it; 0 if it does not. */
-static double run_delay_seconds(pid_t process)
-{
-    char path[64];
-    double nanoseconds = 0.0;
-    snprintf(path, sizeof(path), "/proc/%ld/schedstat", (long)process);
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return 0.0;
-    if (fscanf(file, "%*s %lf", &nanoseconds) != 1)
-        nanoseconds = 0.0;
-    fclose(file);
-    return 1e-9 * nanoseconds;
-}
-
-double reader_child_active_seconds(struct reader_child *child)
+double reader_child_cpu_seconds(struct reader_child *child)
 {
     clockid_t clock;
     struct timespec used;
     if (clock_getcpuclockid(child->process, &clock) == 0 && clock_gettime(clock, &used) == 0)
-        child->active_seconds =
-            (double)used.tv_sec + 1e-9 * (double)used.tv_nsec + run_delay_seconds(child->process);
-    return child->active_seconds;
+        child->cpu_seconds = (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+    return child->cpu_seconds;
 }
 
 struct reader_child_end reader_child_finish(struct reader_child *child)

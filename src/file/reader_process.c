@@ -22,7 +22,7 @@ struct reader {
     const char *path;
     struct reader_child *child; /* NULL once it has ended */
     double deadline;            /* monotonic clock, seconds; extended on progress */
-    double active_seconds;      /* child's active time at `deadline`'s update */
+    double cpu_seconds;         /* child's CPU time at `deadline`'s update */
     double waited;              /* seconds spent waiting for data */
     double received;            /* bytes */
     bool is_idle;               /* deadline missed without progress */
@@ -104,28 +104,27 @@ static void receive_stderr(struct reader *reader)
     }
 }
 
-/* Returns true if the child missed its deadline. A child that was active gets a new deadline. */
+/* Returns true if the child missed its deadline. A child that used CPU time gets a new deadline. */
 static bool is_idle(struct reader *reader)
 {
     if (clock_seconds() < reader->deadline)
         return false;
-    const double active_seconds = reader_child_active_seconds(reader->child);
-    if (active_seconds <= reader->active_seconds)
+    const double cpu_seconds = reader_child_cpu_seconds(reader->child);
+    if (cpu_seconds <= reader->cpu_seconds)
         return true;
-    reader->active_seconds = active_seconds;
+    reader->cpu_seconds = cpu_seconds;
     reader->deadline = clock_seconds() + reader->params.idle_seconds;
     return false;
 }
 
-/* Returns true if the total waiting time is too long for the time that the child was active and the
+/* Returns true if the total waiting time is too long for the CPU time that the child used and the
  * data that it sent. This ends children that send single bytes, which are never idle. */
 static bool is_slow(const struct reader *reader)
 {
     const double idle_seconds = reader->params.idle_seconds;
-    const double active_seconds = reader_child_active_seconds(reader->child);
+    const double cpu_seconds = reader_child_cpu_seconds(reader->child);
     return reader->waited > idle_seconds &&
-           reader->waited >
-               idle_seconds * (1.0 + active_seconds + reader->received / PATIENCE_SIZE);
+           reader->waited > idle_seconds * (1.0 + cpu_seconds + reader->received / PATIENCE_SIZE);
 }
 
 /* Waits until a pipe has data or reaches its end. Returns false if the child makes no progress in
