@@ -32,8 +32,10 @@ bool reader_child_wait(const struct reader_child *child, double seconds,
 size_t reader_child_read(struct reader_child *child, enum reader_child_pipe pipe, void *bytes,
                          size_t size);
 
-/* Returns the child's CPU time, or the last known one if it has ended. */
-double reader_child_cpu_seconds(struct reader_child *child);
+/* Returns the child's CPU time plus the time for which its main thread waited for a core, or the
+ * last known sum if it has ended. Some systems do not tell the waiting time, which then counts as
+ * 0. */
+double reader_child_busy_seconds(struct reader_child *child);
 
 /* The end of a child. All members are 0 if that is unknown. */
 struct reader_child_end {

@@ -2,9 +2,12 @@
 #define _GNU_SOURCE /* environ, pipe2, posix_spawn_file_actions_addclosefrom_np, prctl */
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -23,7 +26,7 @@ enum {
 struct reader_child {
     pid_t process;
     int pipes[READER_CHILD_PIPE_COUNT]; /* read ends, or -1 */
-    double cpu_seconds;                 /* last known */
+    double busy_seconds;                /* last known */
     bool stays_dumpable;
 };
 
@@ -209,13 +212,31 @@ size_t reader_child_read(struct reader_child *child, enum reader_child_pipe pipe
     return 0;
 }
 
-double reader_child_cpu_seconds(struct reader_child *child)
+/* Returns the time for which the child's main thread was runnable but did not run, from the second
+ * number of Linux's schedstat file. Returns 0 if there is no such file. */
+static double waiting_seconds(const struct reader_child *child)
+{
+    char path[64];
+    uint64_t ran, waited = 0;
+    (void)snprintf(path, sizeof(path), "/proc/%jd/schedstat", (intmax_t)child->process);
+    FILE *file = fopen(path, "re");
+    if (file && fscanf(file, "%" SCNu64 " %" SCNu64, &ran, &waited) != 2)
+        waited = 0;
+    if (file)
+        fclose(file);
+    return 1e-9 * (double)waited;
+}
+
+double reader_child_busy_seconds(struct reader_child *child)
 {
     clockid_t clock;
     struct timespec used;
-    if (clock_getcpuclockid(child->process, &clock) == 0 && clock_gettime(clock, &used) == 0)
-        child->cpu_seconds = (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
-    return child->cpu_seconds;
+    if (clock_getcpuclockid(child->process, &clock) == 0 && clock_gettime(clock, &used) == 0) {
+        const double seconds =
+            (double)used.tv_sec + 1e-9 * (double)used.tv_nsec + waiting_seconds(child);
+        child->busy_seconds = fmax(child->busy_seconds, seconds);
+    }
+    return child->busy_seconds;
 }
 
 struct reader_child_end reader_child_finish(struct reader_child *child)

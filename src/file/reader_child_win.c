@@ -227,7 +227,7 @@ static double seconds_of(FILETIME time)
     return ((double)time.dwHighDateTime * 0x1p32 + (double)time.dwLowDateTime) * 1e-7;
 }
 
-double reader_child_cpu_seconds(struct reader_child *child)
+double reader_child_busy_seconds(struct reader_child *child)
 {
     FILETIME begin, end, kernel, user;
     return GetProcessTimes(child->process, &begin, &end, &kernel, &user)

@@ -13,8 +13,8 @@ enum {
     NO_PROGRAM = 127, /* dynamic loader's exit code: missing library */
 };
 
-/* Number of received bytes that extends the time limit as much as a second of the child's CPU
- * time. */
+/* Number of received bytes that extends the time limit as much as a second for which the child is
+ * busy. */
 #define PATIENCE_SIZE 0x1p26
 
 struct reader {
@@ -22,7 +22,7 @@ struct reader {
     const char *path;
     struct reader_child *child; /* NULL once it has ended */
     double deadline;            /* monotonic clock, seconds; extended on progress */
-    double cpu_seconds;         /* child's CPU time at `deadline`'s update */
+    double busy_seconds;        /* reader_child_busy_seconds() at `deadline`'s update */
     double waited;              /* seconds spent waiting for data */
     double received;            /* bytes */
     bool is_idle;               /* deadline missed without progress */
@@ -104,27 +104,29 @@ static void receive_stderr(struct reader *reader)
     }
 }
 
-/* Returns true if the child missed its deadline. A child that used CPU time gets a new deadline. */
+/* Returns true if the child missed its deadline. A child that ran or waited for a core gets a new
+ * deadline. */
 static bool is_idle(struct reader *reader)
 {
     if (clock_seconds() < reader->deadline)
         return false;
-    const double cpu_seconds = reader_child_cpu_seconds(reader->child);
-    if (cpu_seconds <= reader->cpu_seconds)
+    const double busy_seconds = reader_child_busy_seconds(reader->child);
+    if (busy_seconds <= reader->busy_seconds)
         return true;
-    reader->cpu_seconds = cpu_seconds;
+    reader->busy_seconds = busy_seconds;
     reader->deadline = clock_seconds() + reader->params.idle_seconds;
     return false;
 }
 
-/* Returns true if the total waiting time is too long for the CPU time that the child used and the
+/* Returns true if the total waiting time is too long for the time that the child was busy and the
  * data that it sent. This ends children that send single bytes, which are never idle. */
 static bool is_slow(const struct reader *reader)
 {
     const double idle_seconds = reader->params.idle_seconds;
-    const double cpu_seconds = reader_child_cpu_seconds(reader->child);
-    return reader->waited > idle_seconds &&
-           reader->waited > idle_seconds * (1.0 + cpu_seconds + reader->received / PATIENCE_SIZE);
+    if (reader->waited <= idle_seconds)
+        return false;
+    const double busy_seconds = reader_child_busy_seconds(reader->child);
+    return reader->waited > idle_seconds * (1.0 + busy_seconds + reader->received / PATIENCE_SIZE);
 }
 
 /* Waits until a pipe has data or reaches its end. Returns false if the child makes no progress in
