@@ -62,7 +62,7 @@ WINDOW = ('vkAcquireNextImageKHR', 'vkCreateSemaphore', 'vkCreateSwapchainKHR',
 LOADERS = {'vkEnumerateInstanceExtensionProperties', 'vkSetDebugUtilsObjectNameEXT',
            'vkCreateDebugUtilsMessengerEXT'}
 # What the graph can do, and nothing that firn draws makes it do.
-GRAPHS_ALONE = {'vkCreateAccelerationStructureKHR'}
+GRAPHS_ALONE = {'vkCreateAccelerationStructureKHR', 'vkQueueWaitIdle'}
 
 # Every kind of call is among those of an empty sphere.
 SMALL = ('--size', '32x24', *PLAIN, '--background', '0.4,0.5,0.6', '-o', 'a.exr')
