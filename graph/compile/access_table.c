@@ -136,24 +136,6 @@ struct access rg_boundary_access(struct resource *r, enum rg_access kind)
     return a;
 }
 
-#define KIND_BIT(kind) (1u << (kind))
-#define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
-
-/* Kinds of pass that support each access, as bit masks of enum rg_kind. */
-static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
-    [RG_SAMPLED] = BY_SHADERS,
-    [RG_STORAGE_READ] = BY_SHADERS,
-    [RG_STORAGE_WRITE] = BY_SHADERS,
-    [RG_STORAGE_READ_WRITE] = BY_SHADERS,
-    [RG_UNIFORM] = BY_SHADERS,
-    [RG_TRACE] = BY_SHADERS,
-    [RG_VERTEX] = KIND_BIT(RG_RASTER),
-    [RG_INDEX] = KIND_BIT(RG_RASTER),
-    [RG_INDIRECT] = BY_SHADERS,
-    [RG_COPY_SRC] = KIND_BIT(RG_TRANSFER),
-    [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
-};
-
 static const VkShaderStageFlags stages_of_kind[] = {
     [RG_RASTER] = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
     [RG_COMPUTE] = VK_SHADER_STAGE_COMPUTE_BIT,
@@ -166,9 +148,16 @@ static enum rg_kind kind_of(const struct rg_pass *pass)
     return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
 }
 
+VkPipelineStageFlags2 rg_pipeline_stages(VkShaderStageFlags shaders)
+{
+    return (shaders & VK_SHADER_STAGE_VERTEX_BIT ? STAGE(VERTEX_SHADER) : 0) |
+           (shaders & VK_SHADER_STAGE_FRAGMENT_BIT ? STAGE(FRAGMENT_SHADER) : 0) |
+           (shaders & VK_SHADER_STAGE_COMPUTE_BIT ? STAGE(COMPUTE_SHADER) : 0);
+}
+
 VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use)
 {
-    VkPipelineStageFlags2 stages = rg_access_table[use->access].stages;
+    const VkPipelineStageFlags2 stages = rg_access_table[use->access].stages;
     VkShaderStageFlags shaders = use->stages;
     if (stages)
         return stages;
@@ -176,13 +165,8 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
         shaders = VK_SHADER_STAGE_FRAGMENT_BIT;
     else if (!shaders)
         shaders = stages_of_kind[kind_of(pass)];
-    stages |= shaders & VK_SHADER_STAGE_VERTEX_BIT ? STAGE(VERTEX_SHADER) : 0;
-    stages |= shaders & VK_SHADER_STAGE_FRAGMENT_BIT ? STAGE(FRAGMENT_SHADER) : 0;
-    stages |= shaders & VK_SHADER_STAGE_COMPUTE_BIT ? STAGE(COMPUTE_SHADER) : 0;
-    return stages;
+    return rg_pipeline_stages(shaders);
 }
-
-static const char texels_problem[] = "texels: expected a storage buffer access";
 
 static const char *buffer_problem(const struct rg_use *use, const struct rg_access_info *info)
 {
@@ -190,8 +174,6 @@ static const char *buffer_problem(const struct rg_use *use, const struct rg_acce
         return "this access is for images only";
     if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
         return "the CPU writes this buffer; a pass may only read it";
-    if (use->texels && !(info->buffer_usage & BUFFER(STORAGE_BUFFER)))
-        return texels_problem;
     if ((use->access == RG_SAMPLED || use->texels) && !rg_format_info(use->buffer->format))
         return "set the buffer's texel format (graph/compile/format_table.c)";
     if (use->sampler)
@@ -199,18 +181,28 @@ static const char *buffer_problem(const struct rg_use *use, const struct rg_acce
     return NULL;
 }
 
+/* Returns true if a kind of pass supports an access of its `uses`. */
+static bool supports_use(enum rg_kind kind, enum rg_access access)
+{
+    if (access == RG_VERTEX || access == RG_INDEX)
+        return kind == RG_RASTER;
+    if (access == RG_COPY_SRC || access == RG_COPY_DST)
+        return kind == RG_TRANSFER;
+    return kind != RG_TRANSFER && (rg_is_shader_access(access) || access == RG_INDIRECT);
+}
+
 const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use)
 {
     const struct rg_access_info *info = &rg_access_table[use->access];
     const char *problem;
-    if (!(kinds_of_use[use->access] & KIND_BIT(kind_of(pass))))
+    if (!supports_use(kind_of(pass), use->access))
         return "this kind of pass cannot have this access; targets go into .color and .depth";
     if (use->stages & ~stages_of_kind[kind_of(pass)])
         return "stages: expected only those of the pass's shaders";
     if (use->image && !info->image_usage)
         return "this access is for buffers only";
-    if (use->image && use->texels)
-        return texels_problem;
+    if (use->texels && (use->image || !(info->buffer_usage & BUFFER(STORAGE_BUFFER))))
+        return "texels: expected a storage buffer access";
     if (use->buffer && (problem = buffer_problem(use, info)))
         return problem;
     if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||

@@ -11,7 +11,8 @@
  *
  * A batch is one vkCmdPipelineBarrier2 before a pass. A barrier may be recorded between its release
  * (when the accesses that it waits for are recorded) and its deadline (the pass that waits for it).
- * Greedy interval stabbing, in the order of deadlines: a barrier joins the latest batch unless that
+ * Greedy interval stabbing, in the order of deadlines (Cormen et al., "Introduction to Algorithms",
+ * activity selection): a barrier joins the latest batch unless that
  * precedes its release, else it opens one at its deadline. This gives the fewest batches for this
  * order of passes.
  *
@@ -203,7 +204,7 @@ static void simulate_frame(struct compiler *c, bool only_pairs)
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
-        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+        for (uint32_t i = 0; i < pass->access_count; i++) {
             if (a[i].resource->persistent && (a[i].resource->partner || !only_pairs))
                 simulate_access(c, &a[i]);
         }
@@ -273,10 +274,9 @@ static void share_history_barriers(struct compiler *c, bool is_complete)
     }
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
-        const struct access *first = &c->accesses[pass->first_access];
-        const struct access *end = first + (pass->alive ? pass->access_count : 0);
-        for (const struct access *a = first; a < end; a++)
-            share_history_barrier(c, a, is_complete);
+        const struct access *a = &c->accesses[pass->first_access];
+        for (uint32_t i = 0; i < pass->access_count; i++)
+            share_history_barrier(c, &a[i], is_complete);
     }
 }
 
@@ -303,15 +303,6 @@ static void begin_next_frame(struct compiler *c)
     }
 }
 
-static void begin_persistent(struct compiler *c)
-{
-    for (int i = 0; i < 2; i++) { /* twice, since a history starts as its partner ends */
-        simulate_frame(c, i > 0);
-        share_history_barriers(c, false);
-        begin_next_frame(c);
-    }
-}
-
 static void begin_cells(struct compiler *c)
 {
     for (uint32_t i = 0; i < c->boundary_count; i++) {
@@ -319,8 +310,12 @@ static void begin_cells(struct compiler *c)
         for (uint32_t k = 0; k < r->cell_count && r->import != RG_NONE; k++)
             r->cells[k] = import_state(c, r);
     }
-    if (c->persistent_count)
-        begin_persistent(c);
+    /* twice, since a history starts as its partner ends */
+    for (int i = 0; i < 2 && c->persistent_count; i++) {
+        simulate_frame(c, i > 0);
+        share_history_barriers(c, false);
+        begin_next_frame(c);
+    }
 }
 
 /* ---- batches ---- */
@@ -490,11 +485,9 @@ static void add_barriers(struct compiler *c, const struct access *a, uint32_t pa
 static void end_resource(struct compiler *c, struct resource *r)
 {
     bool restores_import = r->output == RG_NONE && r->import != RG_NONE;
-    enum rg_access access = RG_ACCESS_NONE;
-    if (restores_import)
-        access = c->params->imports[r->import].access;
-    else if (r->output != RG_NONE)
-        access = c->params->outputs[r->output].access;
+    enum rg_access access = r->output != RG_NONE ? c->params->outputs[r->output].access
+                            : restores_import    ? c->params->imports[r->import].access
+                                                 : RG_ACCESS_NONE;
     if (access == RG_ACCESS_NONE)
         return;
     const struct access a = rg_boundary_access(r, access);
@@ -642,34 +635,22 @@ static void join_all(struct compiler *c)
 void rg_write_plan_passes(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
-    uint32_t index = 0;
-    struct rg_culled *culled =
-        ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count - plan->pass_count);
     c->uses = ARENA_ARRAY(c->arena, struct rg_plan_use, c->access_count);
     c->colors = ARENA_ARRAY(c->arena, struct rg_plan_target, c->color_count);
     begin_cells(c);
     if (c->has_queues)
         submit(c, 0, 0);
     for (uint32_t p = 0; p < c->pass_count && !c->arena->failed; p++) {
-        const struct rg_plan_pass *pass = &c->plan_passes[p];
-        if (!c->passes[p].alive) {
-            culled[plan->culled_count++] = (struct rg_culled){ pass->pass, pass->repetition };
-            continue;
-        }
-        if (index < p)
-            c->plan_passes[index] = *pass;
         c->queue = c->passes[p].queue;
         for (uint32_t i = 0; i < RG_QUEUE_COUNT; i++)
             c->waits[i] = 0;
-        write_pass(c, &c->passes[p], index);
+        write_pass(c, &c->passes[p], p);
         if (c->has_queues)
-            submit(c, index, 1);
-        index++;
+            submit(c, p, 1);
     }
     plan->passes = c->plan_passes;
     plan->uses = c->uses;
     plan->colors = c->colors;
-    plan->culled = culled;
     plan->fallbacks = c->fallbacks;
     plan->fallback_count = c->fallback_count;
     if (c->has_queues)

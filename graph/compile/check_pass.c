@@ -247,15 +247,10 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
     }
 }
 
-static void check_shader(struct compiler *c, const struct rg_shader *shader)
-{
-    if (shader)
-        RG_CHECK_TABLE(c, shader, words, word_count, RG_MAX_ROWS, shader->name);
-}
-
 static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
     const struct rg_target *depth = &pass->depth;
+    const struct rg_shader *const shaders[] = { pass->vert, pass->frag, pass->comp };
     RG_CHECK_ENUM(c, pass, kind, RG_TRANSFER, NULL, "enum rg_kind");
     RG_CHECK_ENUM(c, pass, queue, RG_QUEUE_TRANSFER, NULL, "enum rg_queue");
     rg_fault_if(
@@ -278,9 +273,10 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
         rg_fault_if(c, depth->load == RG_LOAD_CLEAR && !(clear >= 0.0f && clear <= 1.0f),
                     RG_ERROR_VALUE, depth->image->name, "clear: expected a depth from 0 to 1");
     }
-    check_shader(c, pass->vert);
-    check_shader(c, pass->frag);
-    check_shader(c, pass->comp);
+    for (uint32_t i = 0; i < 3; i++) {
+        if (shaders[i])
+            RG_CHECK_TABLE(c, shaders[i], words, word_count, RG_MAX_ROWS, shaders[i]->name);
+    }
     check_vertices(c, pass->vertices);
     check_depth(c, pass);
     rg_fault_if(c, pass->layers > RG_MAX_LAYERS, RG_ERROR_VALUE, NULL,

@@ -16,14 +16,10 @@
  *    compilers (Kildall, "A Unified Approach to Global Program Optimization", POPL 1973), to a
  *    fixed point, because persistent content is live in the next frame.
  * 4. Lifetimes and memory requirements (memory_requirements.c).
- * 5. Barriers (barriers.c): a state machine per cell after the Vulkan specification,
- *    chapter "Synchronization and Cache Control". A barrier has a release and a deadline; stabbing
- *    these intervals greedily by deadline gives the fewest batches (Cormen et al., "Introduction to
- *    Algorithms", activity selection). If passes run on several queues, a cell has a home queue;
- *    crossing to another one waits for a timeline semaphore instead, which divides submissions.
- * 6. Memory (pack_memory.c): dynamic storage allocation, first-fit by several orders, then squeaky
- *    wheel optimization (Joslin and Clements, JAIR 10, 1999), until a block reaches its lower
- *    bound, the peak of live bytes.
+ * 5. Barriers (barriers.c): a state machine per cell, and greedy interval stabbing for the fewest
+ *    batches. If passes run on several queues, a cell has a home queue; crossing to another one
+ *    waits for a timeline semaphore instead, which divides submissions.
+ * 6. Memory (pack_memory.c): dynamic storage allocation.
  * 7. Aliases (alias_dependencies.c): the first access to memory waits for its previous owners.
  *    Stage 6 only aliases where stage 5 has made a batch that can carry this barrier.
  */
@@ -35,14 +31,6 @@ struct owned_plan {
     struct arena arena;
 };
 
-/* Reserves hash table slots in advance, to avoid copying as the tables grow. */
-static void reserve(struct compiler *c)
-{
-    rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
-    rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
-    rg_map_reserve(c->arena, &c->pass_names, c->row_count);
-}
-
 static bool failed(const struct compiler *c)
 {
     return c->arena->failed || c->fault_count;
@@ -53,7 +41,10 @@ static void run(struct compiler *c)
 {
     if (!rg_check_params(c))
         return;
-    reserve(c);
+    /* so that the tables are not copied as they grow */
+    rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
+    rg_map_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
+    rg_map_reserve(c->arena, &c->pass_names, c->row_count);
     if (c->arena->failed)
         return;
     rg_add_boundary(c);
@@ -62,7 +53,6 @@ static void run(struct compiler *c)
         return;
     rg_cull(c);
     rg_find_lifetimes(c);
-    rg_check_formats(c);
     rg_list_resources(c);
     if (failed(c))
         return;

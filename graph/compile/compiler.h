@@ -153,7 +153,7 @@ struct compiler {
     struct spirv modules[2];   /* its shaders */
 
     struct pass *passes;
-    struct rg_plan_pass *plan_passes; /* parallel to `passes`, until culled */
+    struct rg_plan_pass *plan_passes; /* parallel to `passes` */
     uint32_t pass_count, pass_room, plan_pass_room;
     struct access *accesses;
     uint32_t access_count, access_room;
@@ -262,6 +262,9 @@ static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
 
 /* Returns the access to an import before the frame, or to an output after the frame. */
 struct access rg_boundary_access(struct resource *r, enum rg_access kind);
+
+/* Returns the pipeline stages of shaders. */
+VkPipelineStageFlags2 rg_pipeline_stages(VkShaderStageFlags shaders);
 
 /* Returns the shader stages of a use: those declared, or the default for the kind of pass. */
 VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use);
@@ -396,6 +399,12 @@ static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
     return mip < 32 && side >> mip ? side >> mip : 1;
 }
 
+/* Returns the number of array layers of an image that is not an import with another number. */
+static inline uint32_t rg_declared_layers(const struct rg_image *image)
+{
+    return image->layers ? image->layers : image->cube ? 6 : 1;
+}
+
 /* Returns true if an image has the content of its `previous`, not its own. */
 static inline bool rg_is_history(const struct resource *r)
 {
@@ -411,12 +420,12 @@ struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image
 /* expand_passes.c: expands pass declarations to passes and accesses, and reports their faults. */
 void rg_expand(struct compiler *c);
 
-/* cull_passes.c: decides which passes are alive. */
+/* cull_passes.c: removes the passes that no output needs. */
 void rg_cull(struct compiler *c);
 
-/* memory_requirements.c: finds lifetimes and sizes, and lists the plan's images and buffers. */
+/* memory_requirements.c: finds lifetimes and sizes, checks that the device supports the accesses to
+ * formats, and lists the plan's images and buffers. */
 void rg_find_lifetimes(struct compiler *c);
-void rg_check_formats(struct compiler *c);
 void rg_list_resources(struct compiler *c);
 
 /* pack_memory.c: assigns each transient resource a memory block and an offset in it. */

@@ -75,68 +75,60 @@ static void check_output_memory(struct compiler *c, const struct resource *r)
                     "the CPU can only read RG_MEMORY_READBACK buffers");
 }
 
-static const char *image_problem(const struct compiler *c, const struct resource *r,
-                                 enum rg_error *error)
+/* Adds a fault of a resource if it is `wrong`. Returns `wrong`. */
+static bool has_fault(struct compiler *c, const struct resource *r, bool wrong, enum rg_error error,
+                      const char *hint)
 {
-    const VkImageSubresourceRange *all = &r->all;
+    if (wrong)
+        rg_fault_of(c, error, r->name, hint);
+    return wrong;
+}
+
+static bool is_bad_image(struct compiler *c, const struct resource *r)
+{
+    const struct rg_image *image = r->image;
+    const uint32_t layers = r->all.layerCount, mips = r->all.levelCount, samples = image->samples;
     uint32_t max_side =
         r->max_extent.width > r->max_extent.height ? r->max_extent.width : r->max_extent.height;
-    uint32_t samples = r->image->samples;
-    *error = RG_ERROR_FORMAT;
-    if (!r->format)
-        return "choose a format that the graph supports (graph/compile/format_table.c)";
-    *error = RG_ERROR_NO_SIZE;
-    if (!(r->image->scale >= 0.0f))
-        return "scale: expected a positive number";
-    *error = RG_ERROR_VALUE;
-    if (r->image->depth && (all->layerCount > 1 || r->image->cube || r->image->array ||
-                            r->image->samples > 1 || all->aspectMask != VK_IMAGE_ASPECT_COLOR_BIT))
-        return "depth: expected a colour format, one layer and one sample, no cube and no array";
-    *error = RG_ERROR_TOO_LARGE;
-    if (r->image->depth && (max_side > c->max_volume_size || r->depth > c->max_volume_size))
-        return "make it smaller: the device does not support 3D images of this size";
-    if (max_side > c->max_image_size || all->layerCount > c->max_layers)
-        return "make it smaller: the device does not support images of this size";
-    *error = RG_ERROR_CUBE;
-    if (r->image->cube && (all->layerCount % 6 || r->extent.width != r->extent.height))
-        return "a cube must be square and have a multiple of 6 layers";
-    *error = RG_ERROR_RANGE;
-    if (all->levelCount > 1 && all->levelCount > rg_full_chain(r->extent, r->depth))
-        return "mips: expected at most the full chain down to 1x1 (RG_ALL_MIPS)";
-    *error = RG_ERROR_SAMPLES;
-    if (samples > 64 || (samples & (samples - 1)))
-        return "samples: expected 1, 2, 4, 8, 16, 32 or 64";
-    if (samples > 1 && (all->levelCount > 1 || r->image->cube))
-        return "a multisampled image must have one mip level and be no cube";
-    return NULL;
+    return has_fault(c, r, !r->format, RG_ERROR_FORMAT,
+                     "choose a format that the graph supports (graph/compile/format_table.c)") ||
+           has_fault(c, r, !(image->scale >= 0.0f), RG_ERROR_NO_SIZE,
+                     "scale: expected a positive number") ||
+           has_fault(
+               c, r,
+               image->depth && (layers > 1 || image->cube || image->array || samples > 1 ||
+                                r->all.aspectMask != VK_IMAGE_ASPECT_COLOR_BIT),
+               RG_ERROR_VALUE,
+               "depth: expected a colour format, one layer and one sample, no cube and no array") ||
+           has_fault(c, r,
+                     image->depth &&
+                         (max_side > c->max_volume_size || r->depth > c->max_volume_size),
+                     RG_ERROR_TOO_LARGE,
+                     "make it smaller: the device does not support 3D images of this size") ||
+           has_fault(c, r, max_side > c->max_image_size || layers > c->max_layers,
+                     RG_ERROR_TOO_LARGE,
+                     "make it smaller: the device does not support images of this size") ||
+           has_fault(c, r, image->cube && (layers % 6 || r->extent.width != r->extent.height),
+                     RG_ERROR_CUBE, "a cube must be square and have a multiple of 6 layers") ||
+           has_fault(c, r, mips > 1 && mips > rg_full_chain(r->extent, r->depth), RG_ERROR_RANGE,
+                     "mips: expected at most the full chain down to 1x1 (RG_ALL_MIPS)") ||
+           has_fault(c, r, samples > 64 || (samples & (samples - 1)), RG_ERROR_SAMPLES,
+                     "samples: expected 1, 2, 4, 8, 16, 32 or 64") ||
+           has_fault(c, r, samples > 1 && (mips > 1 || image->cube), RG_ERROR_SAMPLES,
+                     "a multisampled image must have one mip level and be no cube");
 }
 
-static const char *buffer_problem(const struct resource *r, enum rg_error *error)
+static bool is_bad_buffer(struct compiler *c, const struct resource *r)
 {
-    *error = RG_ERROR_VALUE;
-    if ((unsigned)r->buffer->memory > RG_MEMORY_READBACK)
-        return "memory: expected a constant of enum rg_memory";
-    *error = RG_ERROR_NO_SIZE;
-    if (!r->size)
-        return "give the buffer a size";
-    *error = RG_ERROR_TOO_LARGE;
-    if (r->size == RG_SIZE_OVERFLOW || r->max_size == RG_SIZE_OVERFLOW)
-        return "make it smaller: it exceeds any memory";
-    *error = RG_ERROR_PERSISTENT;
-    if ((r->persistent || r->import != RG_NONE) && r->buffer->memory != RG_MEMORY_DEVICE)
-        return "persistent and imported buffers must be RG_MEMORY_DEVICE";
-    return NULL;
-}
-
-/* Checks a resource. If it is invalid, later stages handle it as having one layer and mip level. */
-static void check_resource(struct compiler *c, struct resource *r)
-{
-    enum rg_error error;
-    const char *problem = r->image ? image_problem(c, r, &error) : buffer_problem(r, &error);
-    if (!problem)
-        return;
-    rg_fault_of(c, error, r->name, problem);
-    r->all.layerCount = r->all.levelCount = 1;
+    const enum rg_memory memory = r->buffer->memory;
+    return has_fault(c, r, (unsigned)memory > RG_MEMORY_READBACK, RG_ERROR_VALUE,
+                     "memory: expected a constant of enum rg_memory") ||
+           has_fault(c, r, !r->size, RG_ERROR_NO_SIZE, "give the buffer a size") ||
+           has_fault(c, r, r->size == RG_SIZE_OVERFLOW || r->max_size == RG_SIZE_OVERFLOW,
+                     RG_ERROR_TOO_LARGE, "make it smaller: it exceeds any memory") ||
+           has_fault(c, r, memory != RG_MEMORY_DEVICE && (r->persistent || r->import != RG_NONE),
+                     RG_ERROR_PERSISTENT,
+                     "persistent and imported buffers must be RG_MEMORY_DEVICE");
 }
 
 /* ---- records ---- */
@@ -180,7 +172,7 @@ static void size_image(struct resource *r, const struct rg_image *image, const s
         c->params->max_view.width ? extent_of(c->params, image, c->max_view) : r->extent;
     r->depth = image->depth ? image->depth : 1;
     r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
-    r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
+    r->all.layerCount = rg_declared_layers(image);
     r->all.levelCount = image->mips == RG_ALL_MIPS ? rg_full_chain(r->extent, r->depth)
                         : image->mips              ? image->mips
                                                    : 1;
@@ -294,7 +286,8 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
         size_import(r, import);
     r->shared = !import && !r->persistent && (image || buffer->memory == RG_MEMORY_DEVICE);
     check_name(c, r);
-    check_resource(c, r);
+    if (image ? is_bad_image(c, r) : is_bad_buffer(c, r))
+        r->all.layerCount = r->all.levelCount = 1; /* so that later stages can handle it */
     add_cells(c, r, import);
     c->persistent_count += r->persistent;
     c->resources[c->resource_count++] = r;

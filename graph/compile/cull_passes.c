@@ -1,6 +1,4 @@
-/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. The
- * analysis is repeated until nothing changes, because only its end shows which persistent content
- * the next frame reads. */
+/* cull_passes.c: removes passes whose results no output needs, by backward liveness analysis. */
 #include "graph/compile/compiler.h"
 
 enum {
@@ -10,8 +8,7 @@ enum {
 /* Starts an iteration: marks outputs and persistent content of the next frame as needed. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
-    uint32_t count = round ? c->resource_count : c->boundary_count;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count; k++) {
             struct cell *cell = &r->cells[k];
@@ -59,16 +56,13 @@ static void mark_needed_content(const struct access *first, const struct access 
 
 static void cull_round(struct compiler *c)
 {
-    c->plan->pass_count = 0;
     for (uint32_t p = c->pass_count; p-- > 0;) {
         struct pass *pass = &c->passes[p];
         struct access *first = &c->accesses[pass->first_access];
         const struct access *end = first + pass->access_count;
         pass->alive = find_needed(first, end);
-        if (!pass->alive)
-            continue;
-        mark_needed_content(first, end);
-        c->plan->pass_count++;
+        if (pass->alive)
+            mark_needed_content(first, end);
     }
 }
 
@@ -88,6 +82,24 @@ static bool needs_another_round(const struct compiler *c)
     return more;
 }
 
+/* Removes the culled passes, and lists them in the plan. */
+static void remove_culled(struct compiler *c)
+{
+    struct rg_plan *plan = c->plan;
+    struct rg_culled *culled = ARENA_ARRAY(c->arena, struct rg_culled, c->pass_count);
+    for (uint32_t p = 0; p < c->pass_count && culled; p++) {
+        const struct rg_plan_pass *pass = &c->plan_passes[p];
+        if (!c->passes[p].alive) {
+            culled[plan->culled_count++] = (struct rg_culled){ pass->pass, pass->repetition };
+        } else {
+            c->passes[plan->pass_count] = c->passes[p];
+            c->plan_passes[plan->pass_count++] = *pass;
+        }
+    }
+    plan->culled = culled;
+    c->pass_count = plan->pass_count;
+}
+
 void rg_cull(struct compiler *c)
 {
     uint32_t round = 0;
@@ -95,4 +107,5 @@ void rg_cull(struct compiler *c)
         begin_round(c, round++);
         cull_round(c);
     } while (round <= MAX_ROUNDS && needs_another_round(c));
+    remove_culled(c);
 }

@@ -223,11 +223,6 @@ static VkImageSubresourceRange use_range(const struct compiler *c, const struct 
     return out;
 }
 
-static bool is_whole(const struct rg_range *r)
-{
-    return !(r->aspect | r->mip | r->mip_count | r->layer | r->layer_count | r->each);
-}
-
 static void add_use(struct compiler *c, const struct rg_use *use)
 {
     struct resource *r = rg_resource_of(c, use->image, use->buffer);
@@ -245,7 +240,7 @@ static void add_use(struct compiler *c, const struct rg_use *use)
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
-    if (use->image && !is_whole(&use->range)) {
+    if (use->image) {
         a->range = use_range(c, r, &use->range);
         if (!find_cells(c, a))
             return;

@@ -19,24 +19,20 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
     };
 }
 
-/* Assigns a resource its index in the plan when the first live pass accesses it. */
-static void add_to_plan(struct compiler *c, struct resource *r, uint32_t pass)
-{
-    if (r->image)
-        r->plan_image = c->plan->image_count++;
-    else
-        r->plan_buffer = c->plan->buffer_count++;
-    if (r->persistent)
-        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    if (r->shared)
-        r->item = c->item_count++;
-    r->first = r->acquired_before = pass;
-}
-
+/* Extends a resource's lifetime to a pass. At its first access, assigns its index in the plan. */
 static void extend_lifetime(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
 {
-    if (r->first == RG_NONE)
-        add_to_plan(c, r, pass);
+    if (r->first == RG_NONE) {
+        r->first = r->acquired_before = pass;
+        if (r->image)
+            r->plan_image = c->plan->image_count++;
+        else
+            r->plan_buffer = c->plan->buffer_count++;
+        if (r->persistent)
+            usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        if (r->shared)
+            r->item = c->item_count++;
+    }
     r->last = pass;
     r->usage |= usage;
 }
@@ -63,10 +59,9 @@ static void find_queues(struct compiler *c)
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
-        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
-            if (pass->queue != RG_QUEUE_MAIN)
-                add_queue(c, a[i].resource, pass->queue);
-            if (pass->queue != RG_QUEUE_MAIN && a[i].resource->partner)
+        for (uint32_t i = 0; i < pass->access_count && pass->queue != RG_QUEUE_MAIN; i++) {
+            add_queue(c, a[i].resource, pass->queue);
+            if (a[i].resource->partner)
                 add_queue(c, a[i].resource->partner, pass->queue);
         }
     }
@@ -77,30 +72,6 @@ static VkFlags usage_of(const struct access *a)
     return a->flags & ACCESS_TEXELS && a->kind != RG_SAMPLED
                ? VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT
                : rg_usage(a->resource, a->kind);
-}
-
-void rg_find_lifetimes(struct compiler *c)
-{
-    uint32_t index = 0;
-    if (c->params->queues)
-        find_queues(c);
-    for (uint32_t p = 0; p < c->pass_count; p++) {
-        const struct pass *pass = &c->passes[p];
-        const struct access *a = &c->accesses[pass->first_access];
-        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
-            extend_lifetime(c, a[i].resource, usage_of(&a[i]), index);
-        index += pass->alive;
-    }
-    for (size_t i = 0; i < c->params->output_count; i++) {
-        const struct rg_output *output = &c->params->outputs[i];
-        struct resource *r = rg_resource_of(c, output->image, output->buffer);
-        extend_lifetime(c, r, rg_usage(r, output->access), index);
-    }
-    for (uint32_t i = 0; i < c->resource_count; i++) {
-        struct resource *r = c->resources[i];
-        if (rg_is_history(r) && r->first == RG_NONE) /* no pass reads it */
-            r->partner = r->partner->partner = NULL;
-    }
 }
 
 /* Returns the features that a device needs for an access to an image. */
@@ -136,18 +107,32 @@ static void check_format(struct compiler *c, const struct access *a)
                  "this device does not support this use of the format; choose another");
 }
 
-void rg_check_formats(struct compiler *c)
+void rg_find_lifetimes(struct compiler *c)
 {
-    const struct rg_device *device = c->params->device;
-    for (uint32_t p = 0; p < c->pass_count && device; p++) {
+    if (c->params->queues)
+        find_queues(c);
+    for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
         c->technique = c->plan_passes[p].technique;
         c->row = c->plan_passes[p].row;
-        if (pass->alive && !c->plan_passes[p].repetition)
+        if (!c->plan_passes[p].repetition)
             c->row_first_fault = c->fault_count;
-        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
-            check_format(c, &a[i]);
+        for (uint32_t i = 0; i < pass->access_count; i++) {
+            extend_lifetime(c, a[i].resource, usage_of(&a[i]), p);
+            if (c->params->device)
+                check_format(c, &a[i]);
+        }
+    }
+    for (size_t i = 0; i < c->params->output_count; i++) {
+        const struct rg_output *output = &c->params->outputs[i];
+        struct resource *r = rg_resource_of(c, output->image, output->buffer);
+        extend_lifetime(c, r, rg_usage(r, output->access), c->pass_count);
+    }
+    for (uint32_t i = 0; i < c->resource_count; i++) {
+        struct resource *r = c->resources[i];
+        if (rg_is_history(r) && r->first == RG_NONE) /* no pass reads it */
+            r->partner = r->partner->partner = NULL;
     }
 }
 

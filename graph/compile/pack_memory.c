@@ -7,7 +7,8 @@
 #include "graph/compile/compiler.h"
 
 enum {
-    PROMOTIONS = 8,          /* orders tried after the greedy rules */
+    RULE_COUNT = 4,          /* greedy orders */
+    PROMOTIONS = 8,          /* orders tried after them */
     MANY_ITEMS = 512,        /* above it, fewer rules are tried */
     RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
     /* above this mean number of live sets per item, large plans only use apply_time_order() */
@@ -16,17 +17,13 @@ enum {
 
 /* Sort rules of the greedy orders: by descending size^size_power * lifetime^life_power. */
 static const struct rule {
-    unsigned size_power; /* 0, 1 or 4 */
+    unsigned size_power;
     unsigned life_power; /* 0 or 1 */
-} rules[] = {
+} rules[RULE_COUNT] = {
     { 4, 1 },
     { 1, 0 },
     { 1, 1 },
     { 0, 1 },
-};
-
-enum {
-    RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
 /* Range of allocated bytes. Spans in a list are ascending, with gaps between them. The first span
@@ -196,12 +193,9 @@ static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item
 static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
-    double size = (double)(int64_t)item->size;
     uint64_t bits;
-    if (rule->size_power)
-        product *= size;
-    if (rule->size_power == 4)
-        product = product * size * size * size;
+    for (unsigned i = 0; i < rule->size_power; i++)
+        product *= (double)(int64_t)item->size;
     memcpy(&bits, &product, sizeof(bits));
     return bits;
 }
