@@ -19,6 +19,8 @@ import uuid
 components = {
     'vulkan-headers': ('Apache-2.0', 'https://github.com/KhronosGroup/Vulkan-Headers', 'header',
                        ['vulkan']),
+    'spirv-headers': ('MIT', 'https://github.com/KhronosGroup/SPIRV-Headers', 'header',
+                      ['SPIRV-Headers']),
     'volk': ('MIT', 'https://github.com/zeux/volk', 'source', []),
     'cglm': ('MIT', 'https://github.com/recp/cglm', 'header', ['cglm']),
     'draco': ('Apache-2.0', 'https://github.com/google/draco', 'library', ['draco', 'libdraco']),

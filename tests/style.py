@@ -98,6 +98,7 @@ C_STANDARD = tuple(f'{name}.h' for name in (
     'uchar wchar wctype').split())
 MAY_INCLUDE_SYSTEM = {
     'graph/': (*C_STANDARD, 'vulkan/'),
+    'graph/compile/': (*C_STANDARD, 'spirv/'),
     'graph/exec/pass_timing.c': (*C_STANDARD, 'windows.h'),
     'src/tech/': (*C_STANDARD, 'cglm/struct.h'),
     'shaders/': ('stdint.h', 'cglm/struct.h', 'cglm/types-struct.h'),
@@ -449,6 +450,7 @@ SAMPLES = (
       '#include "graph/exec/executor_internal.h"\n#include "graph/rg_profile.h"\n', None),
     ('graph/a.c', '#include <cglm/struct.h>\n', 'graph/ may not include <cglm'),
     ('graph/a.c', '#include <stdlib.h>\n#include <vulkan/vulkan_core.h>\n', None),
+    ('graph/exec/a.c', '#include <spirv/unified1/spirv.h>\n', 'graph/exec/ may not include'),
     ('src/tech/a.c', '#include "graph/rg_exec.h"\n', 'may not include "graph/rg_exec.h"'),
     ('src/tech/a.c', '#include "src/gpu/gpu.h"\n', 'may not include "src/gpu/gpu.h"'),
     ('src/tech/a.c', '#include <volk.h>\n', 'may not include <volk.h>'),

@@ -6,10 +6,13 @@ struct shaders {
     struct compiler *c;
     const struct rg_pass *row;
     const struct spirv *stages[2]; /* vertex and fragment, or compute */
+    VkShaderStageFlagBits kinds[2];
     uint32_t count;
 };
 
 #define fault(s, ...) rg_fault_with((s)->c, __VA_ARGS__)
+#define binding_fault(s, v, text, ...) \
+    fault((s), RG_ERROR_SHADER_BINDING, (v)->name, "binding %u" text, (v)->binding, __VA_ARGS__)
 
 static const char *shader_of(const struct spirv *s)
 {
@@ -27,7 +30,7 @@ static void check_push(const struct shaders *s)
     for (uint32_t i = 0; i < s->count; i++) {
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
-            uint32_t size = v->storage == SPIRV_PUSH_CONSTANT
+            uint32_t size = v->storage == SpvStorageClassPushConstant
                                 ? (rg_spirv_struct_size(s->stages[i], v->type) + 3) & ~3u
                                 : 0;
             max_size = size > max_size ? size : max_size;
@@ -35,7 +38,7 @@ static void check_push(const struct shaders *s)
                 continue;
             min_size = size;
             shader = shader_of(s->stages[i]);
-            block = rg_spirv_name(s->stages[i], v);
+            block = v->name;
         }
     }
     uint32_t size = s->row->push_size;
@@ -88,9 +91,8 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
-            uint32_t number;
             if (v->used && v->binding == binding && !v->set &&
-                rg_spirv_descriptor(s->stages[i], v, &number) != VK_DESCRIPTOR_TYPE_MAX_ENUM)
+                v->descriptor != VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 return true;
         }
     }
@@ -128,27 +130,20 @@ static const char *component_name(char component)
     return component == 'f' ? "float" : component == 'i' ? "int" : component == 'u' ? "uint" : "?";
 }
 
-/* Returns the resource at an address, or NULL if no earlier row or import has it. */
-static const struct resource *known_resource(const struct shaders *s, const void *address)
-{
-    return rg_map_find(&s->c->by_address, address)->value;
-}
-
 /* Checks that a shader declares the texel format of the image or texel buffer. */
-static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
+static void check_texels(const struct shaders *s, const struct spirv_variable *v,
                          const struct spirv_image *declared, const struct rg_use *use)
 {
     const VkFormat has = use->image ? rg_view_format(use) : use->buffer->format;
     const struct rg_format_info *format = rg_format_info(has);
     char component = component_of(has, use->range.aspect);
     if (declared->format && !(format && format->spirv_format == declared->format))
-        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
-              v->binding, format_name(rg_storage_format(declared->format)), format_name(format),
-              rg_use_name(use));
+        binding_fault(s, v, ": format %s is not the %s of '%s'",
+                      format_name(rg_storage_format(declared->format)), format_name(format),
+                      rg_use_name(use));
     else if (component != '?' && declared->component != component)
-        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
-              v->binding, rg_use_name(use), component_name(component),
-              component_name(declared->component));
+        binding_fault(s, v, ": '%s' has texels of %s, not of %s", rg_use_name(use),
+                      component_name(component), component_name(declared->component));
 }
 
 /* Checks that the shader declares a shadow sampler if and only if rg_sampler.compare is set. */
@@ -156,14 +151,12 @@ static void check_comparison(const struct shaders *s, const struct spirv *stage,
                              const struct spirv_variable *v, const struct spirv_image *declared,
                              const struct rg_use *use)
 {
-    uint32_t count;
     const bool compares = use->sampler && use->sampler->compare;
     if (declared->depth <= 1 && declared->depth != compares &&
-        rg_spirv_descriptor(stage, v, &count) == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u: '%s' %s: %s rg_sampler.compare of '%s'", v->binding, shader_of(stage),
-              compares ? "does not compare depths" : "compares depths", compares ? "remove" : "set",
-              rg_use_name(use));
+        v->descriptor == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
+        binding_fault(s, v, ": '%s' %s: %s rg_sampler.compare of '%s'", shader_of(stage),
+                      compares ? "does not compare depths" : "compares depths",
+                      compares ? "remove" : "set", rg_use_name(use));
 }
 
 /* Returns the number of array layers that a use of an image names. */
@@ -179,14 +172,10 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
                         const struct spirv_variable *v, const struct spirv_image *declared,
                         const struct rg_use *use)
 {
-    const char *name = rg_spirv_name(stage, v);
     const struct rg_image *image = use->image;
-    const struct resource *known = known_resource(s, image);
-    uint32_t layers = known           ? known->all.layerCount
-                      : image->layers ? image->layers
-                      : image->cube   ? 6
-                                      : 1;
-    uint32_t dim = image->depth ? SPIRV_DIM_3D : SPIRV_DIM_2D;
+    const struct resource *known = rg_map_find(&s->c->by_address, image)->value; /* or NULL */
+    uint32_t layers = known ? known->all.layerCount : rg_declared_layers(image);
+    uint32_t dim = image->depth ? SpvDim3D : SpvDim2D;
     bool cube = image->cube && use->access == RG_SAMPLED && named_layers(s, use, layers) == 6;
     bool array = !cube && (layers > 1 || image->array);
     bool is_multisampled = image->samples > 1;
@@ -195,12 +184,11 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
                      : is_multisampled ? "multisampled"
                      : image->depth    ? "3D"
                                        : "2D";
-    if (declared->dim != (cube ? (uint32_t)SPIRV_DIM_CUBE : dim) || declared->arrayed != array ||
+    if (declared->dim != (cube ? (uint32_t)SpvDimCube : dim) || declared->arrayed != array ||
         declared->multisampled != is_multisampled)
-        fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' is %s in the row", v->binding,
-              rg_use_name(use), is);
+        binding_fault(s, v, ": '%s' is %s in the row", rg_use_name(use), is);
     else
-        check_texels(s, name, v, declared, use);
+        check_texels(s, v, declared, use);
     if (use->access == RG_SAMPLED)
         check_comparison(s, stage, v, declared, use);
 }
@@ -208,13 +196,12 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
 static void check_uniform(const struct shaders *s, const struct spirv *stage,
                           const struct spirv_variable *v, const struct rg_use *use)
 {
-    const struct resource *known = known_resource(s, use->buffer);
+    const struct resource *known = rg_map_find(&s->c->by_address, use->buffer)->value;
     uint32_t needed = rg_spirv_struct_size(stage, v->type);
     VkDeviceSize size = known ? known->size : use->buffer->size;
     if (!use->buffer->size_per_texel && size < needed)
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u: expected %u bytes or more, '%s' has %llu", v->binding, needed,
-              rg_use_name(use), (unsigned long long)size);
+        binding_fault(s, v, ": expected %u bytes or more, '%s' has %llu", needed, rg_use_name(use),
+                      (unsigned long long)size);
 }
 
 /* Returns the length of the descriptor array that begins at `first`; 1 for a single use. */
@@ -249,83 +236,70 @@ static void check_access(const struct shaders *s, const struct spirv *stage,
     const bool is_loaded = use->access == RG_STORAGE_WRITE && v->access & SPIRV_LOADS;
     if (is_stored_to || is_loaded)
         fault(s, RG_ERROR_SHADER_ACCESS, rg_use_name(use), "binding %u: '%s' %s '%s': expected %s",
-              v->binding, shader_of(stage), is_loaded ? "loads from" : "stores to",
-              rg_spirv_name(stage, v), names[access_of(s, v->binding)]);
+              v->binding, shader_of(stage), is_loaded ? "loads from" : "stores to", v->name,
+              names[access_of(s, v->binding)]);
 }
 
-static void check_use(const struct shaders *s, const struct spirv *stage,
-                      const struct spirv_variable *v, const struct rg_use *use,
-                      VkPipelineStageFlags2 in)
+/* Checks a use that is bound to a variable of shader stage `i`. */
+static void check_use(const struct shaders *s, uint32_t i, const struct spirv_variable *v,
+                      const struct rg_use *use)
 {
+    const struct spirv *stage = s->stages[i];
     struct spirv_image image;
-    uint32_t count;
-    VkDescriptorType type = rg_spirv_descriptor(stage, v, &count);
-    if (!is_compatible(rg_use_descriptor(use), type))
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u is %s in '%s', '%s' is %s", v->binding, descriptor_name(type),
-              shader_of(stage), rg_use_name(use), descriptor_name(rg_use_descriptor(use)));
-    else if (!(rg_use_stages(s->row, use) & in))
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u: name the stage of '%s' in .stages of '%s'", v->binding, shader_of(stage),
-              rg_use_name(use));
+    if (!is_compatible(rg_use_descriptor(use), v->descriptor))
+        binding_fault(s, v, " is %s in '%s', '%s' is %s", descriptor_name(v->descriptor),
+                      shader_of(stage), rg_use_name(use), descriptor_name(rg_use_descriptor(use)));
+    else if (!(rg_use_stages(s->row, use) & rg_pipeline_stages(s->kinds[i])))
+        binding_fault(s, v, ": name the stage of '%s' in .stages of '%s'", shader_of(stage),
+                      rg_use_name(use));
     else if (rg_spirv_image(stage, v->type, &image) && use->image)
         check_image(s, stage, v, &image, use);
     else if (rg_spirv_image(stage, v->type, &image))
-        check_texels(s, rg_spirv_name(stage, v), v, &image, use);
-    else if (type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
+        check_texels(s, v, &image, use);
+    else if (v->descriptor == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER)
         check_uniform(s, stage, v, use);
     check_access(s, stage, v, use);
 }
 
-/* Checks the resource or the array of resources that is bound to a shader variable. */
-static void check_elements(const struct shaders *s, const struct spirv *stage,
-                           const struct spirv_variable *v, const struct rg_use *first,
-                           VkPipelineStageFlags2 in)
+/* Checks the resource or the array of resources that is bound to a variable of shader stage `i`. */
+static void check_elements(const struct shaders *s, uint32_t i, const struct spirv_variable *v,
+                           const struct rg_use *first)
 {
-    uint32_t count;
-    uint32_t given = element_count(first);
-    rg_spirv_descriptor(stage, v, &count);
+    const uint32_t count = v->descriptor_count;
+    const uint32_t given = element_count(first);
     if (count && count != given)
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u: %u descriptors in '%s', %u in the row (rg_use.element)", v->binding,
-              count, shader_of(stage), given);
-    for (uint32_t i = 0; i < given && (!count || count == given); i++)
-        check_use(s, stage, v, &first[i], in);
+        binding_fault(s, v, ": %u descriptors in '%s', %u in the row (rg_use.element)", count,
+                      shader_of(s->stages[i]), given);
+    for (uint32_t k = 0; k < given && (!count || count == given); k++)
+        check_use(s, i, v, &first[k]);
 }
 
 /* Reports a shader binding that a pass lacks. The hint may name a resource that no shader uses. */
-static void report_missing(const struct shaders *s, const struct spirv *stage,
+static void report_missing(const struct shaders *s, const char *shader,
                            const struct spirv_variable *v, uint32_t *missing)
 {
     const struct rg_use *other = find_unused(s, (*missing)++);
     if (v->set)
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "it is in set %u of '%s': use set 0, or set 1 with rg_pass.set", v->set,
-              shader_of(stage));
+        fault(s, RG_ERROR_SHADER_BINDING, v->name,
+              "it is in set %u of '%s': use set 0, or set 1 with rg_pass.set", v->set, shader);
     else if (other)
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u of '%s' is not in the row; no shader uses binding %u ('%s')", v->binding,
-              shader_of(stage), other->binding, rg_use_name(other));
+        binding_fault(s, v, " of '%s' is not in the row; no shader uses binding %u ('%s')", shader,
+                      other->binding, rg_use_name(other));
     else
-        fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "binding %u of '%s' is not in the row", v->binding, shader_of(stage));
+        binding_fault(s, v, " of '%s' is not in the row", shader);
 }
 
 /* Checks a descriptor that shader stage `i` uses. */
 static void check_descriptor(const struct shaders *s, uint32_t i, const struct spirv_variable *v,
                              uint32_t *missing)
 {
-    static const VkPipelineStageFlags2 raster[] = { VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-                                                    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT };
     const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
     if (v->set == 1 && s->row->set)
         return; /* owned by the program */
     if (use)
-        check_elements(s, s->stages[i], v, use,
-                       s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
-                                                  : raster[i]);
+        check_elements(s, i, v, use);
     else if (!is_bound(s, i, v->binding))
-        report_missing(s, s->stages[i], v, missing);
+        report_missing(s, shader_of(s->stages[i]), v, missing);
 }
 
 static void check_bindings(const struct shaders *s)
@@ -335,9 +309,7 @@ static void check_bindings(const struct shaders *s)
     for (uint32_t i = 0; i < s->count; i++) {
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
-            uint32_t number;
-            if (!v->used ||
-                rg_spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
+            if (!v->used || v->descriptor == VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 continue;
             uses_program_set = uses_program_set || v->set == 1;
             check_descriptor(s, i, v, &missing);
@@ -379,15 +351,13 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
     const VkVertexInputAttributeDescription *a = find_attribute(s->row->vertices, location);
     uint32_t count;
     char component = rg_spirv_component(s->stages[0], v->type, &count);
-    char kind = '?';
-    if (a)
-        kind = component_of(a->format, 0);
+    char kind = component_of(a ? a->format : VK_FORMAT_UNDEFINED, 0);
     uint32_t given = kind == '?' ? 0 : component_count(rg_format_info(a->format));
     if (!a)
-        fault(s, RG_ERROR_SHADER_VERTEX, rg_spirv_name(s->stages[0], v),
-              "location %u of '%s' is in no vertex layout", location, shader_of(s->stages[0]));
+        fault(s, RG_ERROR_SHADER_VERTEX, v->name, "location %u of '%s' is in no vertex layout",
+              location, shader_of(s->stages[0]));
     else if (component != '?' && kind != '?' && (count > given || component != kind))
-        fault(s, RG_ERROR_SHADER_VERTEX, rg_spirv_name(s->stages[0], v),
+        fault(s, RG_ERROR_SHADER_VERTEX, v->name,
               "location %u: '%s' reads %u x %s, the format has %u x %s", location,
               shader_of(s->stages[0]), count, component_name(component), given,
               component_name(kind));
@@ -414,7 +384,8 @@ static void check_vertices(const struct shaders *s)
     for (uint32_t i = 0; i < vert->variable_count; i++) {
         const struct spirv_variable *v = &vert->variables[i];
         uint32_t count = rg_spirv_locations(vert, v->type);
-        bool is_input = v->storage == SPIRV_INPUT && v->used && v->location < RG_MAX_ATTRIBUTES;
+        bool is_input =
+            v->storage == SpvStorageClassInput && v->used && v->location < RG_MAX_ATTRIBUTES;
         for (uint32_t k = 0; is_input && k < count && k < RG_MAX_ATTRIBUTES; k++)
             check_attribute(s, v, v->location + k);
     }
@@ -426,34 +397,33 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
     uint32_t color_count = rg_color_count(s->row);
     uint32_t last = v->location + rg_spirv_locations(frag, v->type) - 1;
     if (last >= color_count) {
-        fault(s, RG_ERROR_SHADER_OUTPUT, rg_spirv_name(frag, v), "output %u of '%s' has no target",
-              last, shader_of(frag));
+        fault(s, RG_ERROR_SHADER_OUTPUT, v->name, "output %u of '%s' has no target", last,
+              shader_of(frag));
         return;
     }
     char component = rg_spirv_component(frag, v->type, NULL);
     const struct rg_image *image = s->row->color[v->location].image;
     char expected = component_of(image->format, 0);
     if (component != '?' && expected != '?' && component != expected)
-        fault(s, RG_ERROR_SHADER_OUTPUT, rg_spirv_name(frag, v),
-              "output %u of '%s' is %s, the target has %s", v->location, shader_of(frag),
-              component_name(component), component_name(expected));
+        fault(s, RG_ERROR_SHADER_OUTPUT, v->name, "output %u of '%s' is %s, the target has %s",
+              v->location, shader_of(frag), component_name(component), component_name(expected));
 }
 
 /* Checks fragment shader inputs against vertex outputs, and fragment outputs against targets. */
 static void check_fragments(const struct shaders *s)
 {
     const struct spirv *frag = s->stages[1];
-    uint32_t passed = locations(s->stages[0], SPIRV_OUTPUT);
-    uint32_t drawn = locations(frag, SPIRV_OUTPUT);
+    uint32_t passed = locations(s->stages[0], SpvStorageClassOutput);
+    uint32_t drawn = locations(frag, SpvStorageClassOutput);
     for (uint32_t i = 0; i < frag->variable_count; i++) {
         const struct spirv_variable *v = &frag->variables[i];
         bool has_location = v->in_interface && v->location < 31;
-        if (has_location && v->storage == SPIRV_OUTPUT)
+        if (has_location && v->storage == SpvStorageClassOutput)
             check_output(s, v);
-        if (has_location && v->used && v->storage == SPIRV_INPUT && !(passed >> v->location & 1))
-            fault(s, RG_ERROR_SHADER_INPUT, rg_spirv_name(frag, v),
-                  "location %u of '%s' is no output of '%s'", v->location, shader_of(frag),
-                  shader_of(s->stages[0]));
+        if (has_location && v->used && v->storage == SpvStorageClassInput &&
+            !(passed >> v->location & 1))
+            fault(s, RG_ERROR_SHADER_INPUT, v->name, "location %u of '%s' is no output of '%s'",
+                  v->location, shader_of(frag), shader_of(s->stages[0]));
     }
     for (uint32_t i = 0; i < rg_color_count(s->row); i++) {
         if (!(drawn >> i & 1))
@@ -464,6 +434,7 @@ static void check_fragments(const struct shaders *s)
 
 /* ---- entry point ---- */
 
+/* Reads a shader's module. Returns false if it is invalid, or if out of memory. */
 static bool open_stage(struct shaders *s, const struct rg_shader *shader,
                        VkShaderStageFlagBits stage)
 {
@@ -471,31 +442,30 @@ static bool open_stage(struct shaders *s, const struct rg_shader *shader,
     const char *problem = rg_spirv_read(module, s->c->arena, shader, stage);
     if (problem)
         rg_fault(s->c, RG_ERROR_SHADER, shader->name ? shader->name : "?", problem);
+    s->kinds[s->count] = stage;
     s->stages[s->count++] = module;
     return !problem && !s->c->arena->failed;
 }
 
-static bool has_words(const struct rg_shader *shader)
-{
-    return !shader || shader->word_count;
-}
-
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
 {
-    bool is_raster = row->kind == RG_RASTER;
-    if (!(is_raster ? row->vert : row->comp) || row->kind == RG_TRANSFER || c->params->skip_shaders)
-        return;
-    if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp)))
-        return;
+    const bool is_raster = row->kind == RG_RASTER;
+    const struct rg_shader *first = is_raster                 ? row->vert
+                                    : row->kind == RG_COMPUTE ? row->comp
+                                                              : NULL;
+    const struct rg_shader *frag = is_raster ? row->frag : NULL;
     struct shaders s = { .c = c, .row = row };
-    if (is_raster ? !open_stage(&s, row->vert, VK_SHADER_STAGE_VERTEX_BIT) ||
-                        (row->frag && !open_stage(&s, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT))
-                  : !open_stage(&s, row->comp, VK_SHADER_STAGE_COMPUTE_BIT))
+    if (!first || !first->word_count || (frag && !frag->word_count) || c->params->skip_shaders)
+        return;
+    if (!open_stage(&s, first,
+                    is_raster ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_COMPUTE_BIT))
+        return;
+    if (frag && !open_stage(&s, frag, VK_SHADER_STAGE_FRAGMENT_BIT))
         return;
     check_push(&s);
     check_bindings(&s);
     if (is_raster)
         check_vertices(&s);
-    if (is_raster && row->frag)
+    if (frag)
         check_fragments(&s);
 }

@@ -3,65 +3,7 @@
 #include <string.h>
 
 enum {
-    OP_NAME = 5,
-    OP_MEMBER_NAME = 6,
-    OP_ENTRY_POINT = 15,
-    OP_TYPE_BOOL = 20,
-    OP_TYPE_INT = 21,
-    OP_TYPE_FLOAT = 22,
-    OP_TYPE_VECTOR = 23,
-    OP_TYPE_MATRIX = 24,
-    OP_TYPE_IMAGE = 25,
-    OP_TYPE_SAMPLER = 26,
-    OP_TYPE_SAMPLED_IMAGE = 27,
-    OP_TYPE_ARRAY = 28,
-    OP_TYPE_RUNTIME_ARRAY = 29,
-    OP_TYPE_STRUCT = 30,
-    OP_TYPE_POINTER = 32,
-    OP_CONSTANT = 43,
-    OP_SPEC_CONSTANT = 50,
-    OP_FUNCTION = 54,
-    OP_FUNCTION_PARAMETER = 55,
-    OP_FUNCTION_CALL = 57,
-    OP_VARIABLE = 59,
-    OP_IMAGE_TEXEL_POINTER = 60,
-    OP_LOAD = 61,
-    OP_STORE = 62,
-    OP_COPY_MEMORY = 63,
-    OP_ACCESS_CHAIN = 65,
-    OP_IN_BOUNDS_ACCESS_CHAIN = 66,
-    OP_PTR_ACCESS_CHAIN = 67,
-    OP_ARRAY_LENGTH = 68,
-    OP_DECORATE = 71,
-    OP_MEMBER_DECORATE = 72,
-    OP_COPY_OBJECT = 83,
-    OP_IMAGE_READ = 98,
-    OP_IMAGE_WRITE = 99,
-    OP_SELECT = 169,
-    OP_ATOMIC_LOAD = 227,
-    OP_ATOMIC_STORE = 228,
-    OP_ATOMIC_XOR = 242,
-    OP_PHI = 245,
-    OP_RETURN_VALUE = 254,
-    OP_IMAGE_SPARSE_READ = 320,
-    OP_TYPE_ACCELERATION_STRUCTURE = 5341,
-    OP_ATOMIC_FLOAT_MIN = 5614,
-    OP_ATOMIC_FLOAT_MAX = 5615,
-    OP_ATOMIC_FLOAT_ADD = 6035,
-    DECORATION_BUFFER_BLOCK = 3,
-    DECORATION_ROW_MAJOR = 4,
-    DECORATION_ARRAY_STRIDE = 6,
-    DECORATION_MATRIX_STRIDE = 7,
-    DECORATION_NON_WRITABLE = 24,
-    DECORATION_NON_READABLE = 25,
-    DECORATION_LOCATION = 30,
-    DECORATION_BINDING = 33,
-    DECORATION_SET = 34,
-    DECORATION_OFFSET = 35,
-    DIM_SUBPASS = 6,
-    STORAGE_FUNCTION = 7, /* storage class of local variables */
     HEADER_WORDS = 5,
-    MAGIC = 0x07230203,
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
     MAX_CALLS = 64,           /* nesting of calls */
@@ -74,9 +16,10 @@ struct spirv_id {
     uint32_t stride;                 /* of an array in bytes */
     uint32_t binding, set, location; /* decorations plus 1; 0: not decorated */
     uint32_t variable;               /* `variables` index plus 1, or 0 */
-    uint32_t root;              /* base variable or parameter of a pointer or image; 0 if none */
-    uint16_t unread, unwritten; /* of a struct: members that are NonReadable, NonWritable */
-    uint8_t access, denied;     /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
+    uint32_t root; /* base variable or parameter of a pointer or image; 0 if none */
+    uint32_t last_member, last_offset; /* of a struct: member with the largest offset */
+    uint16_t unread, unwritten;        /* of a struct: members that are NonReadable, NonWritable */
+    uint8_t access, denied; /* of a root: SPIRV_LOADS, SPIRV_STORES; `denied` by decorations */
     bool buffer_block, in_interface;
 };
 
@@ -121,49 +64,34 @@ static const uint32_t *definition(const struct spirv *s, uint32_t id, uint32_t o
     return words && (words[0] & 0xffff) == op && words[0] >> 16 >= count ? words : NULL;
 }
 
-const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count)
-{
-    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 2);
-    *member_count = words ? (words[0] >> 16) - 2 : 0;
-    if (!words)
-        return NULL;
-    return s->ids[type].name ? (const char *)&s->shader->words[s->ids[type].name] : "";
-}
-
 /* Returns the length and the element type of an array type; length 0 for all other types. */
 static uint32_t array_length(const struct spirv *s, uint32_t type, uint32_t *element)
 {
-    const uint32_t *array = definition(s, type, OP_TYPE_ARRAY, 4);
-    const uint32_t *length = array ? definition(s, array[3], OP_CONSTANT, 4) : NULL;
+    const uint32_t *array = definition(s, type, SpvOpTypeArray, 4);
+    const uint32_t *length = array ? definition(s, array[3], SpvOpConstant, 4) : NULL;
     if (array && !length)
-        length = definition(s, array[3], OP_SPEC_CONSTANT, 4);
+        length = definition(s, array[3], SpvOpSpecConstant, 4);
     *element = array ? array[2] : SPIRV_NONE;
     return length ? length[3] : 0;
 }
 
-/* Memory layout of a struct member. */
-struct member_layout {
-    uint32_t offset, stride; /* bytes; `stride` between matrix columns/rows */
+/* Memory layout of a matrix in a struct. */
+struct matrix_layout {
+    uint32_t stride; /* bytes between columns or rows */
     bool row_major;
-    const char *name;
 };
 
-static struct member_layout member_layout_of(const struct spirv *s, uint32_t type, uint32_t index)
+/* Returns the matrix layout of the struct member with the largest offset. */
+static struct matrix_layout last_layout(const struct spirv *s, uint32_t type)
 {
-    struct member_layout layout = { .offset = SPIRV_NONE, .name = "" };
+    struct matrix_layout layout = { 0 };
     struct instruction in = { 0 };
-    while (next(s->shader, &in) && in.op != OP_FUNCTION) {
-        if (in.count < 4 || in.words[1] != type || in.words[2] != index)
+    while (next(s->shader, &in) && in.op != SpvOpFunction) {
+        if (in.op != SpvOpMemberDecorate || in.count < 4 || in.words[1] != type ||
+            in.words[2] != s->ids[type].last_member)
             continue;
-        if (in.op == OP_MEMBER_NAME && text_of(&in, 3))
-            layout.name = text_of(&in, 3);
-        if (in.op != OP_MEMBER_DECORATE)
-            continue;
-        if (in.words[3] == DECORATION_ROW_MAJOR)
-            layout.row_major = true;
-        if (in.words[3] == DECORATION_OFFSET && in.count > 4)
-            layout.offset = in.words[4];
-        if (in.words[3] == DECORATION_MATRIX_STRIDE && in.count > 4)
+        layout.row_major = layout.row_major || in.words[3] == SpvDecorationRowMajor;
+        if (in.words[3] == SpvDecorationMatrixStride && in.count > 4)
             layout.stride = in.words[4];
     }
     return layout;
@@ -172,62 +100,45 @@ static struct member_layout member_layout_of(const struct spirv *s, uint32_t typ
 static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth);
 
 /* Returns a type's size in bytes without trailing padding; may wrap around for malformed types. */
-static uint32_t size_of(const struct spirv *s, uint32_t type, const struct member_layout *layout,
+static uint32_t size_of(const struct spirv *s, uint32_t type, const struct matrix_layout *layout,
                         uint32_t depth)
 {
     uint32_t count, element;
-    const uint32_t *words = definition(s, type, OP_TYPE_MATRIX, 4);
+    const uint32_t *words = definition(s, type, SpvOpTypeMatrix, 4);
     if (depth == MAX_DEPTH)
         return 0;
     if (words) {
         rg_spirv_component(s, words[2], &count);
         return (layout->row_major ? count : words[3]) * layout->stride;
     }
-    if ((words = definition(s, type, OP_TYPE_VECTOR, 4)))
+    if ((words = definition(s, type, SpvOpTypeVector, 4)))
         return words[3] * size_of(s, words[2], layout, depth + 1);
     count = array_length(s, type, &element);
     if (count)
         return count *
                (s->ids[type].stride ? s->ids[type].stride : size_of(s, element, layout, depth + 1));
-    if ((words = definition(s, type, OP_TYPE_INT, 4)) ||
-        (words = definition(s, type, OP_TYPE_FLOAT, 3)))
+    if ((words = definition(s, type, SpvOpTypeInt, 4)) ||
+        (words = definition(s, type, SpvOpTypeFloat, 3)))
         return words[2] / 8;
     return struct_size(s, type, depth + 1);
 }
 
-/* Returns the index of the struct member with the largest offset. */
-static uint32_t last_member(const struct spirv *s, uint32_t type)
-{
-    uint32_t last = 0;
-    uint32_t most = 0;
-    struct instruction in = { 0 };
-    while (next(s->shader, &in) && in.op != OP_FUNCTION) {
-        if (in.op == OP_MEMBER_DECORATE && in.count > 4 && in.words[1] == type &&
-            in.words[3] == DECORATION_OFFSET && in.words[4] >= most) {
-            last = in.words[2];
-            most = in.words[4];
-        }
-    }
-    return last;
-}
-
 static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth)
 {
-    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3);
-    uint32_t last = words ? last_member(s, type) : 0;
-    if (!words || last >= (words[0] >> 16) - 2)
+    const uint32_t *words = definition(s, type, SpvOpTypeStruct, 3);
+    const struct spirv_id *id = words ? &s->ids[type] : NULL;
+    if (!id || id->last_member >= (words[0] >> 16) - 2)
         return 0;
-    const struct member_layout layout = member_layout_of(s, type, last);
-    return (layout.offset == SPIRV_NONE ? 0 : layout.offset) +
-           size_of(s, words[2 + last], &layout, depth);
+    const struct matrix_layout layout = last_layout(s, type);
+    return id->last_offset + size_of(s, words[2 + id->last_member], &layout, depth);
 }
 
 /* Returns the element type of an array type; any other type unchanged. */
 static uint32_t element_of(const struct spirv *s, uint32_t type)
 {
-    const uint32_t *array = definition(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
+    const uint32_t *array = definition(s, type, SpvOpTypeRuntimeArray, 3);
     if (!array)
-        array = definition(s, type, OP_TYPE_ARRAY, 4);
+        array = definition(s, type, SpvOpTypeArray, 4);
     return array ? array[2] : type;
 }
 
@@ -236,21 +147,11 @@ uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type)
     return struct_size(s, element_of(s, type), 0);
 }
 
-struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index)
-{
-    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3 + index);
-    if (!words)
-        return (struct spirv_member){ .name = "", .offset = SPIRV_NONE };
-    const struct member_layout layout = member_layout_of(s, type, index);
-    return (struct spirv_member){ layout.name, words[2 + index], layout.offset,
-                                  size_of(s, words[2 + index], &layout, 0) };
-}
-
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image)
 {
     type = element_of(s, type);
-    const uint32_t *sampled = definition(s, type, OP_TYPE_SAMPLED_IMAGE, 3);
-    const uint32_t *words = definition(s, sampled ? sampled[2] : type, OP_TYPE_IMAGE, 9);
+    const uint32_t *sampled = definition(s, type, SpvOpTypeSampledImage, 3);
+    const uint32_t *words = definition(s, sampled ? sampled[2] : type, SpvOpTypeImage, 9);
     if (!words)
         return false;
     *image = (struct spirv_image){
@@ -266,10 +167,10 @@ bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *im
 
 char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
 {
-    const uint32_t *vector = definition(s, type, OP_TYPE_VECTOR, 4);
+    const uint32_t *vector = definition(s, type, SpvOpTypeVector, 4);
     uint32_t scalar = vector ? vector[2] : type;
-    const uint32_t *integer = definition(s, scalar, OP_TYPE_INT, 4);
-    const uint32_t *real = definition(s, scalar, OP_TYPE_FLOAT, 3);
+    const uint32_t *integer = definition(s, scalar, SpvOpTypeInt, 4);
+    const uint32_t *real = definition(s, scalar, SpvOpTypeFloat, 3);
     if (count)
         *count = vector ? vector[3] : 1;
     if (integer && integer[2] <= 32)
@@ -280,13 +181,13 @@ char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
 static uint32_t locations(const struct spirv *s, uint32_t type, uint32_t depth)
 {
     uint32_t element, count;
-    const uint32_t *words = definition(s, type, OP_TYPE_MATRIX, 4);
+    const uint32_t *words = definition(s, type, SpvOpTypeMatrix, 4);
     if (words || depth == MAX_DEPTH)
         return words ? words[3] : 1;
     count = array_length(s, type, &element);
     if (count)
         return count * locations(s, element, depth + 1);
-    if (!(words = definition(s, type, OP_TYPE_STRUCT, 3)))
+    if (!(words = definition(s, type, SpvOpTypeStruct, 3)))
         return 1;
     for (uint32_t i = 0; i < (words[0] >> 16) - 2 && i < 64; i++)
         /* limits recursion: nested structs are rare */
@@ -299,45 +200,35 @@ uint32_t rg_spirv_locations(const struct spirv *s, uint32_t type)
     return locations(s, type, 0);
 }
 
-VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
-                                     uint32_t *count)
+/* Returns the type of the descriptor of a global variable in storage class `storage`, if its type
+ * without arrays is `type`, or VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor. */
+static VkDescriptorType descriptor_of(const struct spirv *s, uint32_t storage, uint32_t type)
 {
-    uint32_t type = element_of(s, v->type);
-    const uint32_t *fixed = definition(s, v->type, OP_TYPE_ARRAY, 4);
-    const uint32_t *length = fixed ? definition(s, fixed[3], OP_CONSTANT, 4) : NULL;
-    *count = length ? length[3] : type == v->type ? 1 : 0;
-    if (v->storage == SPIRV_STORAGE_BUFFER)
+    if (storage == SpvStorageClassStorageBuffer)
         return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    if (v->storage == SPIRV_UNIFORM)
+    if (storage == SpvStorageClassUniform)
         return type < s->shader->words[3] && s->ids[type].buffer_block
                    ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
                    : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    if (v->storage != SPIRV_UNIFORM_CONSTANT)
+    if (storage != SpvStorageClassUniformConstant)
         return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-    if (definition(s, type, OP_TYPE_SAMPLER, 2))
+    if (definition(s, type, SpvOpTypeSampler, 2))
         return VK_DESCRIPTOR_TYPE_SAMPLER;
-    if (definition(s, type, OP_TYPE_ACCELERATION_STRUCTURE, 2))
+    if (definition(s, type, SpvOpTypeAccelerationStructureKHR, 2))
         return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     struct spirv_image image;
     if (!rg_spirv_image(s, type, &image))
         return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-    const uint32_t *plain = definition(s, type, OP_TYPE_IMAGE, 9);
-    bool storage = plain && plain[7] == 2;
-    if (image.dim == SPIRV_DIM_BUFFER)
-        return storage ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
-                       : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-    if (image.dim == DIM_SUBPASS)
+    const uint32_t *plain = definition(s, type, SpvOpTypeImage, 9);
+    bool is_storage = plain && plain[7] == 2;
+    if (image.dim == SpvDimBuffer)
+        return is_storage ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
+                          : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    if (image.dim == SpvDimSubpassData)
         return VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT;
-    return storage ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
-           : plain ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
-                   : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-}
-
-const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
-{
-    uint32_t count;
-    const char *block = v->name[0] ? v->name : rg_spirv_struct(s, element_of(s, v->type), &count);
-    return block && block[0] ? block : "?";
+    return is_storage ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
+           : plain    ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
+                      : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
 /* ---- parsing ---- */
@@ -363,18 +254,18 @@ static void decorate(struct spirv *s, const struct instruction *in)
     const uint32_t value = in->count > 3 ? in->words[3] : 0;
     if (!id)
         return;
-    if (kind == DECORATION_NON_WRITABLE)
+    if (kind == SpvDecorationNonWritable)
         id->denied |= SPIRV_STORES;
-    if (kind == DECORATION_NON_READABLE)
+    if (kind == SpvDecorationNonReadable)
         id->denied |= SPIRV_LOADS;
-    if (kind == DECORATION_BUFFER_BLOCK)
+    if (kind == SpvDecorationBufferBlock)
         id->buffer_block = true;
-    if (kind == DECORATION_ARRAY_STRIDE)
+    if (kind == SpvDecorationArrayStride)
         id->stride = value;
-    uint32_t *number = kind == DECORATION_BINDING    ? &id->binding
-                       : kind == DECORATION_SET      ? &id->set
-                       : kind == DECORATION_LOCATION ? &id->location
-                                                     : NULL;
+    uint32_t *number = kind == SpvDecorationBinding         ? &id->binding
+                       : kind == SpvDecorationDescriptorSet ? &id->set
+                       : kind == SpvDecorationLocation      ? &id->location
+                                                            : NULL;
     if (number)
         *number = value + 1;
 }
@@ -382,36 +273,51 @@ static void decorate(struct spirv *s, const struct instruction *in)
 /* Returns the word index of an instruction's result id, or 0 if the parser ignores the result. */
 static uint32_t result_word(uint32_t op)
 {
-    if (op == OP_VARIABLE || op == OP_CONSTANT || op == OP_SPEC_CONSTANT)
+    if (op == SpvOpVariable || op == SpvOpConstant || op == SpvOpSpecConstant)
         return 2;
-    bool type = (op >= OP_TYPE_BOOL && op <= OP_TYPE_STRUCT) || op == OP_TYPE_POINTER ||
-                op == OP_TYPE_ACCELERATION_STRUCTURE;
+    bool type = (op >= SpvOpTypeBool && op <= SpvOpTypeStruct) || op == SpvOpTypePointer ||
+                op == SpvOpTypeAccelerationStructureKHR;
     return type ? 1 : 0;
+}
+
+/* Returns the name of an id; "" if there is none. */
+static const char *name_of(const struct spirv *s, uint32_t id)
+{
+    const struct spirv_id *i = find_id(s, id);
+    return i && i->name ? (const char *)&s->shader->words[i->name] : "";
 }
 
 static void add_variable(struct spirv *s, struct arena *arena, const struct instruction *in,
                          struct spirv_id *id)
 {
-    const uint32_t *pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
-    uint32_t count;
+    const uint32_t *pointer = definition(s, in->words[1], SpvOpTypePointer, 4);
     if (in->count < 4 || !pointer || id->variable ||
         !ARENA_ROOM(arena, s->variables, s->variable_count, s->variable_room, 32))
         return;
+    const uint32_t element = element_of(s, pointer[3]);
+    const uint32_t *array = definition(s, pointer[3], SpvOpTypeArray, 4);
+    const uint32_t *length = array ? definition(s, array[3], SpvOpConstant, 4) : NULL;
+    const char *name = name_of(s, in->words[2]);
+    const char *block = definition(s, element, SpvOpTypeStruct, 2) ? name_of(s, element) : "";
     struct spirv_variable *v = &s->variables[s->variable_count];
     *v = (struct spirv_variable){
-        .name = id->name ? (const char *)&s->shader->words[id->name] : "",
+        .name = *name    ? name
+                : *block ? block
+                         : "?",
         .storage = in->words[3],
         .type = pointer[3],
         .binding = id->binding - 1, /* 0 becomes SPIRV_NONE */
         .set = id->set - 1,
         .location = id->location - 1,
         .id = in->words[2],
+        .descriptor = descriptor_of(s, in->words[3], element),
+        .descriptor_count = length ? length[3] : element == pointer[3],
         .in_interface = id->in_interface,
     };
     id->variable = ++s->variable_count;
-    VkDescriptorType type = rg_spirv_descriptor(s, v, &count);
-    if (type == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ||
-        type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER)
+    if (v->descriptor == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER ||
+        v->descriptor == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ||
+        v->descriptor == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER)
         id->root = v->id;
     s->has_storage = s->has_storage || id->root;
 }
@@ -421,18 +327,23 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
 {
     uint32_t result = result_word(in->op);
     struct spirv_id *id;
-    if (in->op == OP_DECORATE)
+    if (in->op == SpvOpDecorate)
         decorate(s, in);
-    if (in->op == OP_MEMBER_DECORATE && in->count > 3 && (id = find_id(s, in->words[1]))) {
-        id->unread = (uint16_t)(id->unread + (in->words[3] == DECORATION_NON_READABLE));
-        id->unwritten = (uint16_t)(id->unwritten + (in->words[3] == DECORATION_NON_WRITABLE));
+    if (in->op == SpvOpMemberDecorate && in->count > 3 && (id = find_id(s, in->words[1]))) {
+        id->unread = (uint16_t)(id->unread + (in->words[3] == SpvDecorationNonReadable));
+        id->unwritten = (uint16_t)(id->unwritten + (in->words[3] == SpvDecorationNonWritable));
+        if (in->words[3] == SpvDecorationOffset && in->count > 4 &&
+            in->words[4] >= id->last_offset) {
+            id->last_member = in->words[2];
+            id->last_offset = in->words[4];
+        }
     }
-    if (in->op == OP_NAME && text_of(in, 2) && (id = find_id(s, in->words[1])))
+    if (in->op == SpvOpName && text_of(in, 2) && (id = find_id(s, in->words[1])))
         id->name = (uint32_t)(&in->words[2] - s->shader->words);
     if (!result || in->count <= result || !(id = find_id(s, in->words[result])))
         return;
     id->definition = (uint32_t)(in->words - s->shader->words);
-    if (in->op == OP_VARIABLE)
+    if (in->op == SpvOpVariable)
         add_variable(s, arena, in, id);
 }
 
@@ -451,33 +362,33 @@ struct operand_rule {
     uint8_t access[2];    /* access of the first operand, and of the others */
 };
 
-static const struct operand_rule operand_rules[OP_IMAGE_SPARSE_READ + 1] = {
-    [OP_FUNCTION_CALL] = { 4, ALL_OPERANDS, { PASSES, PASSES } },
-    [OP_IMAGE_TEXEL_POINTER] = { 3, 1, { DERIVES } },
-    [OP_LOAD] = { 3, 1, { SPIRV_LOADS } },
-    [OP_STORE] = { 1, 2, { SPIRV_STORES, BOTH } },
-    [OP_COPY_MEMORY] = { 1, 2, { SPIRV_STORES, SPIRV_LOADS } },
-    [OP_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
-    [OP_IN_BOUNDS_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
-    [OP_PTR_ACCESS_CHAIN] = { 3, 1, { DERIVES } },
-    [OP_ARRAY_LENGTH] = { 3, 1, { 0 } },
-    [OP_COPY_OBJECT] = { 3, 1, { DERIVES } },
-    [OP_IMAGE_READ] = { 3, 1, { SPIRV_LOADS } },
-    [OP_IMAGE_WRITE] = { 1, 1, { SPIRV_STORES } },
-    [OP_SELECT] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
-    [OP_ATOMIC_LOAD] = { 3, 1, { SPIRV_LOADS } },
-    [OP_ATOMIC_STORE] = { 1, 1, { SPIRV_STORES } },
-    [OP_PHI] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
-    [OP_RETURN_VALUE] = { 1, 1, { BOTH } },
-    [OP_IMAGE_SPARSE_READ] = { 3, 1, { SPIRV_LOADS } },
+static const struct operand_rule operand_rules[SpvOpImageSparseRead + 1] = {
+    [SpvOpFunctionCall] = { 4, ALL_OPERANDS, { PASSES, PASSES } },
+    [SpvOpImageTexelPointer] = { 3, 1, { DERIVES } },
+    [SpvOpLoad] = { 3, 1, { SPIRV_LOADS } },
+    [SpvOpStore] = { 1, 2, { SPIRV_STORES, BOTH } },
+    [SpvOpCopyMemory] = { 1, 2, { SPIRV_STORES, SPIRV_LOADS } },
+    [SpvOpAccessChain] = { 3, 1, { DERIVES } },
+    [SpvOpInBoundsAccessChain] = { 3, 1, { DERIVES } },
+    [SpvOpPtrAccessChain] = { 3, 1, { DERIVES } },
+    [SpvOpArrayLength] = { 3, 1, { 0 } },
+    [SpvOpCopyObject] = { 3, 1, { DERIVES } },
+    [SpvOpImageRead] = { 3, 1, { SPIRV_LOADS } },
+    [SpvOpImageWrite] = { 1, 1, { SPIRV_STORES } },
+    [SpvOpSelect] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
+    [SpvOpAtomicLoad] = { 3, 1, { SPIRV_LOADS } },
+    [SpvOpAtomicStore] = { 1, 1, { SPIRV_STORES } },
+    [SpvOpPhi] = { 3, ALL_OPERANDS, { BOTH, BOTH } },
+    [SpvOpReturnValue] = { 1, 1, { BOTH } },
+    [SpvOpImageSparseRead] = { 3, 1, { SPIRV_LOADS } },
 };
 
 static struct operand_rule operand_rule_of(uint32_t op)
 {
-    if ((op > OP_ATOMIC_STORE && op <= OP_ATOMIC_XOR) || op == OP_ATOMIC_FLOAT_MIN ||
-        op == OP_ATOMIC_FLOAT_MAX || op == OP_ATOMIC_FLOAT_ADD)
+    if ((op > SpvOpAtomicStore && op <= SpvOpAtomicXor) || op == SpvOpAtomicFMinEXT ||
+        op == SpvOpAtomicFMaxEXT || op == SpvOpAtomicFAddEXT)
         return (struct operand_rule){ 3, 1, { BOTH } };
-    return op <= OP_IMAGE_SPARSE_READ ? operand_rules[op] : (struct operand_rule){ 0 };
+    return op <= SpvOpImageSparseRead ? operand_rules[op] : (struct operand_rule){ 0 };
 }
 
 /* Adds an access to `root`, the base variable or parameter of an operand. */
@@ -488,7 +399,7 @@ static void add_access(struct spirv *s, const struct instruction *in, uint32_t r
     if (access == PASSES)
         s->passes_storage = s->passes_storage || s->ids[root].variable;
     else if (access != DERIVES &&
-             !(in->op == OP_LOAD && definition(s, in->words[1], OP_TYPE_IMAGE, 9)))
+             !(in->op == SpvOpLoad && definition(s, in->words[1], SpvOpTypeImage, 9)))
         s->ids[root].access = (uint8_t)(s->ids[root].access | access);
     else if (result)
         result->root = root;
@@ -500,9 +411,9 @@ static void trace(struct spirv *s, const struct instruction *in, bool all_listed
     const struct operand_rule rule = operand_rule_of(in->op);
     const uint32_t *pointer = NULL;
     struct spirv_id *id;
-    if (in->op == OP_FUNCTION_PARAMETER && in->count > 2 && s->has_storage)
-        pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
-    if (pointer && pointer[2] != STORAGE_FUNCTION && (id = find_id(s, in->words[2])))
+    if (in->op == SpvOpFunctionParameter && in->count > 2 && s->has_storage)
+        pointer = definition(s, in->words[1], SpvOpTypePointer, 4);
+    if (pointer && pointer[2] != SpvStorageClassFunction && (id = find_id(s, in->words[2])))
         id->root = in->words[2];
     for (uint32_t i = 0; i < rule.count && rule.first + i < in->count; i++) {
         id = find_id(s, in->words[rule.first + i]);
@@ -516,9 +427,9 @@ static void trace(struct spirv *s, const struct instruction *in, bool all_listed
 /* Returns the parameter of a function that receives argument `index`; NULL if there is none. */
 static const struct spirv_id *parameter(const struct spirv *s, uint32_t function, uint32_t index)
 {
-    const uint32_t *words = definition(s, function, OP_FUNCTION, 5);
-    struct instruction in = { OP_FUNCTION, 5, words };
-    while (words && next(s->shader, &in) && in.op == OP_FUNCTION_PARAMETER && in.count > 2) {
+    const uint32_t *words = definition(s, function, SpvOpFunction, 5);
+    struct instruction in = { SpvOpFunction, 5, words };
+    while (words && next(s->shader, &in) && in.op == SpvOpFunctionParameter && in.count > 2) {
         if (!index--)
             return find_id(s, in.words[2]);
     }
@@ -532,7 +443,7 @@ static bool trace_calls(struct spirv *s)
     bool changed = false;
     struct instruction in = { 0 };
     while (next(s->shader, &in)) {
-        for (uint32_t i = 4; in.op == OP_FUNCTION_CALL && i < in.count; i++) {
+        for (uint32_t i = 4; in.op == SpvOpFunctionCall && i < in.count; i++) {
             const struct spirv_id *given = find_id(s, in.words[i]);
             if (!given || !given->root)
                 continue;
@@ -548,19 +459,21 @@ static bool trace_calls(struct spirv *s)
 /* Sets what the module does to each storage variable, once all instructions are known. */
 static void find_accesses(struct spirv *s)
 {
-    uint32_t count;
     for (uint32_t depth = 0; s->passes_storage && depth < MAX_CALLS && trace_calls(s); depth++)
         continue;
     for (uint32_t i = 0; i < s->variable_count; i++) {
         struct spirv_variable *v = &s->variables[i];
         const struct spirv_id *id = &s->ids[v->id];
-        const struct spirv_id *type = find_id(s, element_of(s, v->type));
+        const uint32_t type = element_of(s, v->type);
+        const uint32_t *block = definition(s, type, SpvOpTypeStruct, 2);
+        const uint32_t count = block ? (block[0] >> 16) - 2 : 0;
         if (!id->root)
             continue;
         uint32_t denied = id->denied;
-        if (type && rg_spirv_struct(s, element_of(s, v->type), &count))
-            denied |= (type->unread == count ? (uint32_t)SPIRV_LOADS : 0) |
-                      (type->unwritten == count ? (uint32_t)SPIRV_STORES : 0);
+        if (block && s->ids[type].unread == count)
+            denied |= SPIRV_LOADS;
+        if (block && s->ids[type].unwritten == count)
+            denied |= SPIRV_STORES;
         v->access = id->access & ~denied;
     }
 }
@@ -568,16 +481,15 @@ static void find_accesses(struct spirv *s)
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage)
 {
-    const uint32_t model = stage == VK_SHADER_STAGE_VERTEX_BIT     ? 0
-                           : stage == VK_SHADER_STAGE_FRAGMENT_BIT ? 4
-                                                                   /* execution model GLCompute */
-                                                                   : 5;
+    const uint32_t model = stage == VK_SHADER_STAGE_VERTEX_BIT     ? SpvExecutionModelVertex
+                           : stage == VK_SHADER_STAGE_FRAGMENT_BIT ? SpvExecutionModelFragment
+                                                                   : SpvExecutionModelGLCompute;
     bool found = false;
     bool in_function = false;
     s->shader = shader;
     s->variable_count = 0;
     s->has_storage = s->passes_storage = false;
-    if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
+    if (shader->word_count <= HEADER_WORDS || shader->words[0] != SpvMagicNumber ||
         shader->words[3] > shader->word_count)
         return "expected a SPIR-V module in native byte order";
     const uint32_t bound = shader->words[3];
@@ -591,12 +503,12 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
         memset(s->ids, 0, bound * sizeof(*s->ids));
     struct instruction in = { 0 };
     while (next(shader, &in)) {
-        in_function = in_function || in.op == OP_FUNCTION;
-        if (in.op == OP_FUNCTION && in.count > 4 && find_id(s, in.words[2]))
+        in_function = in_function || in.op == SpvOpFunction;
+        if (in.op == SpvOpFunction && in.count > 4 && find_id(s, in.words[2]))
             find_id(s, in.words[2])->definition = (uint32_t)(in.words - shader->words);
         if (in_function) {
             trace(s, &in, shader->words[1] >= VERSION_1_4);
-        } else if (in.op == OP_ENTRY_POINT) {
+        } else if (in.op == SpvOpEntryPoint) {
             found = is_main(s, &in, model) || found;
         } else {
             declare(s, arena, &in);

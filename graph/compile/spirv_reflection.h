@@ -4,21 +4,10 @@
 #ifndef RG_COMPILE_SPIRV_REFLECTION_H
 #define RG_COMPILE_SPIRV_REFLECTION_H
 
+#include <spirv/unified1/spirv.h>
+
 #include "graph/compile/arena.h"
 #include "graph/rg.h"
-
-enum {
-    SPIRV_UNIFORM_CONSTANT = 0, /* storage classes */
-    SPIRV_INPUT = 1,
-    SPIRV_UNIFORM = 2,
-    SPIRV_OUTPUT = 3,
-    SPIRV_PUSH_CONSTANT = 9,
-    SPIRV_STORAGE_BUFFER = 12,
-    SPIRV_DIM_2D = 1, /* dimensions of images */
-    SPIRV_DIM_3D = 2,
-    SPIRV_DIM_CUBE = 3,
-    SPIRV_DIM_BUFFER = 5,
-};
 
 #define SPIRV_NONE UINT32_MAX
 
@@ -30,22 +19,18 @@ enum {
 
 /* A global variable of the module. */
 struct spirv_variable {
-    const char *name; /* "" if unnamed; borrowed from module */
-    uint32_t storage;
-    uint32_t type;                   /* id of the type pointed to */
+    const char *name; /* else that of its block type, else "?"; borrowed from the module */
+    uint32_t storage; /* SpvStorageClass */
+    uint32_t type;    /* id of the type pointed to */
     uint32_t binding, set, location; /* SPIRV_NONE if there is none */
     uint32_t id;
     /* SPIRV_LOADS and SPIRV_STORES, by any function of the module. A pointer that cannot be
      * followed counts as both, except for what NonReadable and NonWritable exclude */
     uint32_t access;
-    bool used;         /* referenced by the entry point's instructions */
-    bool in_interface; /* listed by the entry point */
-};
-
-struct spirv_member {
-    const char *name;
-    uint32_t type;
-    uint32_t offset, size; /* bytes; offset SPIRV_NONE if not decorated */
+    VkDescriptorType descriptor; /* VK_DESCRIPTOR_TYPE_MAX_ENUM if it is none */
+    uint32_t descriptor_count;   /* array length: 1 for a single descriptor, 0 if unknown */
+    bool used;                   /* referenced by the entry point's instructions */
+    bool in_interface;           /* listed by the entry point */
 };
 
 struct spirv_image {
@@ -70,18 +55,6 @@ struct spirv {
  * After an error, or if out of memory, the functions below must not be called. */
 const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
                           VkShaderStageFlagBits stage);
-
-/* Returns a variable's descriptor type, or VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor. Sets
- * *count to the array length: 1 for a single descriptor, 0 if unknown. */
-VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
-                                     uint32_t *count);
-
-/* Returns the name of a variable or else the name of its block type; "?" if there is neither. */
-const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v);
-
-/* Returns the name of a struct type and its number of members; NULL for other types. */
-const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
-struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
 /* Returns the unpadded size in bytes of a struct, or of an array's struct; 0 for other types. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);

@@ -48,32 +48,75 @@ enum {
         assert_true(good_); \
     } while (0)
 
+/* A struct type of a module. */
+struct spirv_struct {
+    const char *name; /* NULL if the id is no named struct */
+    uint32_t count;
+
+    struct {
+        const char *name;
+        uint32_t type, offset;
+    } members[40];
+};
+
+static struct spirv_struct struct_of(const struct spirv *s, uint32_t type)
+{
+    struct spirv_struct found = { 0 };
+    const uint32_t *end = s->shader->words + s->shader->word_count;
+    for (const uint32_t *in = s->shader->words + 5; in < end; in += in[0] >> 16) {
+        const uint32_t op = in[0] & 0xffff, count = in[0] >> 16;
+        if (count < 2 || in[1] != type)
+            continue;
+        if (op == SpvOpName)
+            found.name = (const char *)&in[2];
+        if (op == SpvOpTypeStruct)
+            found.count = count - 2;
+        assert_true(found.count <= sizeof(found.members) / sizeof(found.members[0]));
+        for (uint32_t i = 0; i < found.count && op == SpvOpTypeStruct; i++)
+            found.members[i].type = in[2 + i];
+        if (op == SpvOpMemberName)
+            found.members[in[2]].name = (const char *)&in[3];
+        if (op == SpvOpMemberDecorate && in[3] == SpvDecorationOffset)
+            found.members[in[2]].offset = in[4];
+    }
+    return found;
+}
+
+/* Returns the size of a scalar, vector or struct in bytes; 0 for other types. */
+static uint32_t size_of(const struct spirv *s, uint32_t type)
+{
+    uint32_t count;
+    if (rg_spirv_component(s, type, &count) != '?')
+        return 4 * count;
+    return struct_of(s, type).count ? rg_spirv_struct_size(s, type) : 0;
+}
+
 /* A block holds one struct that C knows, member by member. */
 static void check_block(const struct spirv *s, uint32_t type)
 {
     const char *shader = s->shader->name;
-    uint32_t count;
-    const char *block = rg_spirv_struct(s, type, &count);
-    CHECK(block && count == 1, "%s: a block is not one struct\n", shader);
-    struct spirv_member whole = rg_spirv_member(s, type, 0);
-    assert_int_equal(whole.offset, 0);
-    const char *name = rg_spirv_struct(s, whole.type, &count);
+    const struct spirv_struct block = struct_of(s, type);
+    CHECK(block.name && block.count == 1, "%s: a block is not one struct\n", shader);
+    assert_int_equal(block.members[0].offset, 0);
+    const struct spirv_struct whole = struct_of(s, block.members[0].type);
     size_t k = 0;
-    while (k < SHARED_COUNT && name && strcmp(shared_structs[k].name, name) != 0)
+    while (k < SHARED_COUNT && whole.name && strcmp(shared_structs[k].name, whole.name) != 0)
         k++;
-    CHECK(name && k < SHARED_COUNT, "%s: block %s: no struct that C shares\n", shader, block);
+    CHECK(whole.name && k < SHARED_COUNT, "%s: block %s: no struct that C shares\n", shader,
+          block.name);
     const struct shared *shared = &shared_structs[k];
-    for (uint32_t i = 0; i < count; i++) {
-        struct spirv_member member = rg_spirv_member(s, whole.type, i);
+    for (uint32_t i = 0; i < whole.count; i++) {
+        const char *name = whole.members[i].name;
+        const uint32_t offset = whole.members[i].offset, size = size_of(s, whole.members[i].type);
         const struct field *field = &shared->fields[i];
-        CHECK(field->name && !strcmp(field->name, member.name), "%s: %s.%s is not C's member %u\n",
-              shader, name, member.name, i);
-        CHECK(field->offset == member.offset && field->size == member.size,
-              "%s: %s.%s is at %u, of %u bytes; in C at %zu, of %zu\n", shader, name, member.name,
-              member.offset, member.size, field->offset, field->size);
+        CHECK(field->name && !strcmp(field->name, name), "%s: %s.%s is not C's member %u\n", shader,
+              whole.name, name, i);
+        CHECK(field->offset == offset && (!size || field->size == size),
+              "%s: %s.%s is at %u, of %u bytes; in C at %zu, of %zu\n", shader, whole.name, name,
+              offset, size, field->offset, field->size);
     }
-    CHECK(!shared->fields[count].name, "%s: %s lacks %s\n", shader, name,
-          shared->fields[count].name);
+    CHECK(!shared->fields[whole.count].name, "%s: %s lacks %s\n", shader, whole.name,
+          shared->fields[whole.count].name);
 }
 
 static void check_blocks(const struct rg_shader *shader, VkShaderStageFlagBits stage)
@@ -87,7 +130,8 @@ static void check_blocks(const struct rg_shader *shader, VkShaderStageFlagBits s
     CHECK(!trouble && !arena.failed, "%s: %s\n", shader->name, trouble);
     for (uint32_t i = 0; i < s.variable_count; i++) {
         const struct spirv_variable *v = &s.variables[i];
-        if (v->storage == SPIRV_PUSH_CONSTANT || (v->storage == SPIRV_UNIFORM && v->used))
+        if (v->storage == SpvStorageClassPushConstant ||
+            (v->storage == SpvStorageClassUniform && v->used))
             check_block(&s, v->type);
     }
     rg_arena_finish(&arena);
