@@ -82,6 +82,7 @@ enum {
     RG_MAX_STRIDE = 2048,      /* maximum vertex stride in bytes */
     RG_MAX_VERTEX_BUFFERS = 8, /* maximum vertex buffers per pass */
     RG_MAX_LAYERS = 2048,      /* maximum layerCount of layered rendering */
+    RG_MAX_VIEWS = 6,          /* maximum views of multiview rendering */
     RG_MAX_ROWS = 1 << 24,     /* maximum entries of other tables */
 };
 
@@ -350,6 +351,10 @@ struct rg_pass {
     /* layerCount of layered rendering, from rg_target.layer on; 0 means 1. Shaders choose a layer
      * by gl_Layer, which needs the feature shaderOutputLayer */
     uint32_t layers;
+    /* multiview rendering: each of the `layers`, at most RG_MAX_VIEWS, is a view (viewMask of
+     * VkRenderingInfo). A draw draws to all of them, and gl_ViewIndex is the layer counted from
+     * rg_target.layer on. Needs the feature multiview */
+    bool multiview;
     rg_area_fn *area; /* rectangle to draw; NULL: whole targets */
     bool secondary;   /* record() calls only rg_cmd_record_secondary() and rg_cmd_execute() */
 };

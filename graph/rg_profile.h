@@ -37,8 +37,8 @@ struct rg_measure {
 };
 
 /* Cost of one pass. Without a clock, times are 0. Without statistics, and for passes with
- * rg_pass.secondary, counts are 0. If a pass is
- * skipped (rg_pass.when), `end` is equal to `begin`. */
+ * rg_pass.secondary or rg_pass.multiview, counts are 0. If a pass is skipped (rg_pass.when), `end`
+ * is equal to `begin`. */
 struct rg_pass_time {
     uint64_t begin, end;   /* GPU time from first pass's start */
     uint64_t record_begin; /* CPU time since frame start */

@@ -283,6 +283,8 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
                 "layers: expected at most 2048");
     rg_fault_if(c, pass->layers > 1 && (pass->kind != RG_RASTER || pass->repeat == RG_PER_LAYER),
                 RG_ERROR_VALUE, NULL, "layers: expected a raster row without RG_PER_LAYER");
+    rg_fault_if(c, pass->multiview && (pass->kind != RG_RASTER || pass->layers > RG_MAX_VIEWS),
+                RG_ERROR_VALUE, NULL, "multiview: expected a raster row of at most 6 layers");
     rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,
                 "give the descriptor set a name");
     if (pass->set && pass->kind == RG_TRANSFER)

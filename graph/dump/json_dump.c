@@ -247,6 +247,8 @@ static void print_pass(const struct rg_dump *d, uint32_t index)
                   p->extent.height);
     if (p->pass->layers)
         rg_dump_print(d, ", \"layers\": %u", p->pass->layers);
+    if (p->pass->multiview)
+        rg_dump_print(d, ", \"multiview\": true");
     string_member(d, "set", p->pass->set ? p->pass->set->name : NULL);
     rg_dump_print(d, ", \"conditional\": %s, \"targets\": [", bool_of(p->pass->when));
     for (uint32_t i = 0; i < p->color_count; i++) {

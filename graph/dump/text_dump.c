@@ -175,8 +175,9 @@ static void print_pass(const struct rg_dump *d, uint32_t index)
     const struct rg_plan_pass *pass = &d->plan->passes[index];
     rg_dump_print(d, "pass %u ", index);
     print_pass_name(d, pass->pass, pass->repetition);
-    rg_dump_print(d, " %s %ux%u%s\n", rg_dump_flag_name(rg_dump_kinds, pass->pass->kind),
+    rg_dump_print(d, " %s %ux%u%s", rg_dump_flag_name(rg_dump_kinds, pass->pass->kind),
                   pass->extent.width, pass->extent.height, pass->pass->when ? " conditional" : "");
+    rg_dump_print(d, pass->pass->multiview ? " multiview\n" : "\n");
     for (uint32_t i = 0; i < pass->color_count; i++)
         print_target(d, &pass->color[i], "color", pass->pass->layers);
     if (pass->depth.image != RG_NONE)

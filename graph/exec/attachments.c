@@ -42,8 +42,10 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
     bool has_depth = plan->depth.image != RG_NONE;
     uint32_t count = rg_exec_attachments(plan, targets);
     uint32_t resolve = plan->color_count + has_depth;
+    const uint32_t view_mask = rg_exec_view_mask(plan->pass);
     VkResult result;
     RG_KEY(exec, plan->color_count);
+    RG_KEY(exec, view_mask);
     for (uint32_t i = 0; i < count; i++) {
         const struct rg_plan_image *image = &exec->plan->images[targets[i].image];
         const uint32_t fields[] = { (uint32_t)image->image->format, image->samples,
@@ -73,9 +75,15 @@ static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass
         .pResolveAttachments = resolves,
         .pDepthStencilAttachment = has_depth ? &references[plan->color_count] : NULL,
     };
+    const VkRenderPassMultiviewCreateInfo multiview = {
+        .sType = VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO,
+        .subpassCount = 1,
+        .pViewMasks = &view_mask,
+    };
     RG_MAKE(exec, plan->pass->name, RENDER_PASS, CreateRenderPass, &pass->render_pass,
             &(VkRenderPassCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                .pNext = view_mask ? &multiview : NULL,
                 .attachmentCount = count,
                 .pAttachments = attachments,
                 .subpassCount = 1,
@@ -92,16 +100,17 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
     struct rg_plan_target attachments[RG_ATTACHMENT_COUNT];
     struct exec_targets *targets = &set->targets[index];
     uint32_t count = rg_exec_attachments(plan, attachments);
+    const uint32_t view_layers = rg_exec_layers(plan->pass);
+    const uint32_t layers = plan->pass->multiview ? 1 : view_layers; /* of the framebuffer */
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < count; i++) {
         const struct rg_plan_target *target = &attachments[i];
         const struct rg_plan_image *image = &exec->plan->images[target->image];
-        const uint32_t layers = rg_exec_layers(plan->pass);
         const struct exec_view view = {
-            .type = layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
+            .type = view_layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
             .usage = image->usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT),
-            .range = { image->aspects, target->mip, 1, target->layer, layers },
+            .range = { image->aspects, target->mip, 1, target->layer, view_layers },
         };
         RG_TRY(
             rg_exec_make_view(exec, image, set->images[target->image], &view, &targets->views[i]));
@@ -111,7 +120,7 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
     rg_exec_key(exec, targets->views, count * sizeof(targets->views[0]));
     RG_KEY(exec, exec->passes[index].render_pass);
     RG_KEY(exec, (uint64_t)plan->extent.width << 32 | plan->extent.height);
-    RG_KEY(exec, rg_exec_layers(plan->pass));
+    RG_KEY(exec, layers);
     RG_MAKE(exec, plan->pass->name, FRAMEBUFFER, CreateFramebuffer, &targets->framebuffer,
             &(VkFramebufferCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
@@ -120,7 +129,7 @@ static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *
                 .pAttachments = targets->views,
                 .width = plan->extent.width,
                 .height = plan->extent.height,
-                .layers = rg_exec_layers(plan->pass),
+                .layers = layers,
             });
 fail:
     return result;

@@ -64,15 +64,6 @@ static bool has_structures(const struct rg_plan *plan)
     return false;
 }
 
-static bool limits_depth_bias(const struct rg_plan *plan)
-{
-    for (uint32_t p = 0; p < plan->pass_count; p++) {
-        if (plan->passes[p].pass->depth_bias.clamp != 0.0f)
-            return true;
-    }
-    return false;
-}
-
 /* Returns true if the executor creates a sampler with a reduction mode for some use. */
 static bool reduces(const struct rg_exec *exec)
 {
@@ -141,6 +132,7 @@ static const struct capability {
     RAYS(4472, rayQuery),
     V11(4427, shaderDrawParameters),
     V11(4433, storageBuffer16BitAccess),
+    V11(4439, multiview),
     V12(5302, runtimeDescriptorArray),
     DESCRIPTORS(5304, UniformTexelBuffer, Dynamic),
     DESCRIPTORS(5305, StorageTexelBuffer, Dynamic),
@@ -198,6 +190,11 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
     find_features(exec, &f);
     const VkPhysicalDeviceFeatures *core = &f.core.features;
     VkResult result = check_capabilities(exec, &f);
+    bool clamps_bias = false, has_views = false;
+    for (uint32_t i = 0; i < exec->plan->pass_count; i++) {
+        clamps_bias = clamps_bias || exec->plan->passes[i].pass->depth_bias.clamp != 0.0f;
+        has_views = has_views || exec->plan->passes[i].pass->multiview;
+    }
     exec->has_indirect_count = f.v12.drawIndirectCount;
     exec->has_structures = has_structures(exec->plan);
 
@@ -213,7 +210,8 @@ VkResult rg_exec_check_features(struct rg_exec *exec)
         { "the feature independentBlend", blends_differ(exec->plan), core->independentBlend },
         { "the feature accelerationStructure", exec->has_structures,
           f.structures.accelerationStructure },
-        { "the feature depthBiasClamp", limits_depth_bias(exec->plan), core->depthBiasClamp },
+        { "the feature depthBiasClamp", clamps_bias, core->depthBiasClamp },
+        { "the feature multiview", has_views, f.v11.multiview },
         { "the feature fragmentStoresAndAtomics",
           writes_in(exec->plan, VK_SHADER_STAGE_FRAGMENT_BIT), core->fragmentStoresAndAtomics },
         { "the feature vertexPipelineStoresAndAtomics",

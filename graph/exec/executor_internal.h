@@ -309,6 +309,12 @@ static inline uint32_t rg_exec_layers(const struct rg_pass *row)
     return row->layers ? row->layers : 1;
 }
 
+/* Returns the view mask of a row; 0 without multiview. */
+static inline uint32_t rg_exec_view_mask(const struct rg_pass *row)
+{
+    return row->multiview ? (1u << rg_exec_layers(row)) - 1 : 0;
+}
+
 VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass);
 
 /* descriptors.c */

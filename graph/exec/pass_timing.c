@@ -182,9 +182,11 @@ void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands)
     }
 }
 
-static bool is_secondary(const struct rg_exec *exec, uint32_t pass)
+/* Returns true if queries cannot count in a pass: secondary command buffers would have to inherit
+ * them, and multiview rendering would use one query for each view. */
+static bool is_uncounted(const struct rg_exec *exec, uint32_t pass)
 {
-    return exec->plan->passes[pass].pass->secondary;
+    return exec->plan->passes[pass].pass->secondary || exec->plan->passes[pass].pass->multiview;
 }
 
 static void end_queries(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t query)
@@ -206,9 +208,8 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
         exec->vk.CmdBeginQuery(commands, exec->time->counts, query, 0);
         exec->vk.CmdBeginQuery(commands, exec->time->samples, query, VK_QUERY_CONTROL_PRECISE_BIT);
     }
-    if (is_secondary(exec, pass))
-        end_queries(exec, commands,
-                    query); /* secondary command buffers would have to inherit them */
+    if (is_uncounted(exec, pass))
+        end_queries(exec, commands, query);
 }
 
 /* Ends the measurement of a pass. A skipped pass writes no timestamp, because llvmpipe flushes all
@@ -219,7 +220,7 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
     const uint32_t query = exec->slot * exec->plan->pass_count + pass;
     if (!slot->passes)
         return;
-    if (!is_secondary(exec, pass))
+    if (!is_uncounted(exec, pass))
         end_queries(exec, commands, query);
     if (is_stamped(slot)) {
         if (drawn)

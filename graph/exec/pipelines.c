@@ -106,6 +106,7 @@ VkPipelineRenderingCreateInfo rg_exec_target_formats(const struct rg_exec *exec,
     const struct rg_plan_image *images = exec->plan->images;
     VkPipelineRenderingCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .viewMask = rg_exec_view_mask(plan->pass),
         .colorAttachmentCount = plan->color_count,
         .pColorAttachmentFormats = formats,
     };
@@ -310,6 +311,7 @@ static void add_pipeline(struct rg_exec *exec, const struct rg_plan_pass *plan,
                                row->depth_read_only,
                                plan->color_count,
                                (uint32_t)rg_exec_samples(exec, plan),
+                               rg_exec_view_mask(row),
                                pass->render_pass != VK_NULL_HANDLE };
     struct target_state targets;
     add_vertices(exec, row->vertices);

@@ -43,6 +43,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
         .flags = plan->pass->secondary ? VK_RENDERING_CONTENTS_SECONDARY_COMMAND_BUFFERS_BIT : 0,
         .renderArea = cmd->area,
         .layerCount = rg_exec_layers(plan->pass),
+        .viewMask = rg_exec_view_mask(plan->pass),
         .colorAttachmentCount = color_count,
         .pColorAttachments = attachments,
         .pDepthAttachment = has_depth ? &attachments[color_count] : NULL,

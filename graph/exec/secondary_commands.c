@@ -33,6 +33,7 @@ VkResult rg_cmd_record_secondary(const struct rg_cmd *cmd, VkCommandBuffer secon
     } else if (raster) {
         const VkPipelineRenderingCreateInfo targets =
             rg_exec_target_formats(exec, cmd->plan_pass, formats);
+        rendering.viewMask = targets.viewMask;
         rendering.colorAttachmentCount = targets.colorAttachmentCount;
         rendering.pColorAttachmentFormats = formats;
         rendering.depthAttachmentFormat = targets.depthAttachmentFormat;

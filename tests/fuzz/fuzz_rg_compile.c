@@ -188,6 +188,7 @@ static const struct field pass_fields[] = {
     FIELD(rg_pass, TARGETS_OF, color),  FIELD(rg_pass, U32, color_count),
     CHOSEN(rg_pass, stencil, stencils), FIELD(rg_pass, FLOAT, depth_bias.slope),
     FIELD(rg_pass, U32, queue),         CHOSEN(rg_pass, set, sets),
+    FIELD(rg_pass, U32, layers),        FIELD(rg_pass, BOOL, multiview),
 };
 
 static const struct field import_fields[] = {

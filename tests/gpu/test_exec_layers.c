@@ -1,4 +1,5 @@
-/* test_exec_layers.c: a row that draws several layers at a time, chosen by the vertex shader. */
+/* test_exec_layers.c: rows that draw several layers at a time: layers that the vertex shader
+ * chooses, and views of multiview rendering. */
 #include "tests/support/all_features_device.h"
 #include "tests/support/assertions.h"
 #include "tests/support/feature_graphs.h"
@@ -27,23 +28,35 @@ static void record_layers(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw_instances(cmd, 3, LAYER_COUNT);
 }
 
-#define LAYERED .vert = &layer_vert, .frag = &layer_frag
+static void record_views(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    rg_cmd_draw(cmd, 4);
+}
 
 /* Layer 0 is cleared, and the others are drawn at a time. */
+#define CLEAR \
+    { \
+        .name = "clear", \
+        .color = RG_TARGETS({ &stack, RG_LOAD_CLEAR, { .color = { { 9, 0, 0, 1 } } } }), \
+        .vert = &layer_vert, .frag = &layer_frag, .record = record_nothing, \
+    }
+#define DRAW(shader, function, ...) \
+    { \
+        .name = "draw", .color = RG_TARGETS({ &stack, RG_LOAD_DISCARD, .layer = 1 }), \
+        .vert = &(shader), .frag = &layer_frag, .record = (function), .layers = LAYER_COUNT, \
+        __VA_ARGS__ \
+    }
+
 static const struct rg_pass rows[] = {
-    {
-        .name = "clear",
-        .color = RG_TARGETS({ &stack, RG_LOAD_CLEAR, { .color = { { 9, 0, 0, 1 } } } }),
-        LAYERED,
-        .record = record_nothing,
-    },
-    {
-        .name = "draw",
-        .color = RG_TARGETS({ &stack, RG_LOAD_DISCARD, .layer = 1 }),
-        LAYERED,
-        .record = record_layers,
-        .layers = LAYER_COUNT,
-    },
+    CLEAR,
+    DRAW(layer_vert, record_layers, .queue = RG_QUEUE_MAIN),
+    RUN_READ("read", stack, stack_out),
+};
+static const struct rg_pass view_rows[] = {
+    CLEAR,
+    DRAW(view_vert, record_views, .multiview = true,
+         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP),
     RUN_READ("read", stack, stack_out),
 };
 
@@ -55,22 +68,30 @@ static void check_layers(struct run *run)
     }
 }
 
-static void layers_are_drawn_at_a_time(void **state)
+static void run_rows(void *state, const struct rg_technique *technique)
 {
-    const struct run_params params = {
-        .technique = RG_TECHNIQUE("layers", rows),
-        .outputs = { &stack_out },
-    };
+    const struct run_params params = { .technique = *technique, .outputs = { &stack_out } };
     struct gpu gpu;
-    all_features_device_open(&gpu, *state);
+    all_features_device_open(&gpu, state);
     run_variants(&gpu, &params, NULL, check_layers);
     all_features_device_close(&gpu);
+}
+
+static void layers_are_drawn_at_a_time(void **state)
+{
+    run_rows(*state, &(struct rg_technique)RG_TECHNIQUE("layers", rows));
+}
+
+static void views_are_drawn_at_a_time(void **state)
+{
+    run_rows(*state, &(struct rg_technique)RG_TECHNIQUE("views", view_rows));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(layers_are_drawn_at_a_time),
+        ON_DEVICE(views_are_drawn_at_a_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

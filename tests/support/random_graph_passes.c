@@ -255,6 +255,8 @@ static struct rg_range target_range(const struct random_known *known, const stru
                                     uint32_t mip, uint32_t layer)
 {
     struct rg_range range = { .mip = mip, .mip_count = 1, .layer = layer, .layer_count = 1 };
+    if (pass->layers)
+        range.layer_count = pass->layers;
     if (pass->repeat == RG_PER_LAYER)
         range.layer_count = known->layers - layer;
     if (pass->repeat == RG_PER_MIP)
@@ -299,7 +301,8 @@ static bool fits(const struct rg_pass *pass, const struct random_known *main,
                  const struct rg_target *target)
 {
     if (mip_size(known->width, target->mip) != mip_size(main->width, first->mip) ||
-        mip_size(known->height, target->mip) != mip_size(main->height, first->mip))
+        mip_size(known->height, target->mip) != mip_size(main->height, first->mip) ||
+        pass->layers > known->layers - target->layer)
         return false;
     if (pass->repeat == RG_PER_LAYER && known->layers > 1)
         return known->layers - target->layer == main->layers - first->layer;
@@ -377,6 +380,9 @@ static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
     target->mip = pass->repeat == RG_PER_MIP && from_start ? 0 : random_graph_below(t, known->mips);
     target->layer =
         pass->repeat == RG_PER_LAYER && from_start ? 0 : random_graph_below(t, known->layers);
+    if (pass->repeat != RG_PER_LAYER && random_graph_chance(t, 40))
+        pass->layers = 1 + random_graph_below(t, known->layers - target->layer);
+    pass->multiview = pass->layers && pass->layers <= RG_MAX_VIEWS && random_graph_chance(t, 50);
     if (!claim_target(t, pass, target, resource))
         return false;
     draw_resolve(t, pass, target, resource);

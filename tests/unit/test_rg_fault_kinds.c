@@ -169,6 +169,7 @@ static const struct fault_case sampler_cases[] = {
 
 static const struct rg_image volume = { "volume", COLOR_FORMAT, .depth = 4 };
 static const struct rg_image stacked = { "stacked", COLOR_FORMAT, .depth = 4, .layers = 2 };
+static const struct rg_image many = { "many", COLOR_FORMAT, .layers = 7 };
 static const struct rg_image dark = { "dark", VK_FORMAT_D32_SFLOAT, .depth = 4 };
 static const struct rg_image huge = { "huge", COLOR_FORMAT, .depth = 1 << 15 };
 static const struct rg_image short_chain = { "short chain", COLOR_FORMAT, 4, 4,
@@ -229,6 +230,18 @@ static const struct fault_case resource_cases[] = {
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .set = &nameless)) },
     { ROW(RG_ERROR_RANGE, "other",
           DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .layers = 2)) },
+    { ROW(RG_ERROR_RANGE, "other",
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER) }), .layers = 2, .multiview = true)) },
+    { ROW(RG_ERROR_VALUE, NULL,
+          DRAW("draw", .color = RG_TARGETS({ CLEARED(many) }), .uses = RG_USES({ WRITE_OTHER }),
+               .layers = 7, .multiview = true)) },
+    { ROW(RG_ERROR_VALUE, NULL,
+          { .name = "compute",
+            .kind = RG_COMPUTE,
+            .comp = &small_graph_shader,
+            .record = small_graph_record,
+            .uses = RG_USES({ WRITE_OTHER }),
+            .multiview = true }) },
     { ROW(RG_ERROR_ACCESS, "own",
           { .name = "copy",
             .kind = RG_TRANSFER,
