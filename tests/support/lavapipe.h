@@ -20,8 +20,9 @@ void lavapipe_environment(void);
 /* cmocka setup and teardown; *state is a struct gpu. Teardown fails if the validation layer
  * reported anything, including objects that were not destroyed. */
 int lavapipe_open(void **state);
-/* Without synchronization validation across submissions, which ignores timeline semaphores in
- * releases of the layer before 2024. */
+/* Without synchronization validation across submissions: layer 1.3.239 tracks timeline semaphores
+ * as binary ones, and ignores a signal while an earlier one has not been waited for. It then
+ * reports reads that are ordered after writes by a wait for the ignored signal's value. */
 int lavapipe_open_for_timelines(void **state);
 int lavapipe_close(void **state);
 
