@@ -74,7 +74,7 @@ struct exec_slot {
     VkCommandBuffer *submissions; /* of the plan's submissions, if these are several */
 };
 
-/* List of objects that are freed together, with a hash table of their keys. */
+/* List of objects that are freed together; with a hash table of their keys if they have keys. */
 struct exec_objects {
     struct exec_object *entries;
     uint32_t *chains;     /* `room` of them: index of the first object plus 1; 0 if there is none */

@@ -60,7 +60,7 @@ static void link_objects(struct exec_objects *list)
         link_object(list, i);
 }
 
-/* Makes room for `count` more objects. */
+/* Makes room for `count` more objects. Only `exec->objects` has a hash table. */
 static VkResult reserve(const struct rg_exec *exec, struct exec_objects *list, uint32_t count)
 {
     uint32_t room = list->room ? list->room : 64;
@@ -71,12 +71,15 @@ static VkResult reserve(const struct rg_exec *exec, struct exec_objects *list, u
     struct exec_object *entries = realloc(list->entries, room * sizeof(*entries));
     if (entries)
         list->entries = entries;
-    uint32_t *chains = entries ? realloc(list->chains, room * sizeof(*chains)) : NULL;
-    if (!chains)
+    const bool has_table = list == &exec->objects;
+    uint32_t *chains = entries && has_table ? realloc(list->chains, room * sizeof(*chains)) : NULL;
+    if (!entries || (has_table && !chains))
         return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "realloc", NULL);
-    list->chains = chains;
     list->room = room;
-    link_objects(list);
+    if (has_table) {
+        list->chains = chains;
+        link_objects(list);
+    }
     return VK_SUCCESS;
 }
 
