@@ -51,6 +51,13 @@ vec3 optics_compose(vec3 reflected, vec3 refracted, float f)
     return f * reflected + (1.0 - f) * refracted;
 }
 
+/* Returns the alpha of a pixel through which a background is visible: 1 - luminance (Rec. 709) of
+ * the transmittance. */
+float optics_alpha(vec3 transmittance)
+{
+    return 1.0 - dot(transmittance, vec3(0.2126, 0.7152, 0.0722));
+}
+
 /* Returns the unpolarised Fresnel reflectance, 1 on total reflection. `n` may face either side. */
 float optics_fresnel(vec3 e, vec3 n, float eta)
 {

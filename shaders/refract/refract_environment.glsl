@@ -122,14 +122,31 @@ bool refract_is_below_ground(vec3 point)
            cube_depth_behind(vec4(from_center, 1.0)) > 0.0;
 }
 
-vec3 refract_environment(vec3 point, vec3 dir)
+/* Returns the radiance that a ray reaches, and in a the reciprocal distance of the surface in the
+ * cube map, 0 for the sky. */
+vec4 refract_environment_texel(vec3 point, vec3 dir)
 {
     vec3 found = dir;
     if (constant_refract_lookup == REFRACT_LOOKUP_BOX)
         found = box_projection_dir(point, dir, frame.local_min, frame.local_max, frame.cube_center);
     else if (constant_refract_lookup == REFRACT_LOOKUP_DISTANCE)
         found = refract_cube_dir(point, normalize(dir));
-    return textureLod(env_cube, found, 0.0).rgb;
+    return textureLod(env_cube, found, 0.0);
+}
+
+vec3 refract_environment(vec3 point, vec3 dir)
+{
+    return refract_environment_texel(point, dir).rgb;
+}
+
+/* Returns the radiance that a camera path reaches. If the image has no background, and a path that
+ * has only been refracted reaches the sky, the result is 0 and `backdrop` 1, otherwise 0. */
+vec3 refract_environment_seen(vec3 point, vec3 dir, bool is_refracted, out float backdrop)
+{
+    vec4 texel = refract_environment_texel(point, dir);
+    bool is_backdrop = constant_backdrop == GLOBALS_BACKDROP_NONE && is_refracted && texel.a <= 0.0;
+    backdrop = is_backdrop ? 1.0 : 0.0;
+    return (1.0 - backdrop) * texel.rgb;
 }
 
 #endif

@@ -62,6 +62,7 @@ struct exits_ray {
     float reflectance; /* Fresnel reflectance of the face */
     uint faces;        /* number of internal reflections so far */
     float width;       /* width of the footprint, metres */
+    bool is_reflected; /* has been reflected inside the object */
 #ifdef REFRACT_MEDIUM
     float transmittance; /* transmittance of the scattering medium */
 #endif
@@ -70,9 +71,9 @@ struct exits_ray {
 #endif
 };
 
-/* Radiance of a pixel, and a second branch of the path, which is followed later. */
+/* Radiance and refract_backdrop of a pixel, and a second branch of the path, followed later. */
 struct exits_pixel {
-    vec3 light;
+    vec3 light, backdrop;
     /* second branch; its weight is negative if there is none, and 0 once the branch is followed */
     exits_ray other;
 };
@@ -132,6 +133,7 @@ void exits_gather_segment(inout exits_ray ray, inout exits_pixel pixel, float t)
 void exits_reflect(inout exits_ray ray, vec3 n)
 {
     ray.faces++;
+    ray.is_reflected = true;
     ray.path.dir = reflect(ray.path.dir, n);
     ray.crack_n = vec3(0.0);
 }
@@ -170,6 +172,7 @@ void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout
         ray.crack = inclusion_none;
         if (is_reflected) {
             ray.path.dir = reflect(ray.path.dir, ray.crack_n);
+            ray.is_reflected = true;
             continue;
         }
         vec3 n = march_nearer_normal(space, ray.path.point, near_front);
@@ -210,12 +213,11 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
     ray.width = bubbles_pixel_width(ray.path.point);
+    ray.is_reflected = false;
 #ifdef REFRACT_MEDIUM
     ray.transmittance = 1.0;
 #endif
-    exits_pixel pixel;
-    pixel.light = vec3(0.0);
-    pixel.other = ray;
+    exits_pixel pixel = exits_pixel(vec3(0.0), vec3(0.0), ray);
     pixel.other.weight = vec3(-1.0);
     path = ray.path;
     bool is_first = true;
@@ -229,19 +231,24 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
         bool is_trapped = ray.faces > space.march.bounces;
         bool is_last = i == EXITS || ray.faces >= space.march.bounces ||
                        exits_mean(ray.weight) * ray.reflectance < params.min_throughput;
-        vec3 light = refract_transmitted(leaving);
+        vec3 backdrop;
+        vec3 light = refract_transmitted(leaving, !ray.is_reflected, backdrop);
         float transmitted = is_trapped ? 0.0 : 1.0 - ray.reflectance;
         if (EXITS == 1u)
             transmitted = 1.0;
         float rest = is_last ? 1.0 - transmitted : 0.0;
+        backdrop *= transmitted;
         light = transmitted * light + rest * mean * exp(-refract_frame.absorb * ray.path.path);
 #ifdef REFRACT_MATERIAL
         light *= ray.tint;
+        backdrop *= ray.tint;
 #endif
 #ifdef REFRACT_MEDIUM
         light *= ray.transmittance;
+        backdrop *= ray.transmittance;
 #endif
         pixel.light += ray.weight * light;
+        pixel.backdrop += ray.weight * backdrop;
         if (is_last && exits_mean(pixel.other.weight) <= 0.0)
             break;
         if (is_last) { /* the weaker branch gets one exit */
@@ -253,6 +260,7 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
         ray.weight *= ray.reflectance;
         exits_reflect(ray, ray.n);
     }
+    refract_backdrop = pixel.backdrop;
     return pixel.light;
 }
 

@@ -18,10 +18,20 @@
 #include "refract/refract_packed_layers.glsl"
 #endif
 
+#ifdef REFRACT_SSR /* reflections show the environment */
+const bool refract_shows_backdrop = false;
+#else
+const bool refract_shows_backdrop = true;
+#endif
+
+/* Throughput with which a hidden background is visible through the ice. */
+vec3 refract_backdrop;
+
 struct refract_result {
     refract_path path;
     vec3 refraction; /* refracted radiance, including the opaque base's */
     vec3 reflection; /* radiance along the reflected direction */
+    vec3 backdrop;   /* refract_backdrop of all channels */
     float fresnel;   /* fraction of light that is reflected */
 };
 
@@ -38,9 +48,16 @@ vec3 refract_reflected_dir(vec3 e, vec3 n_f)
 #endif
 }
 
-vec3 refract_transmitted(refract_path path)
+/* Returns the radiance that leaves the ice along a path. `backdrop` is the throughput with which
+ * the path shows a hidden background. */
+vec3 refract_transmitted(refract_path path, bool is_refracted, out vec3 backdrop)
 {
-    return refract_environment(path.point, path.dir) * exp(-refract_frame.absorb * path.path);
+    float shown;
+    vec3 light = refract_environment_seen(path.point, path.dir,
+                                          refract_shows_backdrop && is_refracted, shown);
+    vec3 transmittance = exp(-refract_frame.absorb * path.path);
+    backdrop = shown * transmittance;
+    return light * transmittance;
 }
 
 float refract_reflectance(vec3 e, vec3 n_f)
@@ -57,15 +74,18 @@ float refract_reflectance(vec3 e, vec3 n_f)
 vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
 {
     path = refract_follow(e, n_f, channel);
-    vec3 light = refract_transmitted(path);
+    vec3 light = refract_transmitted(path, path.bounces + path.tir == 0.0, refract_backdrop);
 #ifdef REFRACT_MATERIAL
-    light *= refract_back_transmittance();
+    vec3 tint = refract_back_transmittance();
+    light *= tint;
+    refract_backdrop *= tint;
 #endif
 #ifdef REFRACT_MEDIUM
     float transmittance = 1.0;
     vec3 scattered =
         refract_in_scatter(frame.medium, path.point, normalize(path.dir), 1e30, transmittance);
     light = transmittance * light + scattered;
+    refract_backdrop *= transmittance;
 #endif
     return light;
 }
@@ -80,15 +100,20 @@ refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;
     r.refraction = refract_radiance(e, n_f, 1, r.path);
+    r.backdrop = refract_backdrop;
     if (constant_refract_colors > 1u) {
         refract_path other;
-        for (int channel = 0; channel < 3; channel += 2)
+        for (int channel = 0; channel < 3; channel += 2) {
             r.refraction[channel] = refract_radiance(e, n_f, channel, other)[channel];
+            r.backdrop[channel] = refract_backdrop[channel];
+        }
     }
     r.reflection = refract_environment(refract_front_point(), refract_reflected_dir(e, n_f));
     r.fresnel = refract_reflectance(e, n_f);
 #ifdef REFRACT_MATERIAL
-    r.refraction = r.refraction * refract_front_transmittance() + refract_base_radiance();
+    vec3 tint = refract_front_transmittance();
+    r.refraction = r.refraction * tint + refract_base_radiance();
+    r.backdrop *= tint;
 #endif
     return r;
 }
@@ -121,7 +146,8 @@ void main()
     vec3 e = primary_ray_dir(eye_to_point);
     vec3 n_f = refract_front_normal();
     refract_result r = refract_shade(e, n_f);
-    color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);
+    float alpha = optics_alpha((1.0 - r.fresnel) * r.backdrop);
+    color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), alpha);
     highlight = highlight_radiance(e, eye_to_point, n_f);
 #ifdef REFRACT_PACKED_LAYERS
     refract_layers layers;

@@ -49,11 +49,13 @@ struct nested_ray {
     vec3 point, dir, throughput;
     int level;
     ivec3 within; /* medium of each level that contains the ray */
+    bool is_reflected;
 };
 
 /* Ray that has left all objects. */
 struct nested_end {
     vec3 point, dir, throughput;
+    bool is_reflected;
 };
 
 nested_ray pending[nested_pending_max]; /* stack of pending rays, the latest one first */
@@ -184,11 +186,11 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 }
 
 /* Appends to `ends` by constant indices, since a variable index would move the array to memory. */
-void nested_push_end(vec3 point, vec3 dir, vec3 throughput)
+void nested_push_end(vec3 point, vec3 dir, vec3 throughput, bool is_reflected)
 {
     for (int k = 0; k < nested_ends_max; k++)
         if (k == end_count)
-            ends[k] = nested_end(point, dir, throughput);
+            ends[k] = nested_end(point, dir, throughput, is_reflected);
     end_count++;
 }
 
@@ -288,6 +290,7 @@ vec3 nested_scatter(nested_face face, inout nested_ray ray)
     vec3 through = is_total ? vec3(0.0) : (1.0 - face.reflectance) * ray.throughput;
     nested_ray back = ray;
     back.dir = face.reflected;
+    back.is_reflected = true;
     back.throughput *= face.reflectance;
     bool goes_back =
         max(back.throughput.r, max(back.throughput.g, back.throughput.b)) > nested_throughput_min;
@@ -295,7 +298,7 @@ vec3 nested_scatter(nested_face face, inout nested_ray ray)
     bool is_pushed = goes_back && goes_through && pending_count < nested_pending_max;
     vec3 rest = vec3(0.0);
     if (leaves && !is_total && end_count < nested_ends_max)
-        nested_push_end(ray.point, face.refracted, through);
+        nested_push_end(ray.point, face.refracted, through, ray.is_reflected);
     else if (leaves)
         rest += through;
     if (is_pushed)
@@ -337,10 +340,11 @@ nested_ray nested_begin(refract_path path)
     ray.throughput = vec3(1.0);
     ray.level = 0;
     ray.within = ivec3(max(medium, 0), 0, 0);
+    ray.is_reflected = false;
     for (int i = 0; i < nested_pending_max; i++)
         pending[i] = ray;
     for (int i = 0; i < nested_ends_max; i++)
-        ends[i] = nested_end(ray.point, ray.dir, vec3(0.0));
+        ends[i] = nested_end(ray.point, ray.dir, vec3(0.0), true);
     pending_count = 0;
     end_count = 0;
     return ray;
@@ -373,9 +377,15 @@ vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
     for (int i = 0; i < nested_pending_max; i++)
         rest += i < pending_count ? pending[i].throughput : vec3(0.0);
     light += rest * mean;
+    refract_backdrop = vec3(0.0);
     for (int i = 0; i < nested_ends_max; i++)
-        if (i < end_count)
-            light += ends[i].throughput * refract_environment(ends[i].point, ends[i].dir);
+        if (i < end_count) {
+            float backdrop;
+            bool is_refracted = refract_shows_backdrop && !ends[i].is_reflected;
+            light += ends[i].throughput *
+                     refract_environment_seen(ends[i].point, ends[i].dir, is_refracted, backdrop);
+            refract_backdrop += backdrop * ends[i].throughput;
+        }
     return light;
 }
 

@@ -75,6 +75,7 @@ struct trace_path {
      * refraction by an object; negative if the ray started inside an object */
     float open;
     vec3 d_origin, d_dir; /* ray differentials of origin and direction */
+    bool shows_backdrop;  /* has only been refracted, and the image has no background */
 };
 
 struct trace_result {
@@ -86,6 +87,7 @@ struct trace_result {
     vec3 exit;
     float path_length, bounces, segments; /* of the main (refracted) path */
     uint last;                            /* main path's last object, or 0 */
+    vec3 backdrop;                        /* throughput with which a hidden background is visible */
 };
 
 /* Per-pixel state in global variables, because lavapipe compiles array arguments slowly. */
@@ -106,6 +108,7 @@ bool sets_last; /* the followed path may set result.last */
 struct trace_ray_end {
     vec3 origin, dir, throughput;
     float kind;
+    bool shows_backdrop;
 };
 
 trace_ray_end ends[trace_ends_max];
@@ -258,6 +261,7 @@ trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3
         next.medium_stack = is_inside ? trace_stack_push(path.medium_stack, c.rank)
                                       : trace_stack_remove(path.medium_stack, c.rank);
     next.seed = microfacet_hash(path.seed, is_through ? 1u : 0u);
+    next.shows_backdrop = path.shows_backdrop && is_through;
     return next;
 }
 
@@ -289,13 +293,14 @@ void trace_begin(vec3 eye, vec3 e)
     bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
     path = trace_path(eye, e, vec3(1.0), trace_camera_stack(), -1, side, 1e30, seed, 0.0,
                       trace_segments_max, is_in_bubble, false, 1.0, differential_origin,
-                      differential_dir);
+                      differential_dir, constant_backdrop == GLOBALS_BACKDROP_NONE);
     for (int i = 0; i < trace_pending_max; i++)
         pending[i] = path;
     pending_count = 0;
     segment_count = 0;
     start = eye;
-    result = trace_result(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
+    result = trace_result(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u,
+                          vec3(0.0));
     is_first = true;
     is_main = true;
     sets_last = true;
@@ -304,7 +309,7 @@ void trace_begin(vec3 eye, vec3 e)
 #endif
 #ifndef TRACE_RAYS
     for (int i = 0; i < trace_ends_max; i++)
-        ends[i] = trace_ray_end(eye, e, vec3(0.0), 0.0);
+        ends[i] = trace_ray_end(eye, e, vec3(0.0), 0.0, false);
     end_count = 0;
     escaped_end = path;
     escaped_end.throughput = vec3(0.0);
@@ -328,7 +333,7 @@ void trace_push_end(trace_path at)
 {
     for (int k = 0; k < trace_ends_max; k++)
         if (k == end_count)
-            ends[k] = trace_ray_end(at.origin, at.dir, at.throughput, at.kind);
+            ends[k] = trace_ray_end(at.origin, at.dir, at.throughput, at.kind, at.shows_backdrop);
     end_count++;
 }
 #endif
@@ -492,14 +497,15 @@ void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
 }
 
 /* Terminates a path of low throughput by Russian roulette. The main path is only terminated if it
- * carries next to nothing, because it also gives the layers. */
+ * carries next to nothing, because it also gives the layers, and so is a path that gives alpha. */
 bool trace_survives()
 {
     float max_throughput = max(path.throughput.r, max(path.throughput.g, path.throughput.b));
     float probability = min(max_throughput / max(trace.branch, trace_branch_min), 1.0);
-    return is_main ? max_throughput > 1e-5
-                   : max_throughput > 0.0 && trace_roulette(path.throughput, path.dir, path.kind,
-                                                            probability, trace_survival_seed);
+    return is_main || path.shows_backdrop
+               ? max_throughput > 1e-5
+               : max_throughput > 0.0 && trace_roulette(path.throughput, path.dir, path.kind,
+                                                        probability, trace_survival_seed);
 }
 
 /* Continues the path at a surface by refraction, and pushes the reflected branch as a second path.
@@ -566,7 +572,11 @@ bool trace_end_path(trace_hit hit)
             float open = 1.0;
             if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle < 0 && path.open > 0.0)
                 open = path.open;
-            trace_add(open * path.throughput * light, path.kind);
+            bool is_backdrop = path.shows_backdrop && hit.triangle < 0;
+            if (is_backdrop)
+                result.backdrop += path.throughput;
+            else
+                trace_add(open * path.throughput * light, path.kind);
             result.is_object = true;
         }
         if (is_shaded && !is_first)
@@ -659,7 +669,10 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
         trace_ray_end end = ends[0];
         for (int k = 1; k < trace_ends_max; k++)
             end = k == i ? ends[k] : end;
-        trace_add(end.throughput * refract_environment(end.origin, end.dir), end.kind);
+        float backdrop;
+        vec3 light = refract_environment_seen(end.origin, end.dir, end.shows_backdrop, backdrop);
+        trace_add(end.throughput * light, end.kind);
+        result.backdrop += backdrop * end.throughput;
     }
 #endif
 }

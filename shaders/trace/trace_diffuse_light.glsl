@@ -100,6 +100,7 @@ void lighting_push_ray(trace_hit hit, vec3 dir, vec3 throughput, float open, uin
     other.reach = 1e30;
     other.seed = microfacet_hash(path.seed, DIFFUSE_SAMPLING_PATH_SEED);
     other.is_lighting_ray = true;
+    other.shows_backdrop = false;
     other.open = open;
     trace_push_pending(other);
 }

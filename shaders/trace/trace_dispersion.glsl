@@ -17,6 +17,7 @@ void trace_all_channels(vec3 eye, vec3 e)
         all = i == 0 ? result : all;
         all.refraction[channel] = result.refraction[channel];
         all.reflection[channel] = result.reflection[channel];
+        all.backdrop[channel] = result.backdrop[channel];
 #ifdef TRACE_DENOISE
         all_denoise = i == 0 ? denoise_inputs : all_denoise;
         all_denoise.gathered[channel] = denoise_inputs.gathered[channel];

@@ -63,7 +63,7 @@ void main()
     out_throughput = vec4(denoise_inputs.throughput, 0.0);
     out_position = denoise_inputs.position;
 #endif
-    color = vec4(result.refraction + result.reflection, 1.0);
+    color = vec4(result.refraction + result.reflection, optics_alpha(result.backdrop));
     highlight = result.is_ground ? -1.0 : highlight_radiance(e, eye_to_point, result.normal);
     gl_FragDepth = result.distance > 0.0 ? trace_depth(start + result.distance * e) : 1.0;
 #ifdef REFRACT_PACKED_LAYERS

@@ -37,7 +37,7 @@ void photon_begin(uint seed)
     vec3 x = normalize(row_x.xyz), y = normalize(row_y.xyz);
     path = trace_path(vec3(0.0), vec3(0.0), vec3(1.0), uvec4(0u), -1,
                       trace_has(TRACE_HAS_CULLING) ? -1.0 : 0.0, 1e30, seed, 0.0,
-                      trace_segments_max, false, true, 0.0, vec3(0.0), vec3(0.0));
+                      trace_segments_max, false, true, 0.0, vec3(0.0), vec3(0.0), false);
     vec2 texel = floor(gl_FragCoord.xy) + path_random_point(photon_texel_seed);
     vec2 at = ICE_CAUSTICS_MARGIN * (2.0 * texel / float(ICE_CAUSTICS_PHOTONS) - 1.0);
     float radius = 0.5 * radians(push.sun);

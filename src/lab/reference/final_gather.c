@@ -37,6 +37,7 @@ static void add_ray(const struct tracer *tracing, const struct ray_branch *b,
     ray.bounces++;
     ray.seed = microfacet_hash(b->seed, DIFFUSE_SAMPLING_PATH_SEED);
     ray.is_gather_ray = true;
+    ray.shows_backdrop = false;
     const vec3s sky = radiance_at_infinity(tracing->radiance, dir);
     gather->analytic_sky = glms_vec3_muladd(throughput, sky, gather->analytic_sky);
     gather->rays[gather->count++] = ray;

@@ -64,6 +64,7 @@ static struct ray_branch continue_ray(const struct ray_branch *b,
         .ignores_scattering = b->ignores_scattering,
         .is_gather_ray = b->is_gather_ray,
         .is_single_path = b->is_single_path,
+        .shows_backdrop = b->shows_backdrop && is_through,
     };
     if (hit->kind != EMBREE_SCENE_CRACKS)
         nested_media_set_apply(&next.inside, &surface_hit->changes, is_through);
@@ -150,6 +151,7 @@ static bool scatter(const struct tracer *tracing, struct ray_branch *b, float le
     b->seed = microfacet_hash(b->seed, CONTINUE_SEED);
     b->scatterings++;
     b->is_single_path = true;
+    b->shows_backdrop = false;
     return true;
 }
 

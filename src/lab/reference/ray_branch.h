@@ -18,6 +18,7 @@ struct ray_branch {
     bool ignores_scattering; /* passes scattering media undeflected, for layers */
     bool is_gather_ray;      /* gathers light at surroundings (final_gather.h) */
     bool is_single_path;     /* samples reflection or refraction, never branches */
+    bool shows_backdrop;     /* has only been refracted, and the image has no background */
 };
 
 /* Both branches at a surface: the reflected and the refracted ray. */

@@ -17,7 +17,7 @@ enum reference_inclusion {
 /* Float values computed for a camera ray. Most are 0 if the ray hits nothing. */
 struct reference_ray_values {
     vec3s color; /* linear radiance */
-    float alpha; /* 1; 0 for a hidden background */
+    float alpha; /* 1 - luminance of the transmittance to a hidden background */
     float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
     /* Refracted path: `exit` is its final direction. `path` is its length inside the object, in

@@ -15,9 +15,11 @@ enum {
 
 #define ROUNDING 1e-6f /* relative rounding error of distances */
 
-/* Radiance summed over a ray tree, and the throughput of its terminated rays. */
+/* Radiance summed over a ray tree. */
 struct sum {
-    vec3s light, remaining;
+    vec3s light;
+    vec3s remaining; /* throughput of terminated rays */
+    vec3s backdrop;  /* throughput of rays with shows_backdrop that reach the environment */
 };
 
 /* Applies Russian roulette to a ray, with the mean radiance of the surroundings as control variate
@@ -32,7 +34,8 @@ static bool survives(const struct tracer *tracing, struct ray_branch *branch, st
     return weight > 0.0f;
 }
 
-/* Pushes a ray onto the stack. If the ray is terminated, adds its throughput to `remaining`. */
+/* Pushes a ray onto the stack. If the ray is terminated, adds its throughput to `remaining`. The
+ * path that gives alpha is exempt from roulette, which would take alpha out of its range. */
 static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_t *count,
                  struct ray_branch branch, struct sum *sum)
 {
@@ -40,7 +43,7 @@ static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_
     const bool is_weak = glms_vec3_max(branch.throughput) < tracing->params.cutoff;
     if (ray_branch_is_exhausted(tracing, &branch) || (is_weak && !is_roulette))
         sum->remaining = glms_vec3_add(sum->remaining, branch.throughput);
-    else if (!is_roulette || survives(tracing, &branch, sum))
+    else if (!is_roulette || branch.shows_backdrop || survives(tracing, &branch, sum))
         stack[(*count)++] = branch;
 }
 
@@ -90,6 +93,10 @@ static bool shade_surroundings(const struct tracer *tracing, const struct embree
                                struct ray_branch *b, struct sum *sum, struct light_gather *gather)
 {
     *gather = (struct light_gather){ .count = 0 };
+    if (!hit && b->shows_backdrop) {
+        sum->backdrop = glms_vec3_add(sum->backdrop, b->throughput);
+        return false;
+    }
     if (!hit) {
         const bool is_open = b->is_gather_ray || b->scatterings > 0;
         const vec3s sky = is_open ? radiance_at_infinity(tracing->radiance, b->ray.dir)
@@ -223,6 +230,12 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
+/* Subtracts the luminance of the transmitted background from the pixel's alpha. */
+static void add_backdrop(vec3s backdrop, struct reference_ray_values *values)
+{
+    values->alpha -= glms_vec3_dot(backdrop, (vec3s){ { 0.2126f, 0.7152f, 0.0722f } });
+}
+
 /* Traces the reflected and refracted ray of a hit. `channels` is 1 in traced colour channels. */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
                           const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
@@ -246,6 +259,7 @@ static void trace_channel(const struct tracer *tracing, const struct ray_branch 
         trace_tree(tracing, branch, channel, &sum);
         values->color = glms_vec3_add(values->color, sum.light);
         values->remaining = glms_vec3_add(values->remaining, sum.remaining);
+        add_backdrop(sum.backdrop, values);
         *branch_light[i] = glms_vec3_muladds(sum.light, 1.0f / fractions[i], *branch_light[i]);
     }
 }
@@ -290,6 +304,7 @@ static void trace_all_channels(const struct tracer *tracing, const struct ray_br
         trace_tree(tracing, b, c, &sum);
         values->color = glms_vec3_add(values->color, sum.light);
         values->remaining = glms_vec3_add(values->remaining, sum.remaining);
+        add_backdrop(sum.backdrop, values);
     }
 }
 
@@ -303,6 +318,7 @@ struct reference_ray_values whitted_trace(const struct tracer *tracing,
         .inside = tracing->camera_inside,
         .throughput = glms_vec3_one(),
         .seed = seed,
+        .shows_backdrop = tracing->radiance->scene->background.is_hidden,
     };
     const bool is_in_medium = ray_branch_is_in_scattering(tracing, &camera);
     const struct ray_branch first = camera;
