@@ -92,6 +92,8 @@ vec4 material_base_color(uint material, vec2 uv)
 /* Returns true if AOVs skip a point because it is cut out or blended with alpha below 1/2. */
 bool material_is_hole(uint material, float alpha)
 {
+    if ((constant_textured & CONSTANT_TEXTURED_HOLES) == 0u) /* `alpha` need not be sampled */
+        return false;
     uint row = material >> MESH_SURFACE_SHIFT;
     if (textureSize(materials, 0).x != MATERIAL_ROW_WIDTH)
         return (material & MESH_CUTOUT) != 0u && alpha < 0.5;

@@ -1,4 +1,4 @@
-/* first_surface.frag: fragment shader of the albedo, object and motion layers (AOVs). */
+/* first_surface.frag: fragment shader of the albedo and motion layers (AOVs). */
 #version 460
 #include "lib/material_textures.glsl"
 #include "output/first_surface.h"
@@ -18,11 +18,9 @@ layout(location = 1) in vec2 uv;
 layout(location = 2) flat in uint material;
 layout(location = 3) in vec4 clip;
 layout(location = 4) in vec4 previous_clip;
-layout(location = 5) flat in uint number;
 
 layout(location = 0) out vec4 out_albedo;
-layout(location = 1) out float out_object;
-layout(location = 2) out vec4 out_motion; /* screen-space motion in pixels */
+layout(location = 1) out vec4 out_motion; /* screen-space motion in pixels */
 
 void main()
 {
@@ -31,7 +29,6 @@ void main()
     if (!object && material_is_hole(material, base.a))
         discard;
     out_albedo = vec4(color * base.rgb, 1.0);
-    out_object = float(number);
     vec2 moved = (clip.xy / clip.w - previous_clip.xy / previous_clip.w) * previous.half_size;
     out_motion = previous_clip.w > 0.0 ? vec4(moved, 0.0, 0.0) : vec4(0.0);
 }

@@ -1,11 +1,10 @@
-/* first_surface.h: bindings and uniforms of the first-surface layers (albedo, object, motion). */
+/* first_surface.h: bindings and uniforms of the first-surface layers (albedo, motion). */
 #ifndef SHADERS_OUTPUT_FIRST_SURFACE_H
 #define SHADERS_OUTPUT_FIRST_SURFACE_H
 #include "abi.h"
 
 #define FIRST_SURFACE_PREVIOUS  12 /* uniforms of the previous frame */
 #define FIRST_SURFACE_POSITIONS 13 /* previous frame's vertex positions, texture */
-#define FIRST_SURFACE_STARTS    14 /* first vertex of each object of the surroundings */
 #define FIRST_SURFACE_WIDTH     2048
 
 /* Transformations of the previous frame. */
@@ -17,10 +16,8 @@ struct first_surface_previous {
 };
 
 struct first_surface_push {
-    uint32_t id;     /* object number (surroundings: base number) */
     uint32_t first;  /* the mesh's first vertex in FIRST_SURFACE_POSITIONS */
     uint32_t object; /* 1: refractive object; 0: surroundings */
-    uint32_t count;  /* number of objects in FIRST_SURFACE_STARTS */
 };
 
 #endif

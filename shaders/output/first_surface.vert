@@ -1,4 +1,4 @@
-/* first_surface.vert: vertex shader of the albedo, object and motion layers (AOVs). */
+/* first_surface.vert: vertex shader of the albedo and motion layers (AOVs). */
 #version 460
 #include "lib/object_pose.glsl"
 #include "output/first_surface.h"
@@ -15,8 +15,6 @@ layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Previous
 
 layout(set = 0, binding = FIRST_SURFACE_POSITIONS) uniform sampler2D positions;
 
-layout(set = 0, binding = FIRST_SURFACE_STARTS) uniform sampler2D starts;
-
 layout(push_constant, scalar) uniform Push
 {
     first_surface_push push;
@@ -27,7 +25,6 @@ layout(location = 1) out vec2 out_uv;
 layout(location = 2) flat out uint out_material;
 layout(location = 3) out vec4 out_now;
 layout(location = 4) out vec4 out_previous;
-layout(location = 5) flat out uint out_number;
 
 vec3 previous_position()
 {
@@ -36,21 +33,6 @@ vec3 previous_position()
         return position;
     ivec2 texel = ivec2(at % FIRST_SURFACE_WIDTH, at / FIRST_SURFACE_WIDTH);
     return texelFetch(positions, texel, 0).xyz;
-}
-
-/* Returns the vertex's object number by binary search, like model_surroundings_find_object(). */
-uint find_number()
-{
-    uint low = 0u, high = push.count;
-    while (low < high) {
-        uint mid = (low + high) / 2u;
-        ivec2 texel = ivec2(mid % FIRST_SURFACE_WIDTH, mid / FIRST_SURFACE_WIDTH);
-        if (packUnorm4x8(texelFetch(starts, texel, 0)) <= uint(gl_VertexIndex))
-            low = mid + 1u;
-        else
-            high = mid;
-    }
-    return low;
 }
 
 void main()
@@ -66,7 +48,6 @@ void main()
     out_color = color;
     out_uv = uv;
     out_material = material;
-    out_number = push.id + find_number();
     out_now = frame.clip_from_world * vec4(point, 1.0);
     out_previous = previous.clip_from_world * old_point;
     gl_Position = out_now;

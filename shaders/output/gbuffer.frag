@@ -1,4 +1,5 @@
-/* gbuffer.frag: fragment shader of the G-buffer of the visible surface: normal and position. */
+/* gbuffer.frag: fragment shader of the G-buffer: normal, position and object of the visible
+ * surface. */
 #version 460
 #include "lib/globals.glsl"
 #include "lib/material_textures.glsl"
@@ -7,8 +8,10 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) flat in uint material;
+layout(location = 4) flat in float number;
 layout(location = 0) out vec4 out_normal;   /* w: distance from the camera */
 layout(location = 1) out vec4 out_position; /* w: distance along the view axis */
+layout(location = 2) out float out_object;
 
 void main()
 {
@@ -16,4 +19,5 @@ void main()
         discard;
     out_normal = vec4(normalize(normal), distance(position, frame.eye));
     out_position = vec4(position, dot(position - frame.eye, frame.forward));
+    out_object = number;
 }

@@ -1,7 +1,7 @@
 /*
- * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface. Holes cut
- * by alpha testing are invisible, and so are blended surfaces with alpha below one half. Motion
- * vectors follow the surface, not reflected or refracted objects.
+ * first_surface.c: albedo and motion layers (AOVs) of the first visible surface. Holes cut by alpha
+ * testing are invisible, and so are blended surfaces with alpha below one half. Motion vectors
+ * follow the surface, not reflected or refracted objects.
  */
 #include "src/tech/output/first_surface.h"
 #include "shaders/embedded.h"
@@ -14,11 +14,6 @@ static rg_record_fn record_surroundings, record_objects;
 static const struct rg_image first_surface_albedo = {
     .name = "first_surface.albedo",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-};
-
-const struct rg_image first_surface_object = {
-    .name = "first_surface.object",
-    .format = VK_FORMAT_R32_SFLOAT,
 };
 
 static const struct rg_image first_surface_motion = {
@@ -35,10 +30,6 @@ static const struct rg_image first_surface_depth = {
 static const struct rg_image first_surface_positions =
     FRAME_IMPORTED("first_surface.positions", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
-/* Imported: model.surroundings_starts, as filterable bytes of 32-bit numbers. */
-static const struct rg_image first_surface_starts =
-    FRAME_IMPORTED("first_surface.starts", VK_FORMAT_R8G8B8A8_UNORM, false);
-
 static const struct rg_buffer first_surface_previous = {
     .name = "first_surface.previous",
     .size = sizeof(struct first_surface_previous),
@@ -51,8 +42,6 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
     FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL,
                  .stages = VK_SHADER_STAGE_VERTEX_BIT),
-    FRAME_SAMPLE(first_surface_starts, FIRST_SURFACE_STARTS, .sampler = NULL,
-                 .stages = VK_SHADER_STAGE_VERTEX_BIT),
     { .buffer = &first_surface_previous, .access = RG_UNIFORM, .binding = FIRST_SURFACE_PREVIOUS },
     { 0 },
 };
@@ -61,7 +50,6 @@ static const struct rg_pass passes[] = {
     {
         .name = "first_surface.surroundings",
         .color = RG_TARGETS({ &first_surface_albedo, RG_LOAD_CLEAR },
-                            { &first_surface_object, RG_LOAD_CLEAR },
                             { &first_surface_motion, RG_LOAD_CLEAR }),
         .depth = { &first_surface_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
@@ -75,7 +63,6 @@ static const struct rg_pass passes[] = {
     {
         .name = "first_surface.objects",
         .color = RG_TARGETS({ &first_surface_albedo, RG_LOAD_KEEP },
-                            { &first_surface_object, RG_LOAD_KEEP },
                             { &first_surface_motion, RG_LOAD_KEEP }),
         .depth = { &first_surface_depth, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
@@ -91,25 +78,16 @@ static const struct rg_pass passes[] = {
 
 static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct model *model = &frame->scene->model;
-    const struct first_surface_push push = {
-        .id = model->object_count + 1,
-        .first = model->object.vertex_count,
-        .count = model->surroundings_object_count,
-    };
+    const struct first_surface_push push = { .first = frame->scene->model.object.vertex_count };
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
 static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct model *model = &frame->scene->model;
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct object *object = &model->objects[i];
-        const struct first_surface_push push = { .id = i + 1, .object = 1 };
-        rg_cmd_push(cmd, &push, sizeof(push));
-        rg_cmd_draw_mesh_part(cmd, &frame->object, object->first_index, object->index_count);
-    }
+    const struct first_surface_push push = { .object = 1 };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
 void first_surface_write(void *memory, const struct frame_view *view, const struct globals *globals)
@@ -148,26 +126,10 @@ static struct technique_texels find_positions(const struct scene *scene)
     };
 }
 
-_Static_assert(MODEL_SURROUNDINGS_ROW == FIRST_SURFACE_WIDTH, "rows of starts are rows of texels");
-
-static struct technique_texels find_starts(const struct scene *scene)
-{
-    if (!scene->model.surroundings_object_count)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = scene->model.surroundings_starts,
-        .width = MODEL_SURROUNDINGS_ROW,
-        .height = (scene->model.surroundings_object_count - 1) / MODEL_SURROUNDINGS_ROW + 1,
-        .no_mips = true,
-    };
-}
-
 static const float no_position[4] = { 0 };
-static const uint32_t no_start;
 
 static const struct technique_import imports[] = {
     { &first_surface_positions, find_positions, no_position },
-    { &first_surface_starts, find_starts, &no_start },
     { 0 },
 };
 
@@ -177,15 +139,6 @@ static const struct frame_layer layers[] = {
         .image = &first_surface_albedo,
         .planes = { "albedo.R", "albedo.G", "albedo.B" },
         .help = "linear base colour of the first visible surface",
-    },
-    {
-        .name = "object",
-        .image = &first_surface_object,
-        .planes = { "object.Z" },
-        .integer = true,
-        .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of the first visible surface's object (names: firn/objects), 0 if there is "
-                "none",
     },
     {
         .name = "motion",
@@ -200,7 +153,7 @@ static const struct frame_layer layers[] = {
 
 const struct technique first_surface = {
     .name = "first_surface",
-    .help = "base colour, object and motion of the first visible surface",
+    .help = "base colour and motion of the first visible surface",
     .layers = layers,
     .uploads = uploads,
     .imports = imports,

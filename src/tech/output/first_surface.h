@@ -5,8 +5,6 @@
 #include "shaders/output/first_surface.h"
 #include "src/tech/frame_resources.h"
 
-extern const struct rg_image first_surface_object; /* the layer `object` */
-
 /* Returns the number of rows of FIRST_SURFACE_WIDTH texels for the vertices of a model. */
 uint32_t first_surface_rows(const struct model *model);
 

@@ -1,6 +1,6 @@
 /*
- * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z; layers
- * distance and N.camera follow from them).
+ * gbuffer.c: G-buffer of the visible surface: normal, position, depth and object (layers N, P, Z
+ * and object; layers distance and N.camera follow from them).
  *
  * Both passes draw into the same targets and have a depth buffer of their own, so that these layers
  * can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with alpha below
@@ -10,7 +10,7 @@
 #include "shaders/embedded.h"
 #include "src/tech/frame_resources.h"
 
-static rg_record_fn record_surroundings, record_object;
+static rg_record_fn record_surroundings, record_objects;
 
 const struct rg_image gbuffer_normal = {
     .name = "gbuffer.normal",
@@ -20,6 +20,11 @@ const struct rg_image gbuffer_normal = {
 const struct rg_image gbuffer_position = {
     .name = "gbuffer.position",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+const struct rg_image gbuffer_object = {
+    .name = "gbuffer.object",
+    .format = VK_FORMAT_R32_SFLOAT,
 };
 
 static const struct rg_image camera_normal = {
@@ -32,10 +37,16 @@ const struct rg_image gbuffer_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
+/* Imported: model.surroundings_starts, as filterable bytes of 32-bit numbers. */
+static const struct rg_image gbuffer_starts =
+    FRAME_IMPORTED("gbuffer.starts", VK_FORMAT_R8G8B8A8_UNORM, false);
+
 static const struct rg_use uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
     FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
+    FRAME_SAMPLE(gbuffer_starts, GBUFFER_STARTS, .sampler = NULL,
+                 .stages = VK_SHADER_STAGE_VERTEX_BIT),
     { 0 },
 };
 
@@ -47,7 +58,8 @@ static const struct rg_pass passes[] = {
                               { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } },
                             { &gbuffer_position,
                               RG_LOAD_CLEAR,
-                              { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } }),
+                              { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } },
+                            { &gbuffer_object, RG_LOAD_CLEAR }),
         .depth = { &gbuffer_depth, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = uses,
@@ -58,8 +70,9 @@ static const struct rg_pass passes[] = {
         .record = record_surroundings,
     },
     {
-        .name = "gbuffer.object",
-        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
+        .name = "gbuffer.objects",
+        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP },
+                            { &gbuffer_object, RG_LOAD_KEEP }),
         .depth = { &gbuffer_depth, RG_LOAD_KEEP },
         .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = uses,
@@ -68,7 +81,7 @@ static const struct rg_pass passes[] = {
         .vertices = &frame_mesh_layout,
         .cull = VK_CULL_MODE_BACK_BIT,
         .push_size = sizeof(struct gbuffer_push),
-        .record = record_object,
+        .record = record_objects,
     },
 };
 
@@ -87,15 +100,46 @@ static const struct rg_pass camera_passes[] = {
 
 static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_push(cmd, &(struct gbuffer_push){ 0 }, sizeof(struct gbuffer_push));
+    const struct model *model = &frame->scene->model;
+    const struct gbuffer_push push = {
+        .id = model->object_count + 1,
+        .count = model->surroundings_object_count,
+    };
+    rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
-static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    rg_cmd_push(cmd, &(struct gbuffer_push){ .object = 1 }, sizeof(struct gbuffer_push));
-    rg_cmd_draw_mesh(cmd, &frame->object);
+    const struct model *model = &frame->scene->model;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        const struct gbuffer_push push = { .id = i + 1, .object = 1 };
+        rg_cmd_push(cmd, &push, sizeof(push));
+        rg_cmd_draw_mesh_part(cmd, &frame->object, object->first_index, object->index_count);
+    }
 }
+
+_Static_assert(MODEL_SURROUNDINGS_ROW == GBUFFER_STARTS_WIDTH, "rows of starts are rows of texels");
+
+static struct technique_texels find_starts(const struct scene *scene)
+{
+    if (!scene->model.surroundings_object_count)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->model.surroundings_starts,
+        .width = MODEL_SURROUNDINGS_ROW,
+        .height = (scene->model.surroundings_object_count - 1) / MODEL_SURROUNDINGS_ROW + 1,
+        .no_mips = true,
+    };
+}
+
+static const uint32_t no_start;
+
+static const struct technique_import imports[] = {
+    { &gbuffer_starts, find_starts, &no_start },
+    { 0 },
+};
 
 static const struct frame_layer layers[] = {
     {
@@ -123,6 +167,15 @@ static const struct frame_layer layers[] = {
                 "firn/origin)",
     },
     {
+        .name = "object",
+        .image = &gbuffer_object,
+        .planes = { "object.Z" },
+        .integer = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of the first visible surface's object (names: firn/objects), 0 if there is "
+                "none",
+    },
+    {
         .name = "distance",
         .image = &gbuffer_normal,
         .planes = { "distance.Z" },
@@ -143,8 +196,9 @@ static const struct frame_layer layers[] = {
 
 const struct technique gbuffer = {
     .name = "gbuffer",
-    .help = "normal, position and depth of the nearest surface",
+    .help = "normal, position, depth and object of the nearest surface",
     .layers = layers,
+    .imports = imports,
     .pass_groups = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) },
                      { PHASE_UNPACK, SCENE_OF_ANY,
                        .graph = RG_TECHNIQUE("gbuffer", camera_passes) } },

@@ -1,4 +1,4 @@
-/* gbuffer.h: G-buffer: normal, position and depth of the visible surface, ice or surroundings. */
+/* gbuffer.h: G-buffer: normal, position, depth and object of the visible surface. */
 #ifndef FIRN_TECH_OUTPUT_GBUFFER_H
 #define FIRN_TECH_OUTPUT_GBUFFER_H
 #include "shaders/output/gbuffer.h"
@@ -7,7 +7,8 @@
 extern const struct rg_image gbuffer_normal; /* unit, outward, world; 0: no surface */
 /* xyz: world-space position, metres; w: view-space depth, metres, or GBUFFER_NOTHING */
 extern const struct rg_image gbuffer_position;
-extern const struct rg_image gbuffer_depth; /* reversed depth of surroundings and object */
+extern const struct rg_image gbuffer_object; /* object number; 0: no surface */
+extern const struct rg_image gbuffer_depth;  /* reversed depth of surroundings and object */
 extern const struct technique gbuffer;
 
 #endif

@@ -8,7 +8,7 @@
 #include "src/tech/inclusions/medium_density_fields.h"
 #include "src/tech/lighting/bump.h"
 #include "src/tech/lighting/highlight.h"
-#include "src/tech/output/first_surface.h"
+#include "src/tech/output/gbuffer.h"
 #include "src/tech/pass_arena.h"
 
 const struct rg_image refract_exit = {
@@ -140,7 +140,7 @@ static const struct rg_pass unpack_passes[] = {
         .uses = RG_USES(
             UNPACK_USES,
             FRAME_SAMPLE(refract_packed_counts, REFRACT_PACKED_MORE, .sampler = &frame_same_texel),
-            FRAME_SAMPLE(first_surface_object, REFRACT_FIRST_OBJECT, .sampler = &frame_same_texel)),
+            FRAME_SAMPLE(gbuffer_object, REFRACT_FIRST_OBJECT, .sampler = &frame_same_texel)),
         .vert = &fullscreen_vert,
         .frag = &refract_unpack_traced_frag,
         .record = frame_draw_screen,
