@@ -94,23 +94,31 @@ static uint32_t to_integer(float value, double max)
     return !(rounded >= 1.0) ? 0 : rounded >= max ? (uint32_t)max : (uint32_t)rounded;
 }
 
-static void put(char *to, uint32_t type, float value)
+static void put_integer(char *to, uint32_t type, float value)
 {
-    const uint32_t integer = type == FIRN_FLOAT32
-                                 ? 0
-                                 : to_integer(value, type == FIRN_UINT8    ? UINT8_MAX
-                                                     : type == FIRN_UINT16 ? UINT16_MAX
-                                                                           : (double)UINT32_MAX);
+    const uint32_t integer = to_integer(value, type == FIRN_UINT8    ? UINT8_MAX
+                                               : type == FIRN_UINT16 ? UINT16_MAX
+                                                                     : (double)UINT32_MAX);
     const uint8_t byte = (uint8_t)integer;
     const uint16_t half = (uint16_t)integer;
-    if (type == FIRN_FLOAT32)
-        memcpy(to, &value, sizeof(value));
-    else if (type == FIRN_UINT8)
+    if (type == FIRN_UINT8)
         memcpy(to, &byte, sizeof(byte));
     else if (type == FIRN_UINT16)
         memcpy(to, &half, sizeof(half));
     else
         memcpy(to, &integer, sizeof(integer));
+}
+
+/* Writes a row of one channel; zeros if `from` is NULL. */
+static void put_row(const struct target *target, char *to, const float *from, size_t count)
+{
+    const bool is_float = target->type == FIRN_FLOAT32;
+    for (size_t x = 0; from && is_float && x < count; x++, to += target->pixel_stride)
+        memcpy(to, &from[x], sizeof(from[x]));
+    for (size_t x = 0; from && !is_float && x < count; x++, to += target->pixel_stride)
+        put_integer(to, target->type, from[x]);
+    for (size_t x = 0; !from && x < count; x++, to += target->pixel_stride)
+        memset(to, 0, type_sizes[target->type]);
 }
 
 /* Writes a layer; 0 if the refraction model has no such layer. */
@@ -121,9 +129,7 @@ static void write_layer(const struct target *target, const struct image *image)
         const float *plane = image_find(image, target->layer->planes[c]);
         for (size_t y = 0; y < image->height; y++) {
             char *to = target->data + (ptrdiff_t)y * target->row_stride + (ptrdiff_t)(c * size);
-            const float *from = plane ? &plane[y * image->width] : NULL;
-            for (size_t x = 0; x < image->width; x++, to += target->pixel_stride)
-                put(to, target->type, from ? from[x] : 0.0f);
+            put_row(target, to, plane ? &plane[y * image->width] : NULL, image->width);
         }
     }
 }
@@ -156,12 +162,16 @@ static void write_display(const struct target *target, const struct render_resul
         char *to = target->data + (ptrdiff_t)(i / width) * target->row_stride +
                    (ptrdiff_t)(i % width) * target->pixel_stride;
         for (size_t c = 0; c < target->channels; c++, to += size) {
-            if (target->type == FIRN_UINT8)
-                put(to, FIRN_UINT8, result->rgba[4 * i + c]);
+            if (target->type == FIRN_UINT8) {
+                *to = (char)result->rgba[4 * i + c];
+                continue;
+            }
+            const uint16_t value = result->rgba_16[4 * i + c];
+            const float fraction = (float)value / 65535.0f;
+            if (target->type == FIRN_UINT16)
+                memcpy(to, &value, sizeof(value));
             else
-                put(to, target->type,
-                    target->type == FIRN_UINT16 ? (float)result->rgba_16[4 * i + c]
-                                                : (float)result->rgba_16[4 * i + c] / 65535.0f);
+                memcpy(to, &fraction, sizeof(fraction));
         }
     }
 }
