@@ -6,6 +6,8 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/lab/metric/heat_map.h"
+#include "src/lab/reference/ray_layer_tracer.h"
+#include "src/lab/reference/reference.h"
 #include "src/setup/aov_to_png.h"
 #include "src/setup/object_id_names.h"
 #include "src/tech/output/tonemap.h"
@@ -34,12 +36,12 @@ void pixel_inspector_finish(struct pixel_inspector *inspector, struct gpu *gpu)
     inspector->names = NULL;
 }
 
-/* Skips layers specific to the reference. */
+/* Skips layers that only the reference computes, and traced layers in builds without Embree. */
 const struct frame_layer *pixel_inspector_layer(uint32_t i)
 {
     const struct frame_layer *layer;
     for (size_t l = 0; i && (layer = techniques_layer(l)); l++) {
-        if (layer->image && !--i)
+        if ((layer->image || (layer->is_traced && reference_is_built())) && !--i)
             return layer;
     }
     return NULL;
@@ -48,6 +50,23 @@ const struct frame_layer *pixel_inspector_layer(uint32_t i)
 bool pixel_inspector_replaces_image(const struct pixel_inspector_choice *c)
 {
     return c->layer || c->channel || c->false_color || c->stops < 0.0f || c->stops > 0.0f;
+}
+
+/* Adds those layers of `params` that the CPU traces to an image. */
+static enum status trace_layers(const struct renderer_params *params, const struct viewport *p,
+                                const struct renderer_shot *shot, struct image *image)
+{
+    struct ray_layer_tracer *tracer = NULL;
+    char *objects = object_names(&p->scene), *materials = material_names(&p->scene);
+    enum status status = objects && materials
+                             ? ray_layer_tracer_create(&tracer, params, objects, materials)
+                             : log_out_of_memory("names");
+    if (status == STATUS_OK)
+        status = ray_layer_tracer_draw(tracer, shot, image);
+    ray_layer_tracer_destroy(tracer);
+    free(objects);
+    free(materials);
+    return status;
 }
 
 enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewport *p,
@@ -62,10 +81,15 @@ enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewp
     params.layers = layer_image_bit(pixel_inspector_layer(inspector->choice.layer));
     for (size_t i = 0; always[i]; i++)
         params.layers |= layer_image_bit(layer_image_find(always[i]));
+    const uint64_t traced = ray_layer_tracer_mask(params.layers);
+    params.layers &= ~traced;
     enum status status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)
         status = renderer_render(renderer, shot, &result, NULL, NULL);
     renderer_destroy(renderer);
+    params.layers = traced;
+    if (status == STATUS_OK && traced)
+        status = trace_layers(&params, p, shot, &result.image);
     image_finish(&inspector->layers);
     inspector->layers = result.image;
     free(inspector->names);
@@ -76,7 +100,7 @@ enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewp
 
 /* Planes of a layer or of the rendered image. */
 struct planes {
-    const float *data[4];
+    const float *data[FRAME_LAYER_PLANES];
     uint32_t count;
     float scale; /* factor on the texel values */
     size_t size;
@@ -90,7 +114,7 @@ static struct planes open_planes(const struct pixel_inspector *inspector, const 
     struct planes planes = { .scale =
                                  layer ? 1.0f : 1.0f / (float)renderer_sum_count(p->renderer) };
     planes.size = (size_t)from->width * from->height;
-    for (uint32_t c = 0; c < (layer ? 4 : 3) && which->planes[c]; c++) {
+    for (uint32_t c = 0; c < (layer ? FRAME_LAYER_PLANES : 3) && which->planes[c]; c++) {
         planes.data[c] = image_find(from, which->planes[c]);
         if (!planes.data[c])
             break;
@@ -301,7 +325,8 @@ bool pixel_inspector_values(const struct pixel_inspector *inspector, const struc
     take(layers, layer_image_find("Z"), i, &v->distance, 1);
     take(layers, layer_image_find("object"), i, &object, 1);
     v->object = object > 0.0f ? (uint32_t)(object + 0.5f) : 0;
-    v->layer_count = take(layers, pixel_inspector_layer(inspector->choice.layer), i, v->layer, 4);
+    v->layer_count = take(layers, pixel_inspector_layer(inspector->choice.layer), i, v->layer,
+                          FRAME_LAYER_PLANES);
     find_name(inspector->names, v->object, v->name, sizeof(v->name));
     if (inspector->rgba) {
         memcpy(v->shown, &inspector->rgba[i * 4], 3);

@@ -58,7 +58,7 @@ struct pixel_inspector_values {
     float color[4];                         /* linear; mean of all samples */
     uint8_t shown[3];                       /* displayed, sRGB-encoded */
     float position[3], normal[3], distance; /* world space; lengths in metres */
-    float layer[4];                         /* values of the chosen layer */
+    float layer[FRAME_LAYER_PLANES];        /* values of the chosen layer */
     uint32_t layer_count;                   /* number of planes in `layer` */
     uint32_t object;                        /* 0 if no surface was hit */
     char name[64];                          /* object or material name, or "" */

@@ -41,15 +41,12 @@ void ui_pixel_inspector_layer_list(const char *label, struct pixel_inspector_cho
 
 static void choose_channel(struct pixel_inspector_choice *c)
 {
-    static const char *const colors[] = { "all", "R", "G", "B", NULL };
+    static const char *const colors[] = { "all", "R", "G", "B" };
     const struct frame_layer *layer = pixel_inspector_layer(c->layer);
-    const char *names[5] = { "all" };
-    uint32_t count = 1;
-    for (; count < 5; count++) {
-        names[count] = layer ? layer->planes[count - 1] : colors[count];
-        if (!names[count])
-            break;
-    }
+    const char *names[FRAME_LAYER_PLANES + 1] = { "all" };
+    const uint32_t count = 1 + (layer ? frame_layer_plane_count(layer) : 3);
+    for (uint32_t i = 1; i < count; i++)
+        names[i] = layer ? layer->planes[i - 1] : colors[i];
     ui_named_list("Channel", names, count, &c->channel, "channel to show, or all");
 }
 
