@@ -13,6 +13,7 @@ processes: each one draws `firn.dataset.share(range(20), number, count)`.
 """
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import io
 import json
@@ -24,12 +25,13 @@ from collections.abc import Iterable
 import numpy as np
 
 from .camera import Camera
-from .device import settings
+from .device import Material, settings
 from .errors import UsageError
 from .frame import Frame, png_bytes, write_exr, write_file
 from .tabletop import tabletop  # noqa: F401, part of this module's interface
 
 NOTHING = 0  # object number of the background
+OPAQUE = 1e-6  # transmission of objects that opaque() changes
 
 
 # ---- variation ----
@@ -115,6 +117,25 @@ def vary(scene, rng, **ranges) -> dict:
         chosen[known[name]['name']] = value
         scene.set(known[name]['name'], value)
     return chosen
+
+
+@contextlib.contextmanager
+def opaque(scene, color=(0.8, 0.8, 0.8)):
+    """
+    Makes all refractive objects of a scene opaque within a `with` block. They keep their numbers and
+    shapes, so the same view before and inside the block is a pair. `color` is linear.
+    """
+    before = [(one, one.material) for one in scene.objects.all() if one.refracts]
+    for one, material in before:  # objects without transmission would become surroundings
+        fields = ('thickness', 'ior', 'class_id') + ('priority',) * material.has_priority
+        one.material = Material(base_color=(*color, 1), metallic=0, roughness=0,
+                                transmission=OPAQUE,
+                                **{name: getattr(material, name) for name in fields})
+    try:
+        yield
+    finally:
+        for one, material in before:
+            one.material = material
 
 
 # ---- masks ----

@@ -157,6 +157,9 @@ class Device(_Handle):
         return 'Device(closed)' if self.closed else f'Device({self.name!r})'
 
 
+PRIORITY = 8  # FIRN_MATERIAL_PRIORITY
+
+
 class Material:
     """
     A surface and the medium behind it, as in glTF 2.0: base_color (4 numbers), metallic, roughness,
@@ -185,6 +188,11 @@ class Material:
         """Name of the material in its file."""
         return (self._struct.name or b'').decode(errors='replace')
 
+    @property
+    def has_priority(self) -> bool:
+        """Whether a priority is stated, for overlapping objects."""
+        return bool(self._struct.flags & PRIORITY)
+
     def set(self, **fields) -> Material:
         """Sets several fields at once."""
         for name, value in fields.items():
@@ -200,7 +208,7 @@ class Material:
                 value = int(value) if name in ('priority', 'class_id') else float(value)
             setattr(self._struct, name, value)
             if name == 'priority':
-                self._struct.flags |= 8  # FIRN_MATERIAL_PRIORITY
+                self._struct.flags |= PRIORITY
         if self._write and fields:
             self._write(self._struct)
         return self

@@ -304,6 +304,21 @@ class Firn(unittest.TestCase):
         self.assertTrue(edge[differs].all())
         self.assertEqual(set(np.unique(glass.boundary)), {0, 1, 2})
 
+    def test_opaque(self):
+        """An opaque twin has the glass's shapes and numbers, and nothing is seen through it."""
+        scene = self.sphere()
+        renderer = scene.renderer(('rgb', 'Z', 'object', 'refracted.object'))
+        glass = renderer.render(VIEW)
+        with dataset.opaque(scene, (0.5, 0, 0)):
+            twin = renderer.render(VIEW)
+        ball = glass.object > 0
+        for name in ('Z', 'object'):
+            np.testing.assert_array_equal(glass[name], twin[name])
+        self.assertTrue((glass['refracted.object'][ball] == 0).all())
+        self.assertGreater((twin['refracted.object'] == twin.object)[ball].mean(), 0.95)
+        self.assertTrue((twin.rgb[ball][:, 0] > 1.5 * twin.rgb[ball][:, 1]).mean() > 0.8)
+        np.testing.assert_array_equal(renderer.render(VIEW).rgb, glass.rgb)
+
     def test_views(self):
         """Layers that a model lacks are refused; plans are shown; opaque materials can change."""
         scene = self.sphere()
