@@ -45,6 +45,25 @@ static vec3s divide(vec3s from, vec3s by, vec3s other)
     return result;
 }
 
+/* Scales the colours of a refractive object's vertices, which contain its base colour, to another
+ * base colour. */
+static enum status recolor(struct model *model, const struct object *object, vec3s old, vec3s made)
+{
+    struct mesh *mesh = &model->object;
+    uint8_t *is_done = calloc(mesh->vertex_count + (size_t)1, 1);
+    if (!is_done)
+        return log_out_of_memory("materials");
+    for (uint32_t i = 0; i < object->index_count; i++) {
+        const uint32_t vertex = mesh->indices[object->first_index + i];
+        vec3s *color = &mesh->vertices[vertex].color;
+        if (!is_done[vertex])
+            *color = glms_vec3_mul(made, divide(*color, old, glms_vec3_one()));
+        is_done[vertex] = 1;
+    }
+    free(is_done);
+    return STATUS_OK;
+}
+
 /* Gives an object of the surroundings a new last material. Its vertices keep their colours relative
  * to the base colour. */
 static enum status change_opaque(struct model *model, uint32_t part,
@@ -95,7 +114,10 @@ static enum status change_materials(void *user, struct model *model)
         }
         struct object *object = &model->objects[change->object];
         struct material made = grown[object->material];
-        const enum status status = lib_material_read(&made, &change->material);
+        const vec3s old = made.base_color;
+        enum status status = lib_material_read(&made, &change->material);
+        if (status == STATUS_OK)
+            status = recolor(model, object, old, made.base_color);
         if (status != STATUS_OK)
             return status;
         grown[model->material_count] = made;
