@@ -19,6 +19,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import zipfile
 from collections.abc import Iterable
 
@@ -232,33 +233,38 @@ def _write_png(folder, index, frame, _entry):
 
 def _annotate_coco(folder, index, frame, entry):
     entry['annotations'] = [
-        {'object': number, 'bbox': box_of(mask), 'area': int(mask.sum()), 'iscrowd': 0,
+        {'object_id': number, 'bbox': box_of(mask), 'area': int(mask.sum()), 'iscrowd': 0,
          'segmentation': rle(mask)}
         for number, mask in visible_masks(frame).items()]
     if 'objects' in frame:
         whole = amodal_masks(frame)
         for one in entry['annotations']:
-            mask = whole[one['object']]
+            mask = whole[one['object_id']]
             one.update(amodal_bbox=box_of(mask), amodal_segmentation=rle(mask),
                        visible_fraction=one['area'] / int(mask.sum()))
     return _write_png(folder, index, frame, entry)
 
 
-def _finish_coco(folder, entries, names):
-    images, annotations = [], []
-    for entry in entries:
-        width, height = entry['size']
-        images.append({'id': entry['index'], 'file_name': f'rgb/{entry["index"]:06}.png',
-                       'width': width, 'height': height})
-        for one in entry['annotations']:
-            annotations.append({'id': len(annotations) + 1, 'image_id': entry['index'],
-                                'category_id': one['object'],
-                                **{k: v for k, v in one.items() if k != 'object'}})
-    seen = sorted({one['category_id'] for one in annotations})
-    categories = [{'id': number, 'name': names.get(number) or f'object {number}'}
-                  for number in seen]
-    _dump(folder / 'coco.json', {'info': {'description': 'rendered by firn'}, 'images': images,
-                                 'annotations': annotations, 'categories': categories})
+def _category(entry, annotation):
+    """Returns the name of the annotated object in its image, without a number at the end."""
+    number = annotation['object_id']
+    name = entry['names'].get(str(number), '')
+    return re.sub(r'[ ._-]*\d+$', '', name) or name or f'object {number}'
+
+
+def _finish_coco(writer, entries):
+    found = [(entry, one, _category(entry, one)) for entry in entries
+             for one in entry['annotations']]
+    names = sorted({name for _, _, name in found}
+                   if writer.categories is None else writer.categories)
+    images = [{'id': entry['index'], 'file_name': f'rgb/{entry["index"]:06}.png',
+               'width': entry['size'][0], 'height': entry['size'][1]} for entry in entries]
+    annotations = [{'image_id': entry['index'], 'category_id': 1 + names.index(name), **one}
+                   for entry, one, name in found if name in names]
+    _dump(writer.folder / 'coco.json', {
+        'info': {'description': 'rendered by firn'}, 'images': images,
+        'annotations': [{'id': number, **one} for number, one in enumerate(annotations, 1)],
+        'categories': [{'id': number, 'name': name} for number, name in enumerate(names, 1)]})
 
 
 def _write_bop(folder, index, frame, entry):
@@ -287,7 +293,7 @@ def _write_bop(folder, index, frame, entry):
     return list(files)
 
 
-def _finish_bop(folder, entries, _names):
+def _finish_bop(writer, entries):
     """Writes BOP's files, in millimetres. Objects are in world space, so poses are the camera's."""
     cameras, poses, infos = {}, {}, {}
     for entry in entries:
@@ -299,12 +305,12 @@ def _finish_bop(folder, entries, _names):
         poses[key] = [{'cam_R_m2c': rotation, 'cam_t_m2c': position, 'obj_id': one['obj_id']}
                       for one in entry['bop']]
         infos[key] = [{k: v for k, v in one.items() if k != 'obj_id'} for one in entry['bop']]
-    scene = folder / 'bop' / '000001'
+    scene = writer.folder / 'bop' / '000001'
     for name, value in (('camera', cameras), ('gt', poses), ('gt_info', infos)):
         _dump(scene / f'scene_{name}.json', value)
 
 
-def _finish_colmap(folder, entries, _names):
+def _finish_colmap(writer, entries):
     cameras, images = [], []
     for number, entry in enumerate(entries, 1):
         camera = Camera(*(entry['camera'][name] for name in ('K', 'R', 't', 'size')))
@@ -313,7 +319,7 @@ def _finish_colmap(folder, entries, _names):
         cameras.append(f'{number} PINHOLE {width} {height} {fx!r} {fy!r} {cx + .5!r} {cy + .5!r}')
         pose = ' '.join(repr(float(x)) for x in (*camera.quaternion, *camera.t))
         images.append(f'{number} {pose} {number} {entry["index"]:06}.png\n')
-    path = _folder(folder / 'colmap')
+    path = _folder(writer.folder / 'colmap')
     write_file(path / 'cameras.txt', ('\n'.join(cameras) + '\n').encode())
     write_file(path / 'images.txt', ('\n'.join(images) + '\n').encode())
     write_file(path / 'points3D.txt', b'')
@@ -338,7 +344,8 @@ class Writer:
     npz     npz/000000.npz with all layers
     png     rgb/000000.png
     coco    coco.json with boxes and visible masks, and rgb/; needs the layer `object`; with
-            `objects` also whole (amodal) boxes and masks, and visible fractions
+            `objects` also whole (amodal) boxes and masks, and visible fractions. An object's
+            category is its name without a number at the end; `categories` are those to keep
     bop     bop/000001/, lengths in millimetres, visible masks; needs `object` and `Z`; with
             `objects` also whole masks and visible fractions
     colmap  colmap/*.txt with the cameras, and rgb/
@@ -346,13 +353,14 @@ class Writer:
     meta/000000.json contains the camera, the variation and SHA-256 hashes of an image's files. It
     is written last, so an image that has it is complete. dataset.json lists all images.
     """
-    def __init__(self, folder, formats=('exr',), seed: int = 0):
+    def __init__(self, folder, formats=('exr',), seed: int = 0,
+                 categories: Iterable[str] | None = None):
         unknown = [name for name in formats if name not in _FORMATS]
         if unknown:
             raise UsageError(f'no format {unknown[0]!r}; there are {", ".join(_FORMATS)}')
         self.folder = pathlib.Path(folder)
         self.formats, self.seed = tuple(formats), int(seed)
-        self._names = {}
+        self.categories = None if categories is None else set(categories)
         _folder(self.folder / 'meta')
 
     def rng(self, index: int) -> np.random.Generator:
@@ -373,12 +381,11 @@ class Writer:
         return [index for index in indices if not is_there(index)]
 
     def write(self, index: int, frame: Frame, scene=None, variation: dict | None = None) -> None:
-        """Writes an image in all formats. `scene` is used for the names of its objects."""
-        if scene is not None:
-            self._names.update({one.id: one.name for one in scene.objects.all()})
+        """Writes an image in all formats. `scene` gives the names of the objects in it."""
+        names = {} if scene is None else {one.id: one.name for one in scene.objects.all()}
         entry = {'index': index, 'seed': self.seed, 'formats': list(self.formats),
                  'size': list(frame.size), 'camera': json.loads(frame.camera.to_json()),
-                 'variation': variation or {}, 'names': self._names}
+                 'variation': variation or {}, 'names': names}
         files = dict.fromkeys(path for name in self.formats
                               for path in _FORMATS[name][0](self.folder, index, frame, entry))
         entry['sha256'] = {str(path.relative_to(self.folder)):
@@ -389,13 +396,13 @@ class Writer:
         """Writes dataset.json and the files of formats that list all images."""
         entries = [json.loads(path.read_text())
                    for path in sorted((self.folder / 'meta').glob('*.json'))]
-        names = {int(number): name for entry in entries for number, name in entry['names'].items()}
         for finish in dict.fromkeys(_FORMATS[name][1] for name in self.formats):
             if finish:
-                finish(self.folder, entries, names)
+                finish(self, entries)
         _dump(self.folder / 'dataset.json', {
-            'seed': self.seed, 'formats': list(self.formats), 'objects': names,
-            'images': [{'index': entry['index'], 'sha256': entry['sha256']} for entry in entries]})
+            'seed': self.seed, 'formats': list(self.formats),
+            'images': [{'index': entry['index'], 'objects': entry['names'],
+                        'sha256': entry['sha256']} for entry in entries]})
 
     def __enter__(self) -> Writer:
         return self

@@ -27,6 +27,7 @@ from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
 FIRN = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 else 'firn'
 SIZE = (64, 48)
+FORMATS = ('exr', 'npz', 'coco', 'bop', 'colmap')  # of data sets
 SKEWED = [[90.0, 0, 20.5], [0, 70.0, 30.25], [0, 0, 1]]  # off-centre, pixels are not square
 VIEW = firn.Camera.look_at((0.3, 0.35, 0.9), (0, 0.02, 0), 30, SIZE)
 OPTIONS = {'env': 'studio', 'plain': True, 'refraction': 'bounce', 'quality': 'normal'}
@@ -385,9 +386,8 @@ class Firn(unittest.TestCase):
         scene = self.sphere()
         points, faces = icosphere(2)
         mesh = scene.add_mesh(0.05 * points + (0.1, 0, 0.1), faces)
-        scene.add(mesh, scene.add_material('diamond'), 'small')
-        with dataset.Writer(self.folder / name, ('exr', 'npz', 'coco', 'bop', 'colmap'),
-                            seed=3) as writer:
+        scene.add(mesh, scene.add_material('diamond'), 'small 2')
+        with dataset.Writer(self.folder / name, FORMATS, seed=3) as writer:
             renderer = scene.renderer(('rgb', 'depth', 'object', 'objects'))
             for index in writer.missing(indices):
                 rng = writer.rng(index)
@@ -418,6 +418,13 @@ class Firn(unittest.TestCase):
             x, y, width, height = one['bbox']
             self.assertEqual((x, y, x + width - 1, y + height - 1),
                              (columns.min(), rows.min(), columns.max(), rows.max()))
+        with dataset.Writer(whole, FORMATS, seed=3, categories=('small',)):
+            pass
+        kept = json.loads((whole / 'coco.json').read_text())
+        self.assertEqual(kept['categories'], [{'id': 1, 'name': 'small'}])
+        self.assertEqual([one['segmentation'] for one in kept['annotations']],
+                         [one['segmentation'] for one in coco['annotations']
+                          if one['category_id'] == 2])
         bop = json.loads((whole / 'bop/000001/scene_camera.json').read_text())
         meta = json.loads((whole / 'meta/000001.json').read_text())
         np.testing.assert_allclose(bop['1']['cam_t_w2c'], 1000 * np.array(meta['camera']['t']))
