@@ -2,6 +2,7 @@
 Usage: see case.py."""
 import json
 import math
+import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -469,6 +470,12 @@ class Trace(Case):
         for name in ('sphere', 'two.gltf'):  # that bounce draws, and trace
             self.assertIn(b'\nBVH for ray tracing: ',
                           self.succeed('info', name, env=NO_DRIVER).stdout)
+        count = 200001
+        row = b''.join(struct.pack('<12fH', 0, 0, 1, i, 0, 0, i + 1, 0, 0, i, 1, 0, 0)
+                       for i in range(count))
+        (self.folder / 'large.stl').write_bytes(bytes(80) + struct.pack('<I', count) + row)
+        self.assertIn(b'\nBVH for ray tracing: not built for more than 200000 triangles;',
+                      self.succeed('info', 'large.stl', env=NO_DRIVER).stdout)
         self.assertRegex(self.succeed('list', 'devices').stdout,
                          b'(?m); (traces rays|not usable: ).*$')
 
