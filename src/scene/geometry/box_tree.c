@@ -7,6 +7,20 @@ enum {
     STACK_MAX = BVH_DEPTH_MAX + 2, /* maximum number of pending nodes */
 };
 
+/* Moves the boxes to leaf order, so that visits read them one after another. Returns false when out
+ * of memory. */
+static bool sort_boxes(struct box_tree *tree)
+{
+    struct bvh_box *sorted = malloc((tree->count + (size_t)1) * sizeof(*sorted));
+    if (!sorted)
+        return false;
+    for (uint32_t i = 0; i < tree->count; i++)
+        sorted[i] = tree->bvh.boxes[tree->bvh.order[i]];
+    free(tree->bvh.boxes);
+    tree->bvh.boxes = sorted;
+    return true;
+}
+
 bool box_tree_init(struct box_tree *tree, const struct box *boxes, uint32_t count)
 {
     *tree = (struct box_tree){
@@ -29,7 +43,10 @@ bool box_tree_init(struct box_tree *tree, const struct box *boxes, uint32_t coun
     }
     if (count > 0)
         bvh_build(&tree->bvh, &(struct bvh_range){ 0, count, 0 }, BVH_DEPTH_MAX, 1);
-    return true;
+    if (sort_boxes(tree))
+        return true;
+    box_tree_finish(tree);
+    return false;
 }
 
 void box_tree_finish(struct box_tree *tree)
@@ -65,8 +82,7 @@ void box_tree_visit(const struct box_tree *tree, const struct box *box, void *us
             continue;
         }
         for (uint32_t i = node->first; i < node->first + node->count; i++) {
-            const uint32_t index = tree->bvh.order[i];
-            if (overlaps(&tree->bvh.boxes[index], box) && !visit(user, index))
+            if (overlaps(&tree->bvh.boxes[i], box) && !visit(user, tree->bvh.order[i]))
                 return;
         }
     }
