@@ -297,10 +297,30 @@ static firn_scene *make_scene(void)
     return scene;
 }
 
+static float positions[PIXELS][3], z[PIXELS]; /* layers P and Z */
+
+/* Checks that an OpenCV camera projects the positions to their pixels. */
+static void check_projections(const struct firn_camera *camera)
+{
+    const double *m = camera->world_from_camera;
+    for (size_t i = 0; i < PIXELS; i++) {
+        double d[3], p[3];
+        for (int k = 0; k < 3; k++)
+            d[k] = (double)positions[i][k] - m[4 * k + 3];
+        for (int k = 0; k < 3; k++)
+            p[k] = d[0] * m[k] + d[1] * m[4 + k] + d[2] * m[8 + k];
+        if (z[i] < 1e9f) { /* else there is nothing */
+            CHECK_NEAR(camera->fx * p[0] / p[2] + camera->cx, (double)(i % WIDTH), 1e-3);
+            const size_t row = i / WIDTH;
+            CHECK_NEAR(camera->fy * p[1] / p[2] + camera->cy, (double)row, 1e-3);
+            CHECK_NEAR((double)z[i] / p[2], 1, 1e-5);
+        }
+    }
+}
+
 static void a_position_is_where_its_camera_projects_it(void **state)
 {
     static const char *const layers[] = { "P", "Z" };
-    static float positions[PIXELS][3], z[PIXELS];
     (void)state;
     firn_scene *scene = make_scene();
     firn_renderer *renderer = create(scene, layers, 2);
@@ -317,21 +337,18 @@ static void a_position_is_where_its_camera_projects_it(void **state)
         .cy = 21,
         .world_from_camera = { c, 0, -s, 0.3, 0, -1, 0, 0.2, -s, 0, -c, 4 },
     };
+    const struct firn_camera look_at = { .size = sizeof(look_at),
+                                         .kind = FIRN_CAMERA_LOOK_AT,
+                                         .eye = { 1, 2, 6 },
+                                         .target = { 0.5, 0.5, 0 },
+                                         .up = { 0.1, 1, 0 },
+                                         .fov_deg = 35 };
+    struct firn_camera converted = { .size = sizeof(converted), .kind = FIRN_CAMERA_OPENCV };
+    OK(firn_render(renderer, &look_at, buffers, 2, NULL, NULL));
+    OK(firn_camera_convert(renderer, &look_at, &converted));
+    check_projections(&converted);
     OK(firn_render(renderer, &camera, buffers, 2, NULL, NULL));
-    const double *m = camera.world_from_camera;
-    for (size_t i = 0; i < PIXELS; i++) {
-        double d[3], p[3];
-        for (int k = 0; k < 3; k++)
-            d[k] = (double)positions[i][k] - m[4 * k + 3];
-        for (int k = 0; k < 3; k++)
-            p[k] = d[0] * m[k] + d[1] * m[4 + k] + d[2] * m[8 + k];
-        if (z[i] < 1e9f) { /* else there is nothing */
-            CHECK_NEAR(camera.fx * p[0] / p[2] + camera.cx, (double)(i % WIDTH), 1e-3);
-            const size_t row = i / WIDTH;
-            CHECK_NEAR(camera.fy * p[1] / p[2] + camera.cy, (double)row, 1e-3);
-            CHECK_NEAR((double)z[i] / p[2], 1, 1e-5);
-        }
-    }
+    check_projections(&camera);
     CHECK_NEAR(positions[10 * WIDTH + 5][2], 0, 1e-4); /* the wall, where no glass is */
     struct firn_camera gl = { .size = sizeof(gl), .kind = FIRN_CAMERA_OPENGL };
     OK(firn_camera_convert(renderer, &camera, &gl));
