@@ -179,11 +179,11 @@ class LayerCase(Case):
                 self.check(fault, words, code, left, picture)
         cache = self.folder / 'cache/firn'
         self.assertEqual(len(list(cache.iterdir())), 1)  # no temporaries
-        codes = collections.Counter(code for _, _, code, _ in ends)
         print(f"{' '.join(arguments[:2])}: {len(counts)} commands, {sum(counts.values())} calls, "
-              f'{len(faults)} pairs of call and result; exit codes '
-              + ', '.join(f'{code}: {count}' for code, count in sorted(codes.items(), key=str)),
-              file=sys.stderr)
+              f'{len(faults)} pairs of call and result', file=sys.stderr)
+        for name in counts:
+            codes = collections.Counter(code for fault, _, code, _ in ends if fault.command == name)
+            print(f'  {name}: {counts[name]} calls, exit codes {dict(codes)}', file=sys.stderr)
 
 
 class Device(LayerCase):
