@@ -269,7 +269,7 @@ static void print_tree(const struct bvh *bvh)
 }
 
 /* Returns true if a model has too many triangles to build a BVH only for its statistics, which
- * takes 2 microseconds of CPU time for each triangle. */
+ * takes 2 to 3 microseconds of CPU time for each triangle. */
 static bool has_many_triangles(const struct model *model)
 {
     return ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3 >

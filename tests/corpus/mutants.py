@@ -1,21 +1,21 @@
 """mutants.py: runs firn on mutated valid files of all formats.
 
-Usage: mutants.py FIRN COUNT SEED [--trace] [--seconds=N] FILE_OR_FOLDER...
+Usage: mutants.py RUNNER COUNT SEED [--trace] [--seconds=N] FILE_OR_FOLDER...
 
-Models go to `firn info`; JPEG, WebP, AVIF and every other PNG too, as the texture of a quad; other
-images to `firn diff`, and every fourth to `firn graph --env`; settings to `firn graph --preset`;
-JSON to `firn profile --baseline`; .cube files to `firn render --ocio`. After N seconds, or on
-SIGTERM, no more runs start. With --trace, what `firn info` accepts is also rendered, 48 x 36
-pixels. Prints and keeps those that end in anything but success, or one error line with 65 or 66;
-that a sanitizer reports; or that need more than a minute of CPU time. Prints the exit codes for
-each format. Exits with 1 if there was a fault.
+RUNNER is tests/fuzz/mutant-runner of a build with -Dfuzz=true. Models go to `firn info`; JPEG,
+WebP, AVIF and every other PNG too, as the texture of a quad; other images to `firn diff`, and every
+fourth to `firn graph --env`; settings to `firn graph --preset`; JSON to `firn profile --baseline`;
+.cube files to `firn render --ocio`. After N seconds, or on SIGTERM, no more runs start. With
+--trace, what `firn info` accepts is also rendered, 48 x 36 pixels. Prints and keeps those that end
+in anything but success, or one error line with 65 or 66; that a sanitizer reports; or that need
+more than a minute of CPU time. Prints the exit codes for each format. Exits with 1 if there was a
+fault.
 """
 import concurrent.futures
 import json
 import os
 import pathlib
 import random
-import resource
 import shutil
 import signal
 import struct
@@ -58,8 +58,8 @@ WORDS = (0, 1, 2, 3, 4, 5, 0x7f, 0x80, 0xff, 0x100, 0x7fff, 0x8000, 0xffff, 0x10
          0x00000001, 0x3f800000)
 VALUES = (0, -1, 1, 2, 0.5, 1e30, 1e-38, -1e38, 4294967295, 4294967296, 9007199254740993, True,
           None, '', 'data:,', [], {}, [0, 0, 0], [1e30] * 3, 5120, 5126, 'CUBICSPLINE', 'BLEND')
-SECONDS = 60
 stop = threading.Event()  # set when no more runs start
+own = threading.local()   # the runner of each thread
 
 
 def change_bytes(data, pick, other):
@@ -139,22 +139,23 @@ def mutate(path, pick, other):
     return change_bytes(data, pick, other)
 
 
-def limit():
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 5))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-
-def fault_of(command):
+def fault_of(command, folder):
     """Returns a description of a bad end of the run, or None, and the exit code."""
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False,
-                          preexec_fn=limit)
-    text = done.stderr.decode(errors='replace')
+    messages = pathlib.Path(folder) / 'messages'
+    runner = getattr(own, 'runner', None)
+    if not runner:
+        own.runner = runner = subprocess.Popen(command[:1], stdin=subprocess.PIPE,
+                                               stdout=subprocess.PIPE, text=True)
+    runner.stdin.write('\t'.join(map(str, [messages, *command[1:]])) + '\n')
+    runner.stdin.flush()
+    code = int(runner.stdout.readline())
+    text = messages.read_bytes().decode(errors='replace')
     lines = [line for line in text.splitlines()
              if not line.startswith(('firn: note:', 'firn: warning:'))]
-    wanted = 0 if done.returncode == 0 else 1
-    if done.returncode in (0, 65, 66) and len(lines) == wanted and 'Sanitizer' not in text:
-        return None, done.returncode
-    return f'{done.returncode}: {text[:2000]}', done.returncode
+    wanted = 0 if code == 0 else 1
+    if code in (0, 65, 66) and len(lines) == wanted and 'Sanitizer' not in text:
+        return None, code
+    return f'{code}: {text[:2000]}', code
 
 
 def textured(image):
@@ -197,14 +198,15 @@ def run(firn, number, seed, groups, traces, kept):
     path = pick.choice(groups[number % len(groups)])
     other = pick.choice(pick.choice(groups))
     with tempfile.TemporaryDirectory() as folder:
+        text = path.read_bytes()
         for beside in path.parent.iterdir() if path.suffix in ('.gltf', '.obj') else ():
-            if beside.is_file() and beside.stat().st_size < 1 << 22:
-                (pathlib.Path(folder) / beside.name).symlink_to(beside)
+            if beside.is_file() and beside.name.encode() in text:  # readers follow no link
+                shutil.copy(beside, folder)
         mutant = pathlib.Path(folder) / f'mutant{path.suffix}'
         mutant.write_bytes(mutate(path, pick, other.read_bytes()))
         code = None
         for command in commands(firn, mutant, number // len(groups), traces):
-            fault, code = fault_of(command)
+            fault, code = fault_of(command, folder)
             if fault and stop.is_set() and code == -signal.SIGTERM:
                 return None  # the signal went to the whole process group
             if fault:

@@ -5,9 +5,8 @@ Usage: work.py FIRN [--check]
 
 Prints a table of seconds of the program and its reader for 1 000, 10 000 and 100 000 parts of each
 kind, the exponents between them, and how many of the last seconds the program itself used. With
---check, tests smaller numbers: exits with 1 if a file
-takes more than 4 s, is not answered with 0 or 65 and at most one error line, or if eight times the
-parts take more than twenty times as long.
+--check, tests smaller numbers: exits with 1 if a file takes more than 4 s, is not answered with 0
+or 65 and at most one error line, or if eight times the parts take more than twenty times as long.
 """
 import json
 import math
