@@ -23,12 +23,23 @@ enum {
 
 static const float pi = 3.14159265358979f;
 
+/* Tangents of normals rotate with these about the vertical axis if their cosine to it is lower. */
+#define AXIS_COSINE 0.9f
+
 /* Mip chain of the environment. */
 struct levels {
     vec3s *texels[LEVEL_MAX];
-    int width[LEVEL_MAX]; /* level widths, twice the heights */
+    int width[LEVEL_MAX]; /* level widths: powers of two, twice the heights */
     int count;
+    vec3s diffuse_dirs[DIFFUSE_WIDTH * DIFFUSE_WIDTH / 2]; /* of the diffuse lobe's texels */
 };
+
+static vec3s texel_direction(float u, float v)
+{
+    const float around = (u - 0.5f) * 2.0f * pi;
+    const float down = v * pi;
+    return (vec3s){ { sinf(down) * sinf(around), cosf(down), -sinf(down) * cosf(around) } };
+}
 
 /* Returns the mean of the environment's texels that one texel of the first level covers. */
 static vec3s mean_of(const struct environment *e, uint32_t x, uint32_t y, uint32_t width)
@@ -66,6 +77,10 @@ static bool make_levels(struct levels *levels, const struct environment *e)
     while (width < WIDTH_MAX && (uint32_t)width < e->width)
         width *= 2;
     *levels = (struct levels){ .count = 0 };
+    for (int i = 0; i < DIFFUSE_WIDTH * DIFFUSE_WIDTH / 2; i++)
+        levels->diffuse_dirs[i] =
+            texel_direction(((float)(i % DIFFUSE_WIDTH) + 0.5f) / DIFFUSE_WIDTH,
+                            ((float)(i / DIFFUSE_WIDTH) + 0.5f) / (DIFFUSE_WIDTH / 2));
     for (; width >= 4 && levels->count < LEVEL_MAX; width /= 2, levels->count++) {
         const size_t count = (size_t)width * ((size_t)width / 2);
         vec3s *texels = malloc(count * sizeof(*texels));
@@ -83,25 +98,17 @@ static bool make_levels(struct levels *levels, const struct environment *e)
     return true;
 }
 
-static vec3s texel_direction(float u, float v)
-{
-    const float around = (u - 0.5f) * 2.0f * pi;
-    const float down = v * pi;
-    return (vec3s){ { sinf(down) * sinf(around), cosf(down), -sinf(down) * cosf(around) } };
-}
-
 /* Returns a bilinearly interpolated sample of a level. */
-static vec3s sample_level(const struct levels *levels, int level, vec3s dir)
+static vec3s sample_level(const struct levels *levels, int level, vec2s uv)
 {
-    const vec2s uv = surroundings_equirect_uv(dir, 0.0f);
     const int width = levels->width[level], height = width / 2;
     const float x = uv.x * (float)width - 0.5f;
     const float y = fminf(fmaxf(uv.y * (float)height - 0.5f, 0.0f), (float)height - 1.0f);
-    const int left = (int)floorf(x), top = (int)y;
+    const int left = (int)x - (x < 0.0f), top = (int)y;
     const int below = top + 1 < height ? top + 1 : top;
-    const int columns[2] = { (left + width) % width, (left + 1) % width };
+    const int columns[2] = { left & (width - 1), (left + 1) & (width - 1) };
     const vec3s *texels = levels->texels[level];
-    const float across = x - floorf(x), down = y - (float)top;
+    const float across = x - (float)left, down = y - (float)top;
     const vec3s upper =
         glms_vec3_lerp(texels[top * width + columns[0]], texels[top * width + columns[1]], across);
     const vec3s lower = glms_vec3_lerp(texels[below * width + columns[0]],
@@ -154,23 +161,33 @@ static void make_samples(struct light_sample *samples, const struct levels *leve
     }
 }
 
-static vec3s glossy_radiance(const struct levels *levels, const struct light_sample *samples,
-                             vec3s n)
+/* Computes the equirectangular coordinates of the samples around a normal. */
+static void place_samples(vec2s uv[static SAMPLE_COUNT], const struct light_sample *samples,
+                          vec3s n)
 {
-    const vec3s other = { { fabsf(n.y) < 0.9f ? 0.0f : 1.0f, fabsf(n.y) < 0.9f ? 1.0f : 0.0f,
-                            0.0f } };
+    const vec3s other = { { fabsf(n.y) < AXIS_COSINE ? 0.0f : 1.0f,
+                            fabsf(n.y) < AXIS_COSINE ? 1.0f : 0.0f, 0.0f } };
     const vec3s x = glms_vec3_normalize(glms_vec3_cross(other, n));
     const vec3s y = glms_vec3_cross(n, x);
+    for (uint32_t i = 0; i < SAMPLE_COUNT; i++) {
+        const vec3s from = samples[i].from;
+        const vec3s dir =
+            glms_vec3_muladds(x, from.x, glms_vec3_muladds(y, from.y, glms_vec3_scale(n, from.z)));
+        uv[i] = surroundings_equirect_uv(dir, 0.0f);
+    }
+}
+
+/* Returns the radiance of a glossy lobe, with the sample coordinates `uv` shifted by `turn`. */
+static vec3s glossy_radiance(const struct levels *levels, const struct light_sample *samples,
+                             const vec2s *uv, float turn)
+{
     vec3s sum = glms_vec3_zero();
     float weights = 0.0f;
     for (uint32_t i = 0; i < SAMPLE_COUNT; i++) {
-        const vec3s from = samples[i].from;
+        const vec2s at = { { uv[i].x + turn, uv[i].y } };
         if (!(samples[i].weight > 0.0f))
             continue;
-        const vec3s dir =
-            glms_vec3_muladds(x, from.x, glms_vec3_muladds(y, from.y, glms_vec3_scale(n, from.z)));
-        sum =
-            glms_vec3_muladds(sample_level(levels, samples[i].level, dir), samples[i].weight, sum);
+        sum = glms_vec3_muladds(sample_level(levels, samples[i].level, at), samples[i].weight, sum);
         weights += samples[i].weight;
     }
     return glms_vec3_divs(sum, weights);
@@ -186,9 +203,10 @@ static vec3s diffuse_irradiance(const struct levels *levels, vec3s n)
     float weights = 0.0f;
     for (int row = 0; row < height; row++) {
         const float v = ((float)row + 0.5f) / (float)height;
+        const float area = sinf(v * pi);
         for (int column = 0; column < width; column++) {
-            const vec3s dir = texel_direction(((float)column + 0.5f) / (float)width, v);
-            const float weight = fmaxf(0.0f, glms_vec3_dot(n, dir)) * sinf(v * pi);
+            const vec3s dir = levels->diffuse_dirs[row * width + column];
+            const float weight = fmaxf(0.0f, glms_vec3_dot(n, dir)) * area;
             sum = glms_vec3_muladds(levels->texels[level][row * width + column], weight, sum);
             weights += weight;
         }
@@ -196,22 +214,28 @@ static vec3s diffuse_irradiance(const struct levels *levels, vec3s n)
     return glms_vec3_divs(sum, weights);
 }
 
+/* Rows near the horizon compute the coordinates of the samples once: those of the other texels are
+ * rotated about the vertical axis. */
 static void fill_layer(uint16_t *texels, const struct levels *levels, int layer)
 {
     struct light_sample samples[SAMPLE_COUNT];
-    if (layer != LIT_DIFFUSE_LAYER)
+    vec2s uv[SAMPLE_COUNT];
+    const bool is_diffuse = layer == LIT_DIFFUSE_LAYER;
+    if (!is_diffuse)
         make_samples(samples, levels, ((float)layer + 1.0f) / LIT_ROUGH_LAYERS);
-    for (int y = 0; y < LIT_HEIGHT; y++) {
-        for (int x = 0; x < LIT_WIDTH; x++) {
-            const vec3s n =
-                texel_direction(((float)x + 0.5f) / LIT_WIDTH, ((float)y + 0.5f) / LIT_HEIGHT);
-            const vec3s light = layer == LIT_DIFFUSE_LAYER ? diffuse_irradiance(levels, n)
-                                                           : glossy_radiance(levels, samples, n);
-            uint16_t *texel = &texels[((size_t)y * LIT_WIDTH + (size_t)x) * 4];
-            for (int k = 0; k < 3; k++)
-                texel[k] = half_from_float(fminf(light.raw[k], 65504.0f));
-            texel[3] = half_from_float(1.0f);
-        }
+    for (int i = 0; i < LIT_WIDTH * LIT_HEIGHT; i++) {
+        const int x = i % LIT_WIDTH, y = i / LIT_WIDTH;
+        const vec3s n =
+            texel_direction(((float)x + 0.5f) / LIT_WIDTH, ((float)y + 0.5f) / LIT_HEIGHT);
+        const bool rotates = fabsf(n.y) < AXIS_COSINE;
+        if (!is_diffuse && (x == 0 || !rotates))
+            place_samples(uv, samples, n);
+        const float turn = rotates ? (float)x / LIT_WIDTH : 0.0f;
+        const vec3s light =
+            is_diffuse ? diffuse_irradiance(levels, n) : glossy_radiance(levels, samples, uv, turn);
+        for (int k = 0; k < 3; k++)
+            texels[4 * i + k] = half_from_float(fminf(light.raw[k], 65504.0f));
+        texels[4 * i + 3] = half_from_float(1.0f);
     }
 }
 
