@@ -7,6 +7,7 @@ enum {
     VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
     MAX_CALLS = 64,           /* nesting of calls */
+    MAX_BOUND = 0x3fffff,     /* of ids, which may be sparse: SPIR-V's universal limit */
 };
 
 /* Parsed properties of a SPIR-V id. `definition` and `name` are word indices; 0 means none. */
@@ -490,7 +491,7 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     s->variable_count = 0;
     s->has_storage = s->passes_storage = false;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != SpvMagicNumber ||
-        shader->words[3] > shader->word_count)
+        shader->words[3] > MAX_BOUND)
         return "expected a SPIR-V module in native byte order";
     const uint32_t bound = shader->words[3];
     if (bound > s->id_room) {
