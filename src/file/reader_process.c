@@ -65,9 +65,11 @@ static enum status report_no_start(const struct reader *reader, int failed)
 {
     const bool is_temporary = failed == EAGAIN || failed == ENOMEM || failed == EMFILE ||
                               failed == ENFILE || failed == EINTR;
-    const char *advice = failed == ENOENT ? ": mount /proc, or install firn again"
-                         : is_temporary   ? ""
-                                          : ": the system must allow to start processes";
+    const bool is_itself = !strcmp(reader->params.program, "/proc/self/exe");
+    const char *advice = failed == ENOENT && is_itself ? ": mount /proc"
+                         : failed == ENOENT ? ": set FIRN_READER to the program firn-reader"
+                         : is_temporary     ? ""
+                                            : ": the system must allow to start processes";
     log_error("%s: cannot start the reader process %s: %s%s", reader->path, reader->params.program,
               strerror(failed), advice);
     return is_temporary ? STATUS_TRY_AGAIN : STATUS_NO_DEVICE;

@@ -344,6 +344,13 @@ class Firn(unittest.TestCase):
         np.testing.assert_array_equal(next(ticket).display, first)
         self.assertGreater(renderer.render(VIEW).display.mean(), first.mean() + 20)
 
+    def test_missing_reader(self):
+        """The error names the variable that names the program."""
+        (self.folder / 'a.glb').write_bytes(b'glTF')
+        with firn.Device(vulkan=False, reader=self.folder / 'firn-reader') as device:
+            with self.assertRaisesRegex(firn.Error, 'FIRN_READER'):
+                device.load(self.folder / 'a.glb')
+
     def test_mistakes(self):
         """Errors become exceptions, and the device remains usable."""
         (self.folder / 'a.glb').write_bytes(b'glTF\2\0\0\0')
