@@ -299,7 +299,7 @@ struct rg_cmd;   /* the pass being recorded (rg_cmd.h) */
 struct rg_frame; /* program-defined per-frame data for callbacks */
 
 /* Records the commands of one pass. The pass's pipeline, descriptor set 0, viewport, scissor and
- * targets are already bound. rg_exec_submit() calls this function in the caller's thread. */
+ * targets are already bound. Called in the thread that submits or records the frame. */
 typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Returns true if a conditional pass runs in a frame; `repetition` is 0 unless the pass is

@@ -188,9 +188,9 @@ struct rg_exec_recording {
  * frames of an executor in the order in which they were recorded; rg_exec_params.queue is not used.
  *
  * The previous frame of the slot must have finished, as its buffers and descriptors are reused: the
- * program waits for its fence or timeline value, and then writes rg_exec_mapped() of the slot.
- * rg_exec_wait() with the slot does not wait for such a frame, but makes its readback buffers and
- * times available; call it once the frame has finished. All frames must have finished when
+ * program waits for its own fence or timeline value, and then writes rg_exec_mapped() of the slot.
+ * rg_exec_wait() cannot wait for such a frame: call it after that wait, to read readback buffers
+ * and times of the slot. All frames must have finished when
  * rg_exec_destroy() is called. Objects that rg_exec_update() replaces are destroyed when
  * rg_exec_wait() or rg_exec_record() has been called for the slots of all frames that use them.
  * RG_CLOCK_SUBMITS measures nothing. The plan must use only the main queue.
@@ -205,7 +205,7 @@ RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 RG_API VkResult rg_exec_wait_all(struct rg_exec *exec);
 
 /* Returns the mapped memory of a slot's upload or readback buffer, or NULL if the plan does not use
- * the buffer. The executor owns it. Write it between rg_exec_begin() and rg_exec_submit(). */
+ * the buffer. The executor owns it. Write it while the slot is free: before submit or record. */
 RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
 
 /* ---- objects ---- */
