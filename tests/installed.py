@@ -50,6 +50,37 @@ int main()
 }
 '''
 
+# Calls draw() of the page for four frames.
+OWN_FRAMES = '''
+static VkResult run(struct rg_exec *exec, const struct rg_exec_params *p)
+{
+    const VkCommandPoolCreateInfo pool_info = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+        .queueFamilyIndex = p->queue_family,
+    };
+    const VkFenceCreateInfo fence_info = { .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
+                                           .flags = VK_FENCE_CREATE_SIGNALED_BIT };
+    VkCommandBufferAllocateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandBufferCount = SLOTS
+    };
+    VkCommandBuffer commands[SLOTS] = { 0 };
+    VkFence fences[SLOTS] = { 0 };
+    VkResult result = vkCreateCommandPool(p->device, &pool_info, NULL, &info.commandPool);
+    if (result == VK_SUCCESS)
+        result = vkAllocateCommandBuffers(p->device, &info, commands);
+    for (uint32_t i = 0; i < SLOTS && result == VK_SUCCESS; i++)
+        result = vkCreateFence(p->device, &fence_info, NULL, &fences[i]);
+    for (uint32_t i = 0; i < 4 && result == VK_SUCCESS; i++)
+        result = draw(exec, p, i, commands[i % SLOTS], fences[i % SLOTS]);
+    vkDeviceWaitIdle(p->device); /* all frames must have finished before rg_exec_destroy() */
+    for (uint32_t i = 0; i < SLOTS; i++)
+        vkDestroyFence(p->device, fences[i], NULL);
+    vkDestroyCommandPool(p->device, info.commandPool, NULL);
+    return result;
+}
+'''
+
 
 def output(command, **options):
     return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
@@ -134,7 +165,13 @@ def check_programs(prefix, environment, static, page):
     programs = re.findall(
         r'```c\n(.*?)```.*?\n    cc ([^\n]* (\w+\.c) [^\n]*)\n.*?```text\n(.*?)```', page, re.S)
     expect('programs', page.count('```c\n'), len(programs))
+    whole = ''
     for text, command, name, prints in programs:
+        if 'int main' not in text:  # a function of the program before it
+            run = re.search(r'(?ms)^static VkResult run\(.*?^}\n', whole)[0]
+            text = whole.replace(run, text + OWN_FRAMES)
+            text = text.replace('run(exec);', 'run(exec, &params);')
+        whole = text
         if static:
             command = command.replace('pkg-config', 'pkg-config --static')
         source = prefix / name
@@ -143,6 +180,14 @@ def check_programs(prefix, environment, static, page):
         needed = {*dynamic(source.with_suffix(''), 'NEEDED')}
         ours = {soname(prefix, library, environment) for library in HEADERS}
         expect(f'{name} needs a shared library of ours', not static, bool(needed & ours))
+
+
+def check_uninstalled(prefix, environment, pages):
+    """Checks the programs of the pages with the libraries and pkg-config files of a build."""
+    build = prefix / 'build'
+    for page in pages:
+        check_programs(prefix, {**environment, 'LD_LIBRARY_PATH': str(build / 'graph'),
+                                'PKG_CONFIG_PATH': str(build / 'meson-uninstalled')}, False, page)
 
 
 def check_cplusplus(prefix, environment):
@@ -268,6 +313,7 @@ def main(root, meson, build):
                 remove_shared(prefix)
             else:
                 check_examples(root, prefix, environment)
+                check_uninstalled(prefix, environment, pages)
             check(prefix, environment)
             for page in pages:
                 check_programs(prefix, environment, static, page)
