@@ -13,6 +13,7 @@ enum {
     APP_POSITIONAL_COUNT = 256, /* positional arguments, including the final NULL */
     APP_SWEEP_COUNT = 4,        /* maximum number of --sweep */
     APP_SBATCH_COUNT = 16,      /* maximum number of --sbatch */
+    APP_PROFILE_THRESHOLD = 5,  /* default of --threshold, percent */
 };
 
 /* Output format of commands that print. */
@@ -51,6 +52,8 @@ struct app_profile {
     double time_step;               /* seconds of scene time per run */
     const char *json, *csv, *trace; /* report files, or NULL */
     const char *baseline;           /* profile to compare with, or NULL */
+    double threshold;               /* smallest relevant change of a median, percent */
+    bool sort;                      /* slowest pass first */
     bool capture;
     bool startup; /* time of each phase of a first image, instead of runs */
 };

@@ -233,7 +233,8 @@ static enum status report(const struct profile_job *job,
     if (status == STATUS_OK && job->o.profile.baseline) {
         FILE *out = has_table ? stdout : stderr;
         putc('\n', out);
-        status = profile_compare(&job->baseline, job->sweep.points, out, is_slower);
+        status = profile_compare(&job->baseline, job->sweep.points, job->o.profile.threshold / 100,
+                                 out, is_slower);
     }
     if (status == STATUS_OK && job->capture[0] && !job->o.run.quiet)
         fprintf(stderr, "RenderDoc has captured a frame: %s\n", job->capture);
@@ -248,8 +249,13 @@ static enum status check(struct profile_job *job, const struct report reports[st
     const struct app_options *o = &job->o;
     enum status status = check_reports(reports);
     if (status == STATUS_OK && o->sweeps.count &&
-        (o->profile.baseline || o->profile.trace || o->profile.capture)) {
-        log_error("--trace, --baseline and --capture: not available with --sweep");
+        (o->profile.baseline || o->profile.trace || o->profile.capture || o->profile.sort)) {
+        log_error("--trace, --baseline, --capture and --sort: not available with --sweep");
+        status = STATUS_USAGE;
+    }
+    if (status == STATUS_OK && !o->profile.baseline &&
+        o->profile.threshold != APP_PROFILE_THRESHOLD) {
+        log_error("--threshold: only available with --baseline");
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)
@@ -275,6 +281,7 @@ static enum status run(struct profile_job *job)
         job->sweep.point_count = 1;
     progress_begin(&job->progress, job->sweep.point_count, "runs", job->o.run.quiet);
     job->progress.frame_name = "point";
+    job->sweep.slowest_first = o->sort;
     job->sweep.points = calloc(job->sweep.point_count, sizeof(*job->sweep.points));
     if (!job->sweep.points)
         return log_out_of_memory(NULL);
@@ -289,9 +296,11 @@ static enum status run(struct profile_job *job)
 static enum status check_startup(const struct app_options *o)
 {
     const struct app_profile *p = &o->profile;
-    if (!p->startup || !(o->sweeps.count || p->csv || p->trace || p->baseline || p->capture))
+    if (!p->startup ||
+        !(o->sweeps.count || p->csv || p->trace || p->baseline || p->capture || p->sort))
         return STATUS_OK;
-    log_error("--startup: not available with --sweep, --csv, --trace, --baseline or --capture");
+    log_error("--startup: not available with --sweep, --csv, --trace, --baseline, --capture or "
+              "--sort");
     return STATUS_USAGE;
 }
 

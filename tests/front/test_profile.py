@@ -81,6 +81,15 @@ class OneFrame(Profile):
                 self.assertTrue(math.isfinite(event['ts']) and event['dur'] >= 0)
                 self.assertIn('tid', event)
 
+    def test_the_slowest_pass_first(self):
+        lines = self.profile('-r', 'paper', '--sort').stdout.decode().splitlines()
+        first = next(i for i, line in enumerate(lines) if line.startswith('pass ')) + 1
+        rows = lines[first:lines.index('', first)]
+        medians = [float(row[32:].split()[0]) for row in rows]
+        self.assertEqual(rows[-1][:6], 'frame ')
+        self.assertGreater(len(medians), 5)
+        self.assertEqual(medians[:-1], sorted(medians[:-1], reverse=True))
+
     def test_objects_are_added_up(self):
         (self.folder / 'two.gltf').write_text(boxes((glass(1.5), [-1.5, 0, 0], 1),
                                                     (glass(2), [1.5, 0, 0], 1)))
@@ -126,6 +135,12 @@ class Baseline(Profile):
         self.assertEqual(code, 1)
         self.assertIn('slower', text)
 
+    def test_too_few_runs(self):
+        self.profile('--json', 'a.json')
+        done = self.firn('profile', 'sphere', *QUICK, '--baseline', 'a.json')
+        self.assertEqual(done.returncode, USAGE)
+        self.assertIn(b'with at least --runs', done.stderr)
+
     def test_bad(self):
         (self.folder / 'a.json').write_text('{"format": 2, "type": "profile"}', encoding='utf-8')
         self.refuse(DATA, 'profile', 'sphere', '--baseline', 'a.json', names=('a.json',))
@@ -162,8 +177,9 @@ class Sweep(Profile):
         for sweep, name in (('cracks.count', 'cracks.count'), ('cracks.cont=1,2', 'cracks.cont'),
                             ('cracks.count=1,many', 'many'), ('size=3', 'size')):
             self.refuse(USAGE, 'profile', 'sphere', '--sweep', sweep, names=(name,))
-        self.refuse(USAGE, 'profile', 'sphere', '--sweep', 'air.count=1', '--trace', 'a.json',
-                    names=('--trace',))
+        for words in (('--trace', 'a.json'), ('--sort',)):
+            self.refuse(USAGE, 'profile', 'sphere', '--sweep', 'air.count=1', *words,
+                        names=words[:1])
 
 
 class Startup(Profile):
@@ -197,7 +213,8 @@ class Refused(Profile):
         for words, name in ((('--runs', '0'), '--runs'), (('--warmup', '-1'), '--warmup'),
                             (('--clock', 'sundial'), 'sundial'), (('--time-step', 'x'), 'x'),
                             (('--json', '-', '--csv', '-'), 'stdout'),
-                            (('--samples', '2'), '--samples')):
+                            (('--samples', '2'), '--samples'),
+                            (('--threshold', '3'), '--baseline')):
             self.refuse(USAGE, 'profile', 'sphere', *words, names=(name,))
         self.refuse(USAGE, 'profile', names=('SCENE',))
 

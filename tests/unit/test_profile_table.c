@@ -78,7 +78,7 @@ static struct printed compare(const struct profile *base, const struct profile *
 {
     struct printed printed;
     bool is_slower = !slower;
-    assert_int_equal(profile_compare(base, now, captured_output_begin(&printed), &is_slower),
+    assert_int_equal(profile_compare(base, now, 0.05, captured_output_begin(&printed), &is_slower),
                      STATUS_OK);
     captured_output_end(&printed, COLUMNS);
     assert_int_equal(is_slower, slower);
@@ -139,6 +139,29 @@ static void test_comparison(void **state)
     profile_finish(&now);
 }
 
+/* A significant change below the threshold is no verdict. */
+static void test_threshold(void **state)
+{
+    (void)state;
+    struct profile base, now;
+    profile_sample(&base, 1);
+    profile_sample(&now, 1);
+    for (uint32_t run = 0; run < now.run_count; run++) {
+        base.rows[3].ms[run] = 2 + 1e-3 * run;
+        now.rows[3].ms[run] = 2.06 + 1e-3 * run;
+    }
+    struct printed printed = compare(&base, &now, false);
+    check_verdict(&printed, "wave.simulate ", "below threshold");
+    free(printed.text);
+    scale_row(&now, 3, 1.05);
+    printed = compare(&base, &now, true);
+    check_verdict(&printed, "wave.simulate ", "slower");
+    assert_non_null(strstr(printed.text, "Slower rows: 1."));
+    free(printed.text);
+    profile_finish(&base);
+    profile_finish(&now);
+}
+
 /* `unattributed` has no ratio where it is below 0. */
 static void test_comparison_below_0(void **state)
 {
@@ -163,13 +186,18 @@ static void test_conditions(void **state)
     profile_sample(&base, 1);
     profile_sample(&now, 3);
     base.run_count = now.run_count = 6;
+    bool is_slower = true;
+    struct printed printed;
     now.width = 640;
     snprintf(now.device, sizeof(now.device), "another device");
     snprintf(now.clock, sizeof(now.clock), "submits");
     snprintf(now.settings[0].value, PROFILE_NAME_SIZE, "1.5");
     snprintf(now.settings[1].name, PROFILE_NAME_SIZE, "cracks.count");
     /* three times as slow, but too few runs to say so of that many passes */
-    struct printed printed = compare(&base, &now, false);
+    assert_int_equal(profile_compare(&base, &now, 0, captured_output_begin(&printed), &is_slower),
+                     STATUS_USAGE);
+    captured_output_end(&printed, COLUMNS);
+    assert_false(is_slower);
     (void)captured_output_line(&printed, "warning: different width: 1024 in the baseline, 640 now");
     (void)captured_output_line(&printed, "warning: different device: llvmpipe (LLVM");
     (void)captured_output_line(&printed,
@@ -178,7 +206,6 @@ static void test_conditions(void **state)
                                "warning: different refract.ior: 1.3091 in the baseline, 1.5");
     (void)captured_output_line(&printed,
                                "warning: different cracks.count: none in the baseline, neut");
-    (void)captured_output_line(&printed, "There are too few runs for any difference");
     free(printed.text);
     profile_finish(&base);
     profile_finish(&now);
@@ -187,9 +214,8 @@ static void test_conditions(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_comparison),
-        cmocka_unit_test(test_comparison_below_0),
+        cmocka_unit_test(test_table),      cmocka_unit_test(test_comparison),
+        cmocka_unit_test(test_threshold),  cmocka_unit_test(test_comparison_below_0),
         cmocka_unit_test(test_conditions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -173,6 +173,11 @@ static const struct option options[] = {
       "setting or option, and values to profile; repeatable: profiles all combinations" },
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),
       "profile from --json to compare with; exit code 1 if a pass is slower" },
+    { "Runs", "threshold", 0, "PERCENT", APP_PROFILE, DOUBLE(profile.threshold),
+      "smallest change from the --baseline that counts, percent, 0 to 1000 (default: 5)", 0, 1000,
+      " percent" },
+    { "Reports", "sort", 0, NULL, APP_PROFILE, FLAG(profile.sort),
+      "sort the table by median time, slowest pass first" },
     { "Reports", "json", 0, "FILE", APP_PROFILE, REPORT(profile.json),
       "JSON report with all samples; - prints it to stdout instead of the table" },
     { "Reports", "csv", 0, "FILE", APP_PROFILE, REPORT(profile.csv),
@@ -507,7 +512,7 @@ static void init_defaults(struct app_options *o, enum app_command command)
             .samples = 1,
         },
         .window = { .present = VK_PRESENT_MODE_FIFO_KHR },
-        .profile = { .warmup = 5, .run_count = 30 },
+        .profile = { .warmup = 5, .run_count = 30, .threshold = APP_PROFILE_THRESHOLD },
         .ladder = { .run_count = 10 },
     };
     if (command & (APP_RENDER | APP_FARM))

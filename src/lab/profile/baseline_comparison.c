@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
+#include "src/base/log.h"
 #include "src/lab/profile/profile_reports.h"
 #include "src/lab/profile/row_aggregation.h"
 
@@ -52,10 +53,21 @@ static void note_differences(const struct profile *base, const struct profile *n
 struct comparison {
     struct profile_pair pair; /* the counts; the samples are those of the line being compared */
     uint32_t tested;          /* number of tests */
-    bool is_slower;
+    double threshold;         /* smallest relevant change, fraction of the baseline */
+    uint32_t slower_count;
 };
 
-/* Prints a line that both profiles have. Notes in `c` if it is significantly slower. */
+/* Returns the verdict on a line, whose test has the corrected p-value `p`. */
+static const char *judge(const struct comparison *c, double before, double after, double p)
+{
+    if (p > significance || after == before)
+        return "within noise";
+    if (fabs(after - before) < c->threshold * fabs(before))
+        return "below threshold";
+    return after > before ? "slower" : "faster";
+}
+
+/* Prints a line that both profiles have. Counts it in `c` if it is slower. */
 static void print_pair(struct comparison *c, const struct profile_line *base,
                        const struct profile_line *now, FILE *out)
 {
@@ -63,17 +75,14 @@ static void print_pair(struct comparison *c, const struct profile_line *base,
     c->pair.a = base->ms;
     c->pair.b = now->ms;
     const double p = fmin(1, profile_mann_whitney(&c->pair) * c->tested);
-    const bool is_significant = p <= significance;
-    c->is_slower = c->is_slower || (is_significant && after > before);
+    const char *verdict = judge(c, before, after, p);
+    c->slower_count += !strcmp(verdict, "slower");
     fprintf(out, "%-32s %10.3f %10.3f", now->name, before, after);
     if (before > 0 && after > 0)
         fprintf(out, " %8.3f", after / before);
     else
         fprintf(out, " %8s", "-");
-    fprintf(out, " %8.2g  %s\n", p,
-            !is_significant || after == before ? "within noise"
-            : after > before                   ? "slower"
-                                               : "faster");
+    fprintf(out, " %8.2g  %s\n", p, verdict);
 }
 
 static void print_table(struct comparison *c, const struct profile_lines *base,
@@ -99,17 +108,34 @@ static void print_table(struct comparison *c, const struct profile_lines *base,
     }
     fprintf(out,
             "p: two-sided Mann-Whitney test, multiplied by the number of tests, %" PRIu32
-            ";\nslower and faster: p is at most %g. Runs: %" PRIu32 ", %" PRIu32 ".\n",
-            c->tested, significance, c->pair.a_count, c->pair.b_count);
-    if (profile_mann_whitney_min(c->pair.a_count, c->pair.b_count) * c->tested > significance)
-        fprintf(out, "There are too few runs for any difference to be significant.\n");
+            ";\nslower and faster: p is at most %g and the medians differ by at least %g %%.\n"
+            "Runs: %" PRIu32 ", %" PRIu32 ". Slower rows: %" PRIu32 ".\n",
+            c->tested, significance, 100 * c->threshold, c->pair.a_count, c->pair.b_count,
+            c->slower_count);
 }
 
-enum status profile_compare(const struct profile *base, const struct profile *now, FILE *out,
-                            bool *is_slower)
+/* Logs an error if no difference can be significant, however large it is. */
+static enum status check_run_counts(const struct comparison *c)
+{
+    uint32_t needed = 1;
+    if (profile_mann_whitney_min(c->pair.a_count, c->pair.b_count) * c->tested <= significance)
+        return STATUS_OK;
+    while (profile_mann_whitney_min(needed, needed) * c->tested > significance)
+        needed++;
+    log_error("--baseline: %" PRIu32 " and %" PRIu32 " runs are too few to find any difference; "
+              "measure both profiles with at least --runs %" PRIu32,
+              c->pair.a_count, c->pair.b_count, needed);
+    return STATUS_USAGE;
+}
+
+enum status profile_compare(const struct profile *base, const struct profile *now, double threshold,
+                            FILE *out, bool *is_slower)
 {
     struct profile_lines base_lines, now_lines;
-    struct comparison c = { .pair = { .a_count = base->run_count, .b_count = now->run_count } };
+    struct comparison c = {
+        .pair = { .a_count = base->run_count, .b_count = now->run_count },
+        .threshold = threshold,
+    };
     enum status status = profile_lines_init(&base_lines, base);
     if (status != STATUS_OK)
         return status;
@@ -117,7 +143,8 @@ enum status profile_compare(const struct profile *base, const struct profile *no
     if (status == STATUS_OK) {
         note_differences(base, now, out);
         print_table(&c, &base_lines, &now_lines, out);
-        *is_slower = c.is_slower;
+        *is_slower = c.slower_count > 0;
+        status = check_run_counts(&c);
     }
     profile_lines_finish(&base_lines);
     profile_lines_finish(&now_lines);

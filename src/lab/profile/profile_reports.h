@@ -41,9 +41,11 @@ MUST_USE enum status profile_read_json(const char *path, struct profile *profile
  * Compares a profile with a baseline. Prints a table: medians, their ratio, and a verdict by the
  * Mann-Whitney test at 1 %, with Bonferroni correction for the number of tests. Passes are matched
  * by name; repetitions are added up. Also lists different conditions: device, size, clock, settings
- * ... Sets *is_slower if a pass or the frame is significantly slower.
+ * ... Sets *is_slower if the median of a row is significantly larger, by at least `threshold`, a
+ * fraction of the baseline. If there are too few runs for any difference to be significant, logs an
+ * error after the table and returns STATUS_USAGE.
  */
 MUST_USE enum status profile_compare(const struct profile *base, const struct profile *now,
-                                     FILE *out, bool *is_slower);
+                                     double threshold, FILE *out, bool *is_slower);
 
 #endif

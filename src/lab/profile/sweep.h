@@ -22,6 +22,7 @@ struct profile_sweep {
     uint32_t parameter_count;
     uint32_t point_count;   /* combinations of values; the last parameter varies fastest */
     struct profile *points; /* NULL, or one per combination */
+    bool slowest_first;     /* order of the passes in the table of a single point */
 };
 
 /*

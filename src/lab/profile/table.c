@@ -83,12 +83,22 @@ static void print_rest(const struct profile *p, FILE *out)
     fprintf(out, "persistent memory: %.1f MiB\n", (double)p->memory_persistent / mib);
 }
 
-static enum status print_profile(const struct profile *p, FILE *out)
+/* Compares two lines for a descending order of medians. */
+static int compare_medians(const void *a, const void *b)
+{
+    const double x = ((const struct profile_line *)a)->summary.median;
+    const double y = ((const struct profile_line *)b)->summary.median;
+    return (x < y) - (x > y);
+}
+
+static enum status print_profile(const struct profile *p, bool slowest_first, FILE *out)
 {
     struct profile_lines lines;
     const enum status status = profile_lines_init(&lines, p);
     if (status != STATUS_OK)
         return status;
+    if (slowest_first) /* the last line is the frame */
+        qsort(lines.lines, lines.count - 1, sizeof(*lines.lines), compare_medians);
     fprintf(out, "%s, %s, %s, %" PRIu32 "x%" PRIu32 "\n%s\n", p->scene, p->refraction, p->material,
             p->width, p->height, p->device);
     fprintf(out, "%" PRIu32 " run%s after %" PRIu32 " warm-up runs; times in ms\n\n", p->run_count,
@@ -145,7 +155,7 @@ static void print_sweep(const struct profile_sweep *sweep, const struct profile_
 enum status profile_table(const struct profile_sweep *sweep, FILE *out)
 {
     if (sweep->parameter_count == 0)
-        return print_profile(sweep->points, out);
+        return print_profile(sweep->points, sweep->slowest_first, out);
     struct profile_lines *points = calloc(sweep->point_count, sizeof(*points));
     enum status status = points ? STATUS_OK : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
