@@ -13,10 +13,10 @@ HEAD = '''# Materials
 For users of `--material` and of the panel Material in `firn view`: all presets, with the sources
 of their figures. `man/materials.py` generates this page from `firn list materials --json`.
 
-    build/firn render statue.glb --material ruby -o ruby.png
-    build/firn render statue.glb --material window-glass:frosted -o frosted.png
-    build/firn render cup.gltf --material Cup=lead-crystal --material Tea=tea -o cup.png
-    build/firn sheet sample --size 128x96 -o materials.png
+    firn render statue.glb --material ruby -o ruby.png
+    firn render statue.glb --material window-glass:frosted -o frosted.png
+    firn render cup.gltf --material Cup=lead-crystal --material Tea=tea -o cup.png
+    firn sheet sample --size 128x96 -o materials.png
 
 - **Finish**: `NAME:rough` is a lightly ground surface (roughness 0.2), `NAME:frosted` a
   sandblasted one (0.5); both are chosen, not measured. `trace` and `reference` draw them, and
