@@ -91,12 +91,14 @@ def barrier_line(plan, barrier, what='barrier'):
 def pass_lines(plan, index):
     row = plan['passes'][index]
     yield (f"pass {index} {display_name(row)} {row['kind']} {row['width']}x{row['height']}"
-           + (' conditional' if row['conditional'] else ''))
+           + (' conditional' if row['conditional'] else '')
+           + (' multiview' if row.get('multiview') else ''))
+    layers = {'layers': row.get('layers', 1)}
     for target in row['targets']:
-        text = texels(plan, target['image'], target)
+        text = texels(plan, target['image'], target | layers)
         resolve = target.get('resolve')
         if resolve:
-            resolve = ' resolve ' + texels(plan, resolve['image'], resolve)
+            resolve = ' resolve ' + texels(plan, resolve['image'], resolve | layers)
         yield f"  {target['access']} {text} {target['load']} {target['store']}{resolve or ''}"
     for use in row['uses']:
         name = (texels(plan, use['image'], use['range']) if 'image' in use

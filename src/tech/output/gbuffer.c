@@ -109,14 +109,19 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
+/* Draws each object with its number. A mesh without a list of objects is object 1. */
 static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct model *model = &frame->scene->model;
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct object *object = &model->objects[i];
+    const uint32_t count = model->object_count ? model->object_count : 1;
+    for (uint32_t i = 0; i < count; i++) {
         const struct gbuffer_push push = { .id = i + 1, .object = 1 };
         rg_cmd_push(cmd, &push, sizeof(push));
-        rg_cmd_draw_mesh_part(cmd, &frame->object, object->first_index, object->index_count);
+        if (model->object_count)
+            rg_cmd_draw_mesh_part(cmd, &frame->object, model->objects[i].first_index,
+                                  model->objects[i].index_count);
+        else
+            rg_cmd_draw_mesh(cmd, &frame->object);
     }
 }
 
