@@ -246,8 +246,7 @@ static const struct option options[] = {
     { "Scene", "air", 0, "FILE", IMAGES, INPUT(image.scene.air),
       "texture of the planes of bubbles: white is bubble, black is ice (default: random)" },
     { "Scene", "background", 0, "R,G,B", IMAGES, SCENE(option_background),
-      "linear colour instead of the sky; beside --env behind it all; none: transparent, also "
-      "through glass" },
+      "linear colour instead of the sky; beside --env behind it all; none: transparent" },
     { "Camera", "camera", 0, "NAME|N", IMAGES, TEXT(image.camera),
       "camera of the model file: name, or number from 0, see firn info (default: first)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", IMAGES, VECTOR(orbit, option_orbit),
