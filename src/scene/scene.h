@@ -27,7 +27,7 @@ enum scene_background_kind {
 
 struct scene_background {
     enum scene_background_kind kind;
-    bool is_hidden;   /* true to write alpha 0 in the background; lighting is unaffected */
+    bool is_hidden;   /* true: alpha 0, also as seen through glass; lighting is unaffected */
     bool is_backdrop; /* true if primary rays that hit nothing return `color` */
     vec3s color;      /* linear radiance, for SCENE_COLOR or the backdrop */
     struct environment environment;

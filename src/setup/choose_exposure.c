@@ -101,13 +101,15 @@ static bool meter_init(struct meter *meter, const struct image *image, bool is_m
 }
 
 /* Makes a copy of the scene without inclusions and bumps, whose textures may not be generated yet,
- * but with the density of scattering media. The result borrows the scene's memory, except
+ * but with the density of scattering media, and with the background, which clear objects show. The
+ * result borrows the scene's memory, except
  * inclusions.media. Returns false when out of memory. */
 static bool copy_without_inclusions(struct scene *bare, const struct scene *scene)
 {
     *bare = *scene;
     bare->inclusions = (struct scene_inclusions){ .media = scene->inclusions.media };
     bare->bump = (struct bump_maps){ 0 };
+    bare->background.is_hidden = false;
     return scattering_media_fill(&bare->inclusions.media, &scene->model);
 }
 

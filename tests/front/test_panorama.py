@@ -181,7 +181,8 @@ class Panorama(Case):
                 self.succeed(*words, '--env', 'env.exr', *more)
                 planes.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGBA'))
             lit, plate, hidden = planes
-            self.assertEqual(set(hidden['A']), {0, 1})
+            self.assertEqual(min(hidden['A']), 0)
+            self.assertLessEqual(max(hidden['A']), 1)  # of glass, less
             for name, value in zip('RGB', (0.5, 0.25, 2)):
                 self.assertEqual(plate[name], [b if a else value for a, b in
                                                zip(hidden['A'], lit[name])], rung)
