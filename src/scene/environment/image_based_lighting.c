@@ -77,10 +77,11 @@ static bool make_levels(struct levels *levels, const struct environment *e)
     while (width < WIDTH_MAX && (uint32_t)width < e->width)
         width *= 2;
     *levels = (struct levels){ .count = 0 };
-    for (int i = 0; i < DIFFUSE_WIDTH * DIFFUSE_WIDTH / 2; i++)
-        levels->diffuse_dirs[i] =
-            texel_direction(((float)(i % DIFFUSE_WIDTH) + 0.5f) / DIFFUSE_WIDTH,
-                            ((float)(i / DIFFUSE_WIDTH) + 0.5f) / (DIFFUSE_WIDTH / 2));
+    for (int i = 0; i < DIFFUSE_WIDTH * DIFFUSE_WIDTH / 2; i++) {
+        const int x = i % DIFFUSE_WIDTH, y = i / DIFFUSE_WIDTH;
+        levels->diffuse_dirs[i] = texel_direction(((float)x + 0.5f) / (float)DIFFUSE_WIDTH,
+                                                  ((float)y + 0.5f) / (0.5f * DIFFUSE_WIDTH));
+    }
     for (; width >= 4 && levels->count < LEVEL_MAX; width /= 2, levels->count++) {
         const size_t count = (size_t)width * ((size_t)width / 2);
         vec3s *texels = malloc(count * sizeof(*texels));
