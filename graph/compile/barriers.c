@@ -12,9 +12,8 @@
  * A batch is one vkCmdPipelineBarrier2 before a pass. A barrier may be recorded between its release
  * (when the accesses that it waits for are recorded) and its deadline (the pass that waits for it).
  * Greedy interval stabbing, in the order of deadlines (Cormen et al., "Introduction to Algorithms",
- * activity selection): a barrier joins the latest batch unless that
- * precedes its release, else it opens one at its deadline. This gives the fewest batches for this
- * order of passes.
+ * activity selection): a barrier joins the latest batch unless that precedes its release, else it
+ * opens one at its deadline. This gives the fewest batches for this order of passes.
  *
  * Until rg_complete_alias_barriers(), a barrier that takes over aliased memory has no source
  * stages, and the item's index in src_access.

@@ -399,7 +399,7 @@ static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
     return mip < 32 && side >> mip ? side >> mip : 1;
 }
 
-/* Returns the number of array layers of an image that is not an import with another number. */
+/* Returns the declared number of array layers of an image; an import may have another one. */
 static inline uint32_t rg_declared_layers(const struct rg_image *image)
 {
     return image->layers ? image->layers : image->cube ? 6 : 1;

@@ -1,5 +1,5 @@
-/* view.vert: covers the layer of each view, with the number of the view. No triangle is clipped,
- * because llvmpipe 22.3 draws clipped triangles of all views to the first layer. */
+/* view.vert: covers the layer of each view, with the number of the view. The triangles stay within
+ * the viewport: llvmpipe 22.3 draws larger ones of all views to the first layer. */
 #version 460
 #extension GL_EXT_multiview : require
 
