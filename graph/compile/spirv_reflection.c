@@ -78,7 +78,7 @@ static uint32_t array_length(const struct spirv *s, uint32_t type, uint32_t *ele
 
 /* Memory layout of a matrix in a struct. */
 struct matrix_layout {
-    uint32_t stride; /* bytes between columns or rows */
+    uint32_t stride; /* of a matrix (MatrixStride), bytes */
     bool row_major;
 };
 

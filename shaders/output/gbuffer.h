@@ -5,7 +5,7 @@
 #include "abi.h"
 
 #define GBUFFER_NORMAL       1  /* normals, in gbuffer_camera_normal.frag */
-#define GBUFFER_STARTS       14 /* first vertex of each object of the surroundings, texture */
+#define GBUFFER_STARTS       14 /* texture: first vertex of each opaque object */
 #define GBUFFER_STARTS_WIDTH 2048
 
 /* Distance in gbuffer_normal.w and gbuffer_position.w of background pixels: finite, but greater

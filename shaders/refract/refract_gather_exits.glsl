@@ -71,7 +71,7 @@ struct exits_ray {
 #endif
 };
 
-/* Radiance and refract_backdrop of a pixel, and a second branch of the path, followed later. */
+/* Radiance of a pixel, its refract_backdrop, and a split path that is followed later. */
 struct exits_pixel {
     vec3 light, backdrop;
     /* second branch; its weight is negative if there is none, and 0 once the branch is followed */

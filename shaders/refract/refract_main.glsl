@@ -24,7 +24,7 @@ const bool refract_shows_backdrop = false;
 const bool refract_shows_backdrop = true;
 #endif
 
-/* Throughput with which a hidden background is visible through the ice. */
+/* Throughput of the paths through the ice that end at a background that is not drawn. */
 vec3 refract_backdrop;
 
 struct refract_result {
