@@ -46,7 +46,7 @@ class Memory(Case):
                 self.assertEqual(len(done.stderr.splitlines()), done.returncode != 0)
 
     def test_files_beyond_a_limit(self):
-        """`ulimit -f` is as a full disk."""
+        """`ulimit -f` is as a full disk. Mesa 25 dies, since it keeps device memory in a file."""
         for name in ('a.exr', 'a.png'):
             (self.folder / name).write_bytes(OLDER)
             done = subprocess.run(
@@ -54,8 +54,8 @@ class Memory(Case):
                 cwd=self.folder, stdin=subprocess.DEVNULL, timeout=240, capture_output=True,
                 env=environment({'MESA_SHADER_CACHE_DISABLE': 'true'}), check=False,
                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
-            self.assertEqual(done.returncode, WRITE, done.stderr)
-            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn(done.returncode, (WRITE, -signal.SIGBUS), done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), done.returncode == WRITE, done.stderr)
             self.assertEqual((self.folder / name).read_bytes(), OLDER)
         self.assertEqual(self.files(), ['a.exr', 'a.png'])
 
@@ -78,9 +78,10 @@ class Memory(Case):
         return done.returncode, done.stderr.decode(), left
 
     def least(self):
-        """Returns the smallest limit, MiB, within which the program's libraries are loaded."""
-        return next(size for size in range(32, 1024)
-                    if self.run_within(('--version',), size)[0] == 0)
+        """Returns the limit, MiB, from which on the program's libraries are loaded. The allocator of
+        TBB 2022 dies at some limits above the first that suffices."""
+        return 1 + max(size for size in range(32, 192)
+                       if self.run_within(('--version',), size)[0] != 0)
 
     def squeeze(self, *arguments, sizes, may_crash):
         """How many ended with which code."""
@@ -126,7 +127,7 @@ class Memory(Case):
 
     def test_a_picture_that_is_too_large(self):
         """Within the device's limits, but in no memory: found before it is drawn."""
-        for size in ('16384x16384', '16384x8192'):
+        for size in ('16384x16384', '16384x12288'):
             code, words, left = self.run_within(
                 ('render', 'sphere', '--size', size, '-q', '-o', 'a.exr'), 2048)
             with self.subTest(f'{size}: {words}'):
