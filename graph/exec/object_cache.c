@@ -417,6 +417,7 @@ void rg_exec_free_objects(struct rg_exec *exec)
 {
     struct rg_pipelines *pipelines = exec->params.pipelines;
     exec->key_size = 0;
+    exec->params.log = NULL; /* pipelines that cannot be cached are compiled again */
     free_retired(exec, true);
     if (pipelines && remove_objects(exec, &exec->unshared, true) == VK_SUCCESS)
         cache_pipelines(exec, pipelines);
