@@ -50,37 +50,6 @@ int main()
 }
 '''
 
-# Calls draw() of the page for four frames.
-OWN_FRAMES = '''
-static VkResult run(struct rg_exec *exec, const struct rg_exec_params *p)
-{
-    const VkCommandPoolCreateInfo pool_info = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-        .queueFamilyIndex = p->queue_family,
-    };
-    const VkFenceCreateInfo fence_info = { .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
-                                           .flags = VK_FENCE_CREATE_SIGNALED_BIT };
-    VkCommandBufferAllocateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandBufferCount = SLOTS
-    };
-    VkCommandBuffer commands[SLOTS] = { 0 };
-    VkFence fences[SLOTS] = { 0 };
-    VkResult result = vkCreateCommandPool(p->device, &pool_info, NULL, &info.commandPool);
-    if (result == VK_SUCCESS)
-        result = vkAllocateCommandBuffers(p->device, &info, commands);
-    for (uint32_t i = 0; i < SLOTS && result == VK_SUCCESS; i++)
-        result = vkCreateFence(p->device, &fence_info, NULL, &fences[i]);
-    for (uint32_t i = 0; i < 4 && result == VK_SUCCESS; i++)
-        result = draw(exec, p, i, commands[i % SLOTS], fences[i % SLOTS]);
-    vkDeviceWaitIdle(p->device); /* all frames must have finished before rg_exec_destroy() */
-    for (uint32_t i = 0; i < SLOTS; i++)
-        vkDestroyFence(p->device, fences[i], NULL);
-    vkDestroyCommandPool(p->device, info.commandPool, NULL);
-    return result;
-}
-'''
-
 
 def output(command, **options):
     return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
@@ -167,9 +136,9 @@ def check_programs(prefix, environment, static, page):
     expect('programs', page.count('```c\n'), len(programs))
     whole = ''
     for text, command, name, prints in programs:
-        if 'int main' not in text:  # a function of the program before it
+        if 'int main' not in text:  # functions for the program before it
             run = re.search(r'(?ms)^static VkResult run\(.*?^}\n', whole)[0]
-            text = whole.replace(run, text + OWN_FRAMES)
+            text = whole.replace(run, text)
             text = text.replace('run(exec);', 'run(exec, &params);')
         whole = text
         if static:
