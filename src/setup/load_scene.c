@@ -196,28 +196,6 @@ static bool is_open(const struct model *model, const struct object *object)
     return object->open_edge_count && !is_thin;
 }
 
-/* Warns of objects that are not closed, in one line. */
-static void check_shells(const struct setup_scene *options, const struct scene *scene)
-{
-    const struct model *model = &scene->model;
-    const struct object *first = NULL;
-    uint32_t count = 0;
-    char others[32] = "";
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        if (is_open(model, &model->objects[i]) && !count++)
-            first = &model->objects[i];
-    }
-    if (!first || options->quiet)
-        return;
-    if (count > 1)
-        snprintf(others, sizeof(others), " and %u other%s", count - 1, count > 2 ? "s" : "");
-    log_warning("%s: object '%s'%s %s open: its shell has %u edges around holes, through which "
-                "light leaks between its medium and the air; close the holes, or give the surface "
-                "a thickness",
-                options->name, first->name, others, count > 1 ? "are" : "is",
-                first->open_edge_count);
-}
-
 /* Returns a name of an object that is safe to print. */
 static const char *object_name(const struct model *model, uint32_t index,
                                char text[static MATERIAL_NAME_SIZE])
@@ -229,6 +207,28 @@ static const char *object_name(const struct model *model, uint32_t index,
         snprintf(text, MATERIAL_NAME_SIZE, "object %u", index);
     log_sanitize(text);
     return text;
+}
+
+/* Warns of objects that are not closed, in one line. */
+static void check_shells(const struct setup_scene *options, const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    const struct object *first = NULL;
+    uint32_t count = 0;
+    char others[32] = "", name[MATERIAL_NAME_SIZE];
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (is_open(model, &model->objects[i]) && !count++)
+            first = &model->objects[i];
+    }
+    if (!first || options->quiet)
+        return;
+    if (count > 1)
+        snprintf(others, sizeof(others), " and %u other%s", count - 1, count > 2 ? "s" : "");
+    log_warning("%s: object %s%s %s open: its shell has %u edges around holes, through which "
+                "light leaks between its medium and the air; close the holes, or give the surface "
+                "a thickness",
+                options->name, object_name(model, (uint32_t)(first - model->objects), name), others,
+                count > 1 ? "are" : "is", first->open_edge_count);
 }
 
 static bool is_decided(const struct model *model, uint32_t object)
@@ -306,20 +306,30 @@ static void note_up_axis(const struct setup_scene *options, const struct scene *
                       model->object.index_count ? &model->object : &model->surroundings);
 }
 
-/* Logs a note if --material makes a file's objects nearly black, which may be a matter of scale. */
+/* Logs a note if the medium of an object absorbs nearly all light, which may be a matter of scale.
+ * Light crosses 4 V / A of a convex object on average (mean chord length). */
 static void note_opaque(const struct setup_scene *options, const struct scene *scene)
 {
-    struct material_choice choice;
-    if (!options->material || options->quiet || !scene->model.object.index_count ||
-        scene_find_builtin(options->name) ||
-        !material_choice_parse(&choice, options->material, strlen(options->material)))
+    const struct model *model = &scene->model;
+    char name[MATERIAL_NAME_SIZE];
+    if (options->quiet || scene_find_builtin(options->name))
         return;
-    const struct box box = mesh_box(&scene->model.object);
-    const float width = glms_vec3_min(glms_vec3_sub(box.max, box.min));
-    if (glms_vec3_min(choice.preset->absorption) * width > OPAQUE_DEPTH)
-        log_note("%s: it is at least %.3g metres wide, through which %s lets less than 1 %% of the "
-                 "light; if its unit is not the metre, use for example --scale %.1g",
-                 options->name, (double)width, choice.preset->name, 0.02 / (double)width);
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        const struct frame_medium medium = frame_medium_at(scene, &options->settings, i);
+        const float absorption = glms_vec3_min(medium.absorption);
+        if (medium.is_thin || !(absorption > 0.0f))
+            continue;
+        const float path =
+            2.0f * setup_wall_thickness(&model->object, object->first_index, object->index_count);
+        if (absorption * path < OPAQUE_DEPTH)
+            continue;
+        log_note("%s: %s absorbs more than 99 %% of the light that passes through it, %.3g metres "
+                 "on average; if the unit of the file is not the metre, use for example --scale "
+                 "%.1g",
+                 options->name, object_name(model, i, name), (double)path, 0.02 / (double)path);
+        return;
+    }
 }
 
 struct settings_callback_data {

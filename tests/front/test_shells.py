@@ -91,12 +91,20 @@ class Objects(Files):
         self.check([False], [box(0, 1, 2), box(*ALL[4:])])
         self.check([True], [top, box(*ALL[4:], turned=True)], notes=1)
 
+    def test_a_note_tells_of_media_through_which_no_light_passes(self):
+        self.write([box(*ALL)])
+        for words, is_said in ((('--material', 'whisky', '--scale', '0.01'), False),
+                               (('--material', 'whisky'), True),
+                               (('--material', 'node 0=whisky'), True)):
+            done = self.succeed('render', 'a.gltf', *BARE, '-o', 'a.png', *words)
+            self.assertEqual(b'node 0 absorbs more than 99 %' in done.stderr, is_said, words)
+
     def test_open_objects_are_named_in_one_line(self):
         self.write([box(0, 1, 2)], [box(3, at=(5, 0, 0))])
         done = self.succeed('render', 'a.gltf', *BARE, '-o', 'a.png')
         lines = [line for line in done.stderr.decode().splitlines() if 'close the holes' in line]
         self.assertEqual(len(lines), 1)
-        self.assertIn("object 'node 0' and 1 other are open", lines[0])
+        self.assertIn('object node 0 and 1 other are open', lines[0])
         self.write([box(0, 1, 2)], materials=(glass(thickness=0),))  # encloses nothing
         done = self.succeed('render', 'a.gltf', *BARE, '-o', 'a.png')
         self.assertNotIn(b'close the holes', done.stderr)
