@@ -78,8 +78,8 @@ class Memory(Case):
         return done.returncode, done.stderr.decode(), left
 
     def least(self):
-        """Returns the limit, MiB, from which on the program's libraries are loaded. The allocator of
-        TBB 2022 dies at some limits above the first that suffices."""
+        """Returns the limit, MiB, from which on the program's libraries are loaded. At some limits
+        above the first that suffices, the allocator of TBB 2022 dies."""
         return 1 + max(size for size in range(32, 192)
                        if self.run_within(('--version',), size)[0] != 0)
 
