@@ -125,7 +125,9 @@ static void switch_off_ice_effects(struct setup_scene *options, const struct sce
         switch_off(options, &highlight);
 }
 
-/* Disables bubbles and cracks in ice whose walls are thinner than these inclusions would be. */
+/* Disables inclusions and bumps of ice whose walls are thinner than bubbles would be. Bumps, whose
+ * size is that of the whole object, would make the faces of a wall intersect. A preset keeps them,
+ * because that of the paper has bumps. */
 static void clear_thin_walls(struct setup_scene *options, const struct scene *scene,
                              bool is_verbose)
 {
@@ -139,9 +141,11 @@ static void clear_thin_walls(struct setup_scene *options, const struct scene *sc
         switch_off(options, inclusions[i]);
         has_any = has_any || (was_on && !inclusions[i]->is_on(&options->settings));
     }
+    if (!options->preset)
+        switch_off(options, &bump);
     if (has_any && is_verbose && !options->quiet)
-        log_note("%s: its walls are too thin for bubbles and cracks, so it is clear ice; to have "
-                 "them anyway, use for example --set cracks.count=2",
+        log_note("%s: its walls are too thin for bubbles, cracks and bumps, so it is clear ice; to "
+                 "have them anyway, use for example --set cracks.count=2",
                  options->name);
 }
 

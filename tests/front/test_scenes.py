@@ -61,6 +61,20 @@ class Scenes(Case):
                 self.assertEqual(name in found, is_textured, name)
 
     @unsanitized
+    def test_thin_ice(self):
+        """A pane of ice has no bumps, unless a preset is given."""
+        (self.folder / 'pane.gltf').write_text(boxes((glass(), [0, 4, 0], [1, 1, .02])))
+
+        def draw(*words):
+            self.succeed('render', 'pane.gltf', '-m', 'ice', '--size', '48x32', '--samples', 1,
+                         '-r', 'one-sided', '--ground', 'none', '-q', *SMALL_CUBE, *words,
+                         '-o', 'a.png')
+            return (self.folder / 'a.png').read_bytes()
+        level = '--set', 'bump.strength=0'
+        self.assertEqual(draw(), draw(*level))
+        self.assertNotEqual(draw('--preset', 'paper'), draw('--preset', 'paper', *level))
+
+    @unsanitized
     def test_what_is_in_ice_for_rays_alone_is_said(self):
         words = ('render', 'valley', '-r', 'search', *SMALL, '--set', 'air.model=medium', '--set',
                  'bubbles.count=0', '-o', 'a.exr')
