@@ -1,10 +1,11 @@
 /*
  * coincident_shells.c: self-join of the objects' triangles that finds coincident faces.
  *
- * The triangles are sorted along a Morton curve. An implicit binary tree of bounding boxes over
- * the sorted order is traversed against itself. Pairs of nodes are skipped if their boxes are
- * apart. If all their triangles belong to one object, pairs are also skipped if the object has only
- * one solid, or if no normals are opposite.
+ * The triangles are sorted by the dominant axis of their normals, then along a Morton curve. An
+ * implicit binary tree of bounding boxes over the sorted order is traversed against itself. Pairs
+ * of nodes are skipped if their boxes are apart, or if no normals are parallel. If all their
+ * triangles belong to one object, pairs are also skipped if the object has only one solid, or if no
+ * normals are opposite.
  */
 #include "src/scene/coincident_shells.h"
 #include <cglm/struct.h>
@@ -15,11 +16,12 @@
 
 enum {
     LEAF_TRIANGLES = 4,
-    MORTON_BITS = 10,    /* per axis */
-    RADIX_BITS = 10,     /* of a counting sort pass */
+    MORTON_BITS = 10, /* per axis */
+    RADIX_BITS = 11,  /* of a counting sort pass */
+    KEY_BITS = 3 * MORTON_BITS + 2,
     POLYGON_MAX = 6,     /* vertices of a triangle that is clipped by three half-planes */
-    TESTS_MIN = 1 << 19, /* lower bound of tests_max() */
-    TESTS_PER_TRIANGLE = 16,
+    TESTS_MIN = 1 << 20, /* lower bound of tests_max() */
+    TESTS_PER_TRIANGLE = 12,
 };
 
 /* Distances within which surfaces coincide: relative to the smaller object's radius, and to the
@@ -42,9 +44,8 @@ struct node {
     uint32_t object;    /* object of all triangles, or MIXED_OBJECTS */
 };
 
-/* Triangle of the objects' mesh. */
+/* Triangle of the objects' mesh, without its corners, which few tests need. */
 struct face {
-    vec3s corners[3];
     vec3s normal; /* unit normal; not a number if the triangle has no area */
     struct box box;
     uint32_t object;
@@ -57,13 +58,13 @@ struct join {
     float *radii;        /* of the objects' boxes */
     float round_epsilon; /* maximum rounding error of coordinates */
     float reach;         /* maximum epsilon of two objects */
-    uint32_t *order;     /* triangles along the Morton curve */
+    uint32_t *order;     /* sorted triangles */
     struct face *faces;  /* triangles in that order */
     uint32_t triangle_count;
     struct node *nodes;
     uint32_t leaf_count;     /* power of two */
-    uint64_t tests_left;     /* limit of the work */
-    uint64_t own_tests_left; /* limit of the work within objects */
+    uint64_t tests_left;     /* limit of the tests of two nodes or triangles */
+    uint64_t own_tests_left; /* the same within objects */
 };
 
 static void grow(struct box *box, struct box other)
@@ -74,18 +75,29 @@ static void grow(struct box *box, struct box other)
     }
 }
 
-static struct face face_at(const struct join *join, uint32_t triangle)
+static void get_corners(const struct mesh *mesh, uint32_t triangle, vec3s corners[static 3])
 {
-    const uint32_t *corners = &join->mesh->indices[(size_t)triangle * 3];
-    struct face face;
     for (uint32_t k = 0; k < 3; k++)
-        face.corners[k] = join->mesh->vertices[corners[k]].position;
-    const vec3s n = glms_vec3_cross(glms_vec3_sub(face.corners[1], face.corners[0]),
-                                    glms_vec3_sub(face.corners[2], face.corners[0]));
+        corners[k] = mesh->vertices[mesh->indices[(size_t)triangle * 3 + k]].position;
+}
+
+/* Returns a normal of the triangle's plane. Its length is twice the triangle's area. */
+static vec3s area_normal(const vec3s corners[static 3])
+{
+    return glms_vec3_cross(glms_vec3_sub(corners[1], corners[0]),
+                           glms_vec3_sub(corners[2], corners[0]));
+}
+
+static struct face face_at(const struct mesh *mesh, uint32_t triangle, uint32_t object)
+{
+    vec3s corners[3];
+    get_corners(mesh, triangle, corners);
+    const vec3s n = area_normal(corners);
+    struct face face = { .object = object };
     face.normal = glms_vec3_scale(n, 1.0f / sqrtf(glms_vec3_dot(n, n)));
-    face.box = (struct box){ face.corners[0], face.corners[0] };
-    grow(&face.box, (struct box){ face.corners[1], face.corners[1] });
-    grow(&face.box, (struct box){ face.corners[2], face.corners[2] });
+    face.box = (struct box){ corners[0], corners[0] };
+    grow(&face.box, (struct box){ corners[1], corners[1] });
+    grow(&face.box, (struct box){ corners[2], corners[2] });
     return face;
 }
 
@@ -119,35 +131,45 @@ static uint32_t morton_code(vec3s at)
     return code;
 }
 
-/* Sorts the triangles by their Morton codes. Returns false when out of memory. */
+/* Returns the index of the component with the greatest magnitude. */
+static uint32_t dominant_axis(vec3s n)
+{
+    const vec3s size = glms_vec3_abs(n);
+    const uint32_t axis = size.y > size.x ? 1 : 0;
+    return size.z > size.raw[axis] ? 2 : axis;
+}
+
+/* Sorts the triangles. Returns false when out of memory. */
 static bool sort_triangles(struct join *join)
 {
     const struct mesh *mesh = join->mesh;
     const uint32_t count = join->triangle_count;
     const struct box all = join->nodes[0].box;
     const vec3s size = glms_vec3_maxv(glms_vec3_sub(all.max, all.min), glms_vec3_fill(FLT_MIN));
-    uint32_t *codes = malloc(((size_t)count + 1) * sizeof(*codes));
+    uint32_t *keys = malloc(((size_t)count + 1) * sizeof(*keys));
     uint32_t *other = malloc(((size_t)count + 1) * sizeof(*other));
-    bool done = codes && other;
+    bool done = keys && other;
     for (uint32_t i = 0; done && i < count; i++) {
-        const vec3s corner = mesh->vertices[mesh->indices[(size_t)i * 3]].position;
-        codes[i] = morton_code(glms_vec3_div(glms_vec3_sub(corner, all.min), size));
+        vec3s corners[3];
+        get_corners(mesh, i, corners);
+        keys[i] = morton_code(glms_vec3_div(glms_vec3_sub(corners[0], all.min), size)) |
+                  dominant_axis(area_normal(corners)) << 3 * MORTON_BITS;
         join->order[i] = i;
     }
-    for (uint32_t shift = 0; done && shift < 3 * MORTON_BITS; shift += RADIX_BITS) {
+    for (uint32_t shift = 0; done && shift < KEY_BITS; shift += RADIX_BITS) {
         uint32_t starts[(1 << RADIX_BITS) + 1] = { 0 };
         const uint32_t mask = (1 << RADIX_BITS) - 1;
         for (uint32_t i = 0; i < count; i++)
-            starts[(codes[i] >> shift & mask) + 1]++;
+            starts[(keys[i] >> shift & mask) + 1]++;
         for (uint32_t b = 0; b < mask; b++)
             starts[b + 1] += starts[b];
         for (uint32_t i = 0; i < count; i++)
-            other[starts[codes[join->order[i]] >> shift & mask]++] = join->order[i];
+            other[starts[keys[join->order[i]] >> shift & mask]++] = join->order[i];
         uint32_t *sorted = other;
         other = join->order;
         join->order = sorted;
     }
-    free(codes);
+    free(keys);
     free(other);
     return done;
 }
@@ -226,32 +248,28 @@ static float area_of(const struct plane_point *polygon, uint32_t count)
     return 0.5f * glms_vec3_norm(sum);
 }
 
-/* Returns true if a triangle is farther than `epsilon` from the plane of another one. */
-static bool is_beside(const struct face *face, const struct face *other, float epsilon)
+/* Returns true if triangle `other` is farther than `epsilon` from the plane through `corner`. */
+static bool is_beside(vec3s normal, vec3s corner, const vec3s other[static 3], float epsilon)
 {
     float low = FLT_MAX, high = -FLT_MAX;
     for (uint32_t k = 0; k < 3; k++) {
-        const float distance =
-            glms_vec3_dot(face->normal, glms_vec3_sub(other->corners[k], face->corners[0]));
+        const float distance = glms_vec3_dot(normal, glms_vec3_sub(other[k], corner));
         low = glm_min(low, distance);
         high = glm_max(high, distance);
     }
     return !(low <= epsilon && high >= -epsilon);
 }
 
-/* Returns the part of triangle `b` in front of or behind triangle `a`, as a polygon. */
-static uint32_t overlap(const struct face *a, const struct face *b,
+/* Clips triangle `b` to the prism over triangle `a`. Returns the number of vertices. */
+static uint32_t overlap(const vec3s a[static 3], vec3s normal, const vec3s b[static 3],
                         struct plane_point polygon[static POLYGON_MAX])
 {
-    const vec3s n = a->normal;
     uint32_t count = 3;
-    for (uint32_t k = 0; k < 3; k++) {
-        const vec3s at = b->corners[k];
-        polygon[k] = (struct plane_point){ at, glms_vec3_dot(n, glms_vec3_sub(at, a->corners[0])) };
-    }
+    for (uint32_t k = 0; k < 3; k++)
+        polygon[k] = (struct plane_point){ b[k], glms_vec3_dot(normal, glms_vec3_sub(b[k], a[0])) };
     for (uint32_t k = 0; k < 3 && count; k++) {
-        const vec3s side = glms_vec3_sub(a->corners[(k + 1) % 3], a->corners[k]);
-        count = clip(polygon, count, a->corners[k], glms_vec3_cross(n, side));
+        const vec3s side = glms_vec3_sub(a[(k + 1) % 3], a[k]);
+        count = clip(polygon, count, a[k], glms_vec3_cross(normal, side));
     }
     return count;
 }
@@ -303,11 +321,15 @@ static void test_faces(struct join *join, uint32_t at_a, uint32_t at_b)
     const float cosine = glms_vec3_dot(a->normal, b->normal);
     const bool is_parallel = fabsf(cosine) > PARALLEL_COSINE;
     if (!(is_own ? is_parallel && cosine < 0.0f : fabsf(cosine) > CONTACT_COSINE) ||
-        are_apart(&a->box, &b->box, epsilon) || is_known(join, at_a, at_b, epsilon) ||
-        is_beside(a, b, epsilon))
+        are_apart(&a->box, &b->box, epsilon) || is_known(join, at_a, at_b, epsilon))
+        return;
+    vec3s corners[3], other[3];
+    get_corners(join->mesh, join->order[at_a], corners);
+    get_corners(join->mesh, join->order[at_b], other);
+    if (is_beside(a->normal, corners[0], other, epsilon))
         return;
     struct plane_point polygon[POLYGON_MAX];
-    const uint32_t count = overlap(a, b, polygon);
+    const uint32_t count = overlap(corners, a->normal, other, polygon);
     float low = FLT_MAX, high = -FLT_MAX;
     for (uint32_t i = 0; i < count; i++) {
         low = fminf(low, polygon[i].distance);
@@ -352,13 +374,15 @@ static bool has_solids(const struct join *join, uint32_t object)
     return join->objects[object].solid_count > 1;
 }
 
-static void test_leaves(struct join *join, uint32_t a, uint32_t b)
+/* Tests the triangles of two leaves against each other, within *tests_left tests. */
+static void test_leaves(struct join *join, uint32_t a, uint32_t b, uint64_t *tests_left)
 {
     uint32_t near_a[LEAF_TRIANGLES], near_b[LEAF_TRIANGLES];
     const uint32_t count_a = list_near(join, a, &join->nodes[b].box, near_a);
     const uint32_t count_b = count_a ? list_near(join, b, &join->nodes[a].box, near_b) : 0;
     for (uint32_t i = 0; i < count_a; i++) {
-        for (uint32_t k = a == b ? i + 1 : 0; k < count_b; k++) {
+        for (uint32_t k = a == b ? i + 1 : 0; k < count_b && *tests_left; k++) {
+            --*tests_left;
             const uint32_t object = join->faces[near_a[i]].object;
             if (object != join->faces[near_b[k]].object || has_solids(join, object))
                 test_faces(join, near_a[i], near_b[k]);
@@ -377,6 +401,16 @@ static bool may_oppose(const struct box *a, const struct box *b)
     return true;
 }
 
+/* Returns true if no normals in two bounds are parallel enough for a contact. */
+static bool are_oblique(const struct box *a, const struct box *b)
+{
+    float cosine_max = 0.0f;
+    for (int k = 0; k < 3; k++)
+        cosine_max += glm_max(fabsf(a->min.raw[k]), fabsf(a->max.raw[k])) *
+                      glm_max(fabsf(b->min.raw[k]), fabsf(b->max.raw[k]));
+    return cosine_max < CONTACT_COSINE;
+}
+
 /* Tests the triangles of two nodes of the same depth against each other. */
 static void join_nodes(struct join *join, uint32_t a, uint32_t b)
 {
@@ -384,12 +418,12 @@ static void join_nodes(struct join *join, uint32_t a, uint32_t b)
     const bool is_own = x->object == y->object && x->object != MIXED_OBJECTS;
     uint64_t *tests_left = is_own ? &join->own_tests_left : &join->tests_left;
     if (*tests_left == 0 || (is_own && !has_solids(join, x->object)) ||
-        are_apart(&x->box, &y->box, join->reach) ||
+        are_apart(&x->box, &y->box, join->reach) || are_oblique(&x->normals, &y->normals) ||
         (is_own && !may_oppose(&x->normals, &y->normals)))
         return;
     --*tests_left;
     if (a >= join->leaf_count) {
-        test_leaves(join, a, b);
+        test_leaves(join, a, b, tests_left);
         return;
     }
     for (uint32_t i = 0; i < 4; i++) {
@@ -417,22 +451,21 @@ static void measure(struct join *join, uint32_t count)
     }
 }
 
-/* Copies the sorted triangles to `faces`. Returns false when out of memory. */
-static bool copy_faces(struct join *join, uint32_t count)
+/* Fills `faces` in the order of the mesh, which is read sequentially. Returns false when out of
+ * memory. */
+static bool fill_faces(struct join *join, uint32_t count)
 {
-    uint32_t *object_of = calloc(join->triangle_count + (size_t)1, sizeof(*object_of));
-    if (!object_of)
+    uint32_t *rank_of = malloc((join->triangle_count + (size_t)1) * sizeof(*rank_of));
+    if (!rank_of)
         return false;
+    for (uint32_t i = 0; i < join->triangle_count; i++)
+        rank_of[join->order[i]] = i;
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t first = join->objects[k].first_index / 3;
-        for (uint32_t i = 0; i < join->objects[k].index_count / 3; i++)
-            object_of[first + i] = k;
+        for (uint32_t i = first; i < first + join->objects[k].index_count / 3; i++)
+            join->faces[rank_of[i]] = face_at(join->mesh, i, k);
     }
-    for (uint32_t i = 0; i < join->triangle_count; i++) {
-        join->faces[i] = face_at(join, join->order[i]);
-        join->faces[i].object = object_of[join->order[i]];
-    }
-    free(object_of);
+    free(rank_of);
     return true;
 }
 
@@ -444,7 +477,7 @@ static bool allocate(struct join *join, uint32_t count)
         join->leaf_count *= 2;
     join->radii = malloc(count * sizeof(*join->radii));
     join->order = malloc((triangles + 1) * sizeof(*join->order));
-    join->faces = malloc((triangles + 1) * sizeof(*join->faces));
+    join->faces = calloc(triangles + 1, sizeof(*join->faces));
     join->nodes = malloc(2 * (size_t)join->leaf_count * sizeof(*join->nodes));
     join->shells->triangles = calloc(triangles / 32 + 1, sizeof(*join->shells->triangles));
     return join->radii && join->order && join->faces && join->nodes && join->shells->triangles;
@@ -461,7 +494,7 @@ bool coincident_shells_find(struct coincident_shells *shells, const struct objec
     bool done = allocate(&join, count);
     if (done) {
         measure(&join, count);
-        done = sort_triangles(&join) && copy_faces(&join, count);
+        done = sort_triangles(&join) && fill_faces(&join, count);
     }
     if (done) {
         build_tree(&join);
