@@ -182,17 +182,18 @@ struct rg_exec_recording {
 };
 
 /*
- * Records a frame into a command buffer of the application, which may record other commands before
- * and after it, and submits it with semaphores and a fence of its own. Bindings and dynamic state
- * are undefined afterwards. The command buffer is submitted once, to a queue of queue_family, and
- * frames of an executor in the order in which they were recorded; rg_exec_params.queue is not used.
+ * Records a frame into a command buffer of the application. The application may record other
+ * commands before and after it, and submits the command buffer with its own semaphores and fence.
+ * Bindings and dynamic state are undefined afterwards. The command buffer is submitted once, to a
+ * queue of queue_family, and frames of an executor in the order in which they were recorded;
+ * rg_exec_params.queue is not used.
  *
  * The previous frame of the slot must have finished, as its buffers and descriptors are reused: the
  * program waits for its own fence or timeline value, and then writes rg_exec_mapped() of the slot.
  * rg_exec_wait() cannot wait for such a frame: call it after that wait, to read readback buffers
- * and times of the slot. All frames must have finished when
- * rg_exec_destroy() is called. Objects that rg_exec_update() replaces are destroyed when
- * rg_exec_wait() or rg_exec_record() has been called for the slots of all frames that use them.
+ * and times of the slot. All frames must have finished when rg_exec_destroy() is called.
+ * Objects that rg_exec_update() replaces are destroyed when rg_exec_wait() or rg_exec_record() has been
+ * called for the slots of all frames that use them.
  * RG_CLOCK_SUBMITS measures nothing. The plan must use only the main queue.
  */
 RG_API VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
