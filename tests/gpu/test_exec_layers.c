@@ -1,5 +1,5 @@
 /* test_exec_layers.c: rows that draw several layers at a time: layers that the vertex shader
- * chooses, and views of multiview rendering. */
+ * chooses, and views of multiview rendering, which secondary command buffers may draw. */
 #include "tests/support/all_features_device.h"
 #include "tests/support/assertions.h"
 #include "tests/support/feature_graphs.h"
@@ -34,6 +34,21 @@ static void record_views(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 4);
 }
 
+static VkCommandBuffer secondary;
+
+static void draw_views(struct rg_cmd *cmd, void *user)
+{
+    (void)user;
+    rg_cmd_draw(cmd, 4);
+}
+
+static void record_secondary_views(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    assert_int_equal(rg_cmd_record_secondary(cmd, secondary, draw_views, NULL), VK_SUCCESS);
+    rg_cmd_execute(cmd, &secondary, 1);
+}
+
 /* Layer 0 is cleared, and the others are drawn at a time. */
 #define CLEAR \
     { \
@@ -59,6 +74,12 @@ static const struct rg_pass view_rows[] = {
          .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP),
     RUN_READ("read", stack, stack_out),
 };
+static const struct rg_pass secondary_view_rows[] = {
+    CLEAR,
+    DRAW(view_vert, record_secondary_views, .multiview = true, .secondary = true,
+         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP),
+    RUN_READ("read", stack, stack_out),
+};
 
 static void check_layers(struct run *run)
 {
@@ -72,8 +93,21 @@ static void run_rows(void *state, const struct rg_technique *technique)
 {
     const struct run_params params = { .technique = *technique, .outputs = { &stack_out } };
     struct gpu gpu;
+    VkCommandBufferAllocateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+        .level = VK_COMMAND_BUFFER_LEVEL_SECONDARY,
+        .commandBufferCount = 1,
+    };
     all_features_device_open(&gpu, state);
+    const VkCommandPoolCreateInfo pool = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+        .queueFamilyIndex = gpu.queue_family,
+    };
+    assert_int_equal(vkCreateCommandPool(gpu.device, &pool, NULL, &info.commandPool), VK_SUCCESS);
+    assert_int_equal(vkAllocateCommandBuffers(gpu.device, &info, &secondary), VK_SUCCESS);
     run_variants(&gpu, &params, NULL, check_layers);
+    vkDestroyCommandPool(gpu.device, info.commandPool, NULL);
     all_features_device_close(&gpu);
 }
 
@@ -87,11 +121,17 @@ static void views_are_drawn_at_a_time(void **state)
     run_rows(*state, &(struct rg_technique)RG_TECHNIQUE("views", view_rows));
 }
 
+static void secondary_buffers_draw_views(void **state)
+{
+    run_rows(*state, &(struct rg_technique)RG_TECHNIQUE("views", secondary_view_rows));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(layers_are_drawn_at_a_time),
         ON_DEVICE(views_are_drawn_at_a_time),
+        ON_DEVICE(secondary_buffers_draw_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
