@@ -173,20 +173,23 @@ fail:
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
                            const struct exec_view *info, VkImageView *view)
 {
+    const bool is_mutable = plan->flags & VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
     /* other formats may not support all usage flags of the image */
     const VkImageViewUsageCreateInfo usage = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
         .usage = info->usage,
     };
+    struct exec_view key = *info;
     VkResult result;
+    key.usage = is_mutable ? info->usage : 0; /* other views are shared by uses of all kinds */
     if (!plan->imported) {
-        rg_exec_key(exec, info, sizeof(*info));
+        rg_exec_key(exec, &key, sizeof(key));
         RG_KEY(exec, image);
     }
     RG_MAKE(exec, plan->image->name, IMAGE_VIEW, CreateImageView, view,
             &(VkImageViewCreateInfo){
                 .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                .pNext = plan->flags & VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT ? &usage : NULL,
+                .pNext = is_mutable ? &usage : NULL,
                 .image = image,
                 .viewType = info->type,
                 .format = info->format ? info->format : plan->image->format,
