@@ -1,6 +1,11 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each pass. */
 #include "graph/exec/executor_internal.h"
 
+enum {
+    /* passes whose sets come from one descriptor pool, which exists as long as one of them */
+    PASSES_PER_POOL = 16,
+};
+
 static VkImageViewType view_type(const struct rg_plan_image *image, uint32_t layers, bool storage)
 {
     if (image->image->depth)
@@ -228,30 +233,42 @@ static void add_descriptors(struct rg_exec *exec, const struct rg_plan_pass *pla
     }
 }
 
-/* Creates a descriptor pool that suffices even if all descriptors have one type. If the plan has no
- * acceleration structures, the pool has none (the last entry). */
-static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan,
-                          VkDescriptorPool *pool)
+/* Creates the pool for the sets of up to PASSES_PER_POOL passes. If the plan has no acceleration
+ * structures, the pool has none (the last entry). */
+static VkResult open_pool(struct rg_exec *exec, uint32_t first)
 {
-    uint32_t count = descriptor_count(plan) * exec->slot_count + 1;
-    const VkDescriptorPoolSize sizes[] = {
-        { VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count },
-        { VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, count },
-        { VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count },
-        { VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count },
-        { VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, count },
-        { VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, count },
-        { VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, count },
+    VkDescriptorPoolSize sizes[] = {
+        { VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1 },
+        { VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1 },
+        { VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1 },
+        { VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1 },
+        { VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1 },
+        { VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, 1 },
+        { VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1 },
     };
+    const uint32_t size_count = (uint32_t)(sizeof(sizes) / sizeof(sizes[0]));
+    const uint32_t rest = exec->plan->pass_count - first;
+    const uint32_t pass_count = rest < PASSES_PER_POOL ? rest : PASSES_PER_POOL;
+    const uint32_t set_count = exec->slot_count * exec->image_set_count; /* of a pass, at most */
     VkResult result;
-    RG_MAKE(
-        exec, plan->pass->name, DESCRIPTOR_POOL, CreateDescriptorPool, pool,
-        &(VkDescriptorPoolCreateInfo){
-            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-            .maxSets = exec->slot_count,
-            .poolSizeCount = (uint32_t)(sizeof(sizes) / sizeof(sizes[0])) - !exec->has_structures,
-            .pPoolSizes = sizes,
-        });
+    for (uint32_t p = first; p < first + pass_count; p++) {
+        const struct rg_plan_pass *plan = &exec->plan->passes[p];
+        for (uint32_t i = 0; i < descriptor_count(plan); i++) {
+            const VkDescriptorType type = descriptor_of(exec, plan, i).type;
+            for (uint32_t k = 0; k < size_count; k++)
+                sizes[k].descriptorCount += sizes[k].type == type ? set_count : 0;
+        }
+    }
+    exec->pool_end = first + pass_count;
+    RG_KEY(exec, ++exec->pool_number);
+    RG_MAKE(exec, exec->plan->passes[first].pass->name, DESCRIPTOR_POOL, CreateDescriptorPool,
+            &exec->pool,
+            &(VkDescriptorPoolCreateInfo){
+                .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                .maxSets = pass_count * set_count,
+                .poolSizeCount = size_count - !exec->has_structures,
+                .pPoolSizes = sizes,
+            });
 fail:
     return result;
 }
@@ -296,32 +313,60 @@ fail:
     return result;
 }
 
-/* Creates the descriptor sets of a pass, one per frame slot. */
+/* Descriptor sets of a pass, which the next plan may keep with their pool. */
+struct exec_sets {
+    uint64_t pool; /* number of the pool, its key */
+    VkDescriptorSet slots[];
+};
+
+/* Returns true if descriptors of a pass differ between frame slots. */
+static bool differs_by_slot(const struct rg_exec *exec, const struct rg_plan_pass *plan)
+{
+    for (uint32_t i = 0; i < descriptor_count(plan); i++) {
+        const struct exec_descriptor *d = &exec->descriptors[i];
+        if (d->type != VK_DESCRIPTOR_TYPE_MAX_ENUM && d->buffer != RG_NONE &&
+            rg_exec_buffer(exec, d->buffer, 0)->host)
+            return true;
+    }
+    return false;
+}
+
+/* Creates the descriptor sets of a pass: one per frame slot if they differ, otherwise one. */
 static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t pass)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[pass];
     const VkDescriptorSetLayout *layout = &exec->passes[pass].set_layout;
-    VkDescriptorSet *sets;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
+    VkDescriptorPool kept;
     VkResult result;
     RG_TRY(find_descriptors(exec, set, plan));
     add_descriptors(exec, plan, *layout);
-    if (!RG_MAKE_ARRAY(exec, sets, exec->slot_count))
+    struct exec_sets *sets =
+        rg_exec_make_array(exec, 1, sizeof(*sets) + exec->slot_count * sizeof(sets->slots[0]));
+    if (!sets)
         return VK_ERROR_OUT_OF_HOST_MEMORY;
-    set->descriptors[pass] = sets;
-    const bool is_kept = exec->found;
-    RG_KEY(exec, sets); /* which is freed with the pool */
-    RG_TRY(make_pool(exec, plan, &pool));
-    for (uint32_t slot = 0; slot < exec->slot_count && !is_kept; slot++) {
+    set->descriptors[pass] = sets->slots;
+    if (exec->found) {
+        RG_KEY(exec, sets->pool);
+        rg_exec_find(exec, VK_OBJECT_TYPE_DESCRIPTOR_POOL, &kept, sizeof(kept)); /* keeps it */
+        return VK_SUCCESS;
+    }
+    if (pass >= exec->pool_end)
+        RG_TRY(open_pool(exec, pass));
+    sets->pool = exec->pool_number;
+    const bool differs = differs_by_slot(exec, plan);
+    for (uint32_t slot = 0; slot < exec->slot_count; slot++) {
+        sets->slots[slot] = sets->slots[0];
+        if (slot > 0 && !differs)
+            continue;
         RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
                 &(VkDescriptorSetAllocateInfo){
                     .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                    .descriptorPool = pool,
+                    .descriptorPool = exec->pool,
                     .descriptorSetCount = 1,
                     .pSetLayouts = layout,
                 },
-                &sets[slot]);
-        RG_TRY(write_set(exec, plan, slot, sets[slot]));
+                &sets->slots[slot]);
+        RG_TRY(write_set(exec, plan, slot, sets->slots[slot]));
     }
 fail:
     return result;

@@ -220,6 +220,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
         .objects = former.objects,
         .former = former.unshared,
         .plan_number = former.plan_number + 1,
+        .pool_number = former.pool_number,
         .retired = former.retired,
         .is_update = true,
     };

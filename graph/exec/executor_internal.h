@@ -35,7 +35,7 @@ struct exec_targets {
 struct exec_image_set {
     VkImage *images;               /* indexed by plan image */
     struct exec_targets *targets;  /* indexed by pass */
-    VkDescriptorSet **descriptors; /* indexed by pass, then slot */
+    VkDescriptorSet **descriptors; /* indexed by pass, then slot; slots may share a set */
 };
 
 struct exec_pass {
@@ -77,7 +77,7 @@ struct exec_slot {
 /* List of objects that are freed together; with a hash table of their keys if they have keys. */
 struct exec_objects {
     struct exec_object *entries;
-    uint32_t *chains;     /* `room` of them: index of the first object plus 1; 0 if there is none */
+    uint32_t *chains;     /* hash table: index of a chain's first object plus 1; 0 if it is empty */
     uint32_t count, room; /* `room` is a power of two, or 0 */
     unsigned char *keys;  /* concatenated keys of all objects */
     size_t key_bytes, key_room;
@@ -154,6 +154,9 @@ struct rg_exec {
     struct exec_pass *passes;
     struct exec_descriptor *descriptors; /* scratch: of the pass being created */
     VkDescriptorSetLayoutBinding *bindings;
+    VkDescriptorPool pool; /* of the pass being created, and of all before `pool_end` */
+    uint64_t pool_number;  /* number of pools created */
+    uint32_t pool_end;
     VkCommandPool command_pool;
     VkSemaphore timelines[RG_QUEUE_COUNT]; /* by queue, if the plan uses several */
     uint64_t timeline; /* value before the next frame; a submission signals this + index + 1 */

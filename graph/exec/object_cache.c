@@ -8,6 +8,9 @@
 
 enum {
     UNUSED_MAX = 1, /* plans that an unused pipeline survives */
+    /* hash chains for each object that the list has room for: most chains are empty, so that a
+     * search without result seldom reads an object, which long lists do not have in a cache */
+    CHAINS_PER_OBJECT = 4,
 };
 
 struct exec_object {
@@ -41,7 +44,7 @@ VkResult rg_exec_refuse(const struct rg_exec *exec, const char *misuse)
 
 static uint32_t *chain_of(const struct exec_objects *list, uint64_t hash)
 {
-    return &list->chains[hash & (list->room - 1)];
+    return &list->chains[hash & ((size_t)list->room * CHAINS_PER_OBJECT - 1)];
 }
 
 /* Adds an object to the front of its hash chain. */
@@ -55,7 +58,7 @@ static void link_object(struct exec_objects *list, uint32_t index)
 static void link_objects(struct exec_objects *list)
 {
     if (list->room)
-        memset(list->chains, 0, list->room * sizeof(*list->chains));
+        memset(list->chains, 0, (size_t)list->room * CHAINS_PER_OBJECT * sizeof(*list->chains));
     for (uint32_t i = 0; i < list->count; i++)
         link_object(list, i);
 }
@@ -72,7 +75,8 @@ static VkResult reserve(const struct rg_exec *exec, struct exec_objects *list, u
     if (entries)
         list->entries = entries;
     const bool has_table = list == &exec->objects;
-    uint32_t *chains = entries && has_table ? realloc(list->chains, room * sizeof(*chains)) : NULL;
+    const size_t table_size = (size_t)room * CHAINS_PER_OBJECT * sizeof(*list->chains);
+    uint32_t *chains = entries && has_table ? realloc(list->chains, table_size) : NULL;
     if (!entries || (has_table && !chains))
         return rg_exec_check(exec, VK_ERROR_OUT_OF_HOST_MEMORY, "realloc", NULL);
     list->room = room;
@@ -124,14 +128,14 @@ static uint64_t hash_of(const struct rg_exec *exec, VkObjectType type)
 }
 
 /* Returns true for types of objects that several users can share, as they have no content. Images
- * of the plan have unique names; placeholders are shared. */
+ * of the plan have unique names; placeholders are shared. Sets of several passes share a pool. */
 static bool can_be_shared(VkObjectType type)
 {
     return type == VK_OBJECT_TYPE_SAMPLER || type == VK_OBJECT_TYPE_IMAGE_VIEW ||
            type == VK_OBJECT_TYPE_BUFFER_VIEW || type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT ||
            type == VK_OBJECT_TYPE_PIPELINE_LAYOUT || type == VK_OBJECT_TYPE_PIPELINE ||
            type == VK_OBJECT_TYPE_RENDER_PASS || type == VK_OBJECT_TYPE_FRAMEBUFFER ||
-           type == VK_OBJECT_TYPE_IMAGE;
+           type == VK_OBJECT_TYPE_IMAGE || type == VK_OBJECT_TYPE_DESCRIPTOR_POOL;
 }
 
 /* Returns true if an object has a type and the current key. */
