@@ -150,6 +150,16 @@ static void check_usage(struct hazard *h, const struct hazard_resource *resource
         hazard_report(h, "'%s' lacks a usage flag for access %d", name_of(resource), (int)access);
 }
 
+/* Checks that the image of a use with a view format of its own allows such views. */
+static void check_view(struct hazard *h, const struct hazard_resource *resource,
+                       const struct rg_use *use)
+{
+    if (use && use->view_format && resource->image && !resource->import &&
+        use->view_format != resource->image->format &&
+        !(h->plan->images[resource->plan].flags & VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT))
+        hazard_report(h, "'%s' cannot be viewed in another format", name_of(resource));
+}
+
 /* Computes the first and last pass that uses each resource, and checks the usage flags. */
 static void check_uses(struct hazard *h)
 {
@@ -160,11 +170,12 @@ static void check_uses(struct hazard *h)
             if (resource->first == RG_NONE)
                 resource->first = p;
             resource->last = p;
-            if (resource->plan == RG_NONE)
+            if (resource->plan == RG_NONE) {
                 hazard_report(h, "'%s' is used but not in the plan", name_of(resource));
-            else
-                check_usage(h, resource, h->uses[u].access,
-                            h->uses[u].use && h->uses[u].use->texels);
+                continue;
+            }
+            check_view(h, resource, h->uses[u].use);
+            check_usage(h, resource, h->uses[u].access, h->uses[u].use && h->uses[u].use->texels);
         }
     }
     for (uint32_t r = 0; r < h->resource_count; r++) {
