@@ -191,15 +191,16 @@ struct rg_exec_recording {
  * The previous frame of the slot must have finished, as its buffers and descriptors are reused: the
  * program waits for its own fence or timeline value, and then writes rg_exec_mapped() of the slot.
  * rg_exec_wait() cannot wait for such a frame: call it after that wait, to read readback buffers
- * and times of the slot. All frames must have finished when rg_exec_destroy() is called.
- * Objects that rg_exec_update() replaces are destroyed when rg_exec_wait() or rg_exec_record() has
- * been called for the slots of all frames that use them. RG_CLOCK_SUBMITS measures nothing. The plan must use only the main queue.
+ * and times of the slot. All frames must have finished when rg_exec_destroy() is called. Objects
+ * that rg_exec_update() replaces are destroyed when rg_exec_wait() or rg_exec_record() has been
+ * called for the slots of all frames that use them. RG_CLOCK_SUBMITS measures nothing. The plan
+ * must use only the main queue.
  */
 RG_API VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *recording,
                                const struct rg_frame *frame);
 
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. For
- * a frame of rg_exec_record(), whose end the application has awaited, it only makes them readable. */
+ * a frame of rg_exec_record(), whose end the application awaits, it only makes them readable. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 
 /* Waits for all submitted frames, as rg_exec_wait() does for each slot. */
