@@ -33,6 +33,7 @@ struct job {
     struct session_scene scene;
     struct gpu gpu;
     struct image_session session;
+    struct render_result result;    /* rendered image of the current frame */
     struct ocio_view view;          /* of --ocio */
     bool has_outputs;               /* choose_outputs() was called */
     bool makes_png;                 /* make_png() is needed */
@@ -42,13 +43,12 @@ struct job {
     struct progress progress;
 };
 
-/* Description, output files and rendered image of a frame. */
+/* Description and output files of a frame. */
 struct frame {
     struct output output;
     char *paths[SETUP_OUTPUT_COUNT];
     bool is_current[SETUP_OUTPUT_COUNT]; /* the file already contains the frame */
-    struct render_result result;
-    struct reference_outcome outcome; /* result of the reference */
+    struct reference_outcome outcome;    /* result of the reference */
 };
 
 /* ---- a frame ---- */
@@ -58,7 +58,6 @@ static void frame_finish(struct frame *frame)
     for (uint32_t i = 0; i < SETUP_OUTPUT_COUNT; i++)
         free(frame->paths[i]);
     output_finish(&frame->output);
-    render_result_finish(&frame->result);
 }
 
 /* Returns true if a file contains the frame, drawn with `samples` samples. */
@@ -130,9 +129,8 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
-static bool add_planes_of(const struct image *tile, struct image *image, const struct job *job)
+static bool add_planes_of(const struct image *tile, struct image *image)
 {
-    image_init(image, job->o.image.width, job->o.image.height);
     for (uint32_t p = 0; p < tile->plane_count; p++) {
         if (!image_add_plane(image, tile->planes[p].name, tile->planes[p].half))
             return false;
@@ -145,8 +143,9 @@ static bool add_planes_of(const struct image *tile, struct image *image, const s
 static bool assemble_image(const struct job *job, const struct render_result *tile,
                            struct render_result *image)
 {
-    if (!add_planes_of(&tile->image, &image->image, job) ||
-        !add_planes_of(&tile->display, &image->display, job))
+    render_result_clear(image, job->o.image.width, job->o.image.height);
+    if (!add_planes_of(&tile->image, &image->image) ||
+        !add_planes_of(&tile->display, &image->display))
         return false;
     if (tile->rgba)
         image->rgba = malloc((size_t)job->o.image.width * job->o.image.height * 4);
@@ -181,11 +180,11 @@ static void copy_tile(const struct job *job, uint32_t index, const struct render
 static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
                               struct render_result *image)
 {
+    struct render_result tile = { 0 };
     enum status status = STATUS_OK;
     job->tile_count = job->o.image.columns * job->o.image.rows;
     for (uint32_t i = 0; i < job->tile_count && status == STATUS_OK; i++) {
         struct renderer_shot tile_shot = *shot;
-        struct render_result tile = { 0 };
         tile_shot.tile = i;
         job->tile_done = i;
         status = image_session_draw(&job->session, &tile_shot, &tile, show_progress, job);
@@ -193,8 +192,8 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
             status = log_out_of_memory(NULL);
         if (status == STATUS_OK)
             copy_tile(job, i, &tile, image);
-        render_result_finish(&tile);
     }
+    render_result_finish(&tile);
     return status == STATUS_OK ? renderer_finish_display(job->session.renderer, image) : status;
 }
 
@@ -227,14 +226,15 @@ static enum status trace_image(struct job *job, struct frame *frame)
     };
     if (image && !path)
         return log_out_of_memory(NULL);
-    enum status status = reference_continue(job->session.reference, &output->shot, &frame->result,
+    render_result_finish(&job->result);
+    enum status status = reference_continue(job->session.reference, &output->shot, &job->result,
                                             &session, show_progress, job);
     free(path);
     output->samples = session.outcome.samples;
     output->noise = session.outcome.noise;
     frame->outcome = session.outcome;
     if (status == STATUS_OK)
-        status = image_session_trace_layers(&job->session, &output->shot, &frame->result);
+        status = image_session_trace_layers(&job->session, &output->shot, &job->result);
     return status == STATUS_OK ? output_describe(output) : status;
 }
 
@@ -256,8 +256,8 @@ static enum status draw_image(struct job *job, struct frame *frame)
     if (job->session.reference)
         return trace_image(job, frame);
     if (job->o.image.columns && !job->o.image.tile)
-        return draw_tiles(job, shot, &frame->result);
-    return image_session_draw(&job->session, shot, &frame->result, show_progress, job);
+        return draw_tiles(job, shot, &job->result);
+    return image_session_draw(&job->session, shot, &job->result, show_progress, job);
 }
 
 /* Converts the float image to PNG pixels, for --show, 16 bits, alpha or dithering. */
@@ -272,13 +272,12 @@ static bool make_png(const struct job *job, struct render_result *result)
 
 static enum status draw(struct job *job, struct frame *frame)
 {
-    struct render_result *result = &frame->result;
     progress_show(&job->progress, 0, job->o.image.samples);
     enum status status = draw_image(job, frame);
     progress_clear(&job->progress);
     job->pixels_beyond += frame->outcome.pixels_beyond;
     job->remaining = fmax(job->remaining, frame->outcome.remaining);
-    if (status == STATUS_OK && job->makes_png && !make_png(job, result))
+    if (status == STATUS_OK && job->makes_png && !make_png(job, &job->result))
         status = STATUS_TRY_AGAIN;
     return status;
 }
@@ -350,7 +349,7 @@ static void print_written(const struct job *job, const struct frame *frame, cons
     const char *name = strcmp(path, "-") ? path : "stdout";
     fprintf(stderr, "%s: %ux%u, ", name, p->width, p->height);
     if (p->is_adaptive)
-        fprintf(stderr, "%.3g samples on average", (double)frame->result.samples);
+        fprintf(stderr, "%.3g samples on average", (double)job->result.samples);
     else
         fprintf(stderr, "%u sample%s", samples, samples > 1 ? "s" : "");
     if (frame->output.samples > 1)
@@ -365,7 +364,7 @@ static enum status write_output(struct job *job, const struct frame *frame, cons
     void *data = NULL;
     size_t size = 0;
     const char *device = image_session_device(&job->session);
-    enum status status = output_encode(&frame->output, path, &frame->result, device, &data, &size);
+    enum status status = output_encode(&frame->output, path, &job->result, device, &data, &size);
     if (status == STATUS_OK) {
         if (!is_direct)
             signals_hold(&job->stop);
@@ -548,6 +547,7 @@ enum status app_render(const struct app_options *options)
         status = run(job);
     signals_end(&job->stop);
     image_session_close(&job->session);
+    render_result_finish(&job->result);
     gpu_destroy(&job->gpu);
     ocio_view_finish(&job->view);
     scene_finish(&job->scene.scene);

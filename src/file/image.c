@@ -23,32 +23,49 @@ bool image_init_like(struct image *image, const struct image *like, uint32_t hei
 
 void image_finish(struct image *image)
 {
-    for (uint32_t i = 0; i < image->plane_count; i++)
+    for (uint32_t i = 0; i < image->plane_count + image->spare_count; i++)
         free(image->planes[i].texels);
     free(image->planes);
     *image = (struct image){ 0 };
 }
 
+void image_clear(struct image *image, uint32_t width, uint32_t height)
+{
+    if (image->width != width || image->height != height)
+        image_finish(image);
+    image->width = width;
+    image->height = height;
+    image->spare_count += image->plane_count;
+    image->plane_count = 0;
+}
+
+/* Returns zeroed texels for the next plane, spare ones if there are any; NULL if out of memory. */
+static float *next_texels(struct image *image)
+{
+    const size_t count = (size_t)image->width * image->height;
+    if (image->spare_count) {
+        image->spare_count--;
+        return memset(image->planes[image->plane_count].texels, 0, count * sizeof(float));
+    }
+    struct image_plane *planes = realloc(image->planes, (image->plane_count + 1) * sizeof(*planes));
+    if (!planes)
+        return NULL;
+    image->planes = planes;
+    return calloc(count, sizeof(float));
+}
+
 float *image_add_plane(struct image *image, const char *name, bool half)
 {
-    const size_t count = image->plane_count;
-    struct image_plane *planes;
-    float *texels;
-
     assert(image->width > 0 && image->height > 0);
     assert(strlen(name) < IMAGE_NAME_SIZE && !image_find(image, name));
     if (image->width > SIZE_MAX / sizeof(float) / image->height)
         return NULL;
-    planes = realloc(image->planes, (count + 1) * sizeof(*planes));
-    if (!planes)
-        return NULL;
-    image->planes = planes;
-    texels = calloc((size_t)image->width * image->height, sizeof(float));
+    float *texels = next_texels(image);
     if (!texels)
         return NULL;
-    planes[count] = (struct image_plane){ .half = half, .texels = texels };
-    strncpy(planes[count].name, name, IMAGE_NAME_SIZE - 1);
-    image->plane_count++;
+    struct image_plane *plane = &image->planes[image->plane_count++];
+    *plane = (struct image_plane){ .half = half, .texels = texels };
+    strncpy(plane->name, name, IMAGE_NAME_SIZE - 1);
     return texels;
 }
 

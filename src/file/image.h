@@ -34,6 +34,7 @@ struct image {
     uint32_t width, height; /* pixels */
     uint32_t plane_count;
     struct image_plane *planes;
+    uint32_t spare_count; /* planes after `plane_count`, whose memory image_add_plane() reuses */
 };
 
 /* Callback of a reader that knows an image's size and the number of its planes R, G, B and A,
@@ -55,6 +56,10 @@ void image_init(struct image *image, uint32_t width, uint32_t height);
 bool image_init_like(struct image *image, const struct image *like, uint32_t height);
 
 void image_finish(struct image *image);
+
+/* Removes all planes and sets the size. If the size is unchanged, keeps their memory for
+ * image_add_plane(), because fresh memory costs page faults. *image must be initialised or {0}. */
+void image_clear(struct image *image, uint32_t width, uint32_t height);
 
 /*
  * Adds a plane of zeros and returns its texels. If out of memory, returns NULL. The name is copied;

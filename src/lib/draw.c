@@ -84,7 +84,6 @@ enum status lib_draw(firn_renderer *r, const struct firn_camera *camera,
 {
     struct progress progress = { r, fn, user };
     struct renderer_shot shot;
-    *result = (struct render_result){ 0 };
     enum status status = lib_renderer_aim(r, camera, &shot);
     if (status == STATUS_OK)
         status = image_session_open(

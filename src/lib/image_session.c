@@ -214,9 +214,13 @@ enum status image_session_draw(struct image_session *s, const struct renderer_sh
                                struct render_result *result, renderer_progress_fn *progress,
                                void *user)
 {
-    const enum status status = s->reference
-                                   ? reference_render(s->reference, shot, result, progress, user)
-                                   : renderer_render(s->renderer, shot, result, progress, user);
+    enum status status;
+    if (s->reference) {
+        render_result_finish(result);
+        status = reference_render(s->reference, shot, result, progress, user);
+    } else {
+        status = renderer_render_again(s->renderer, shot, result, progress, user);
+    }
     return status == STATUS_OK ? image_session_trace_layers(s, shot, result) : status;
 }
 

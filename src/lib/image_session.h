@@ -55,8 +55,8 @@ void image_session_change(struct image_session *session);
  * present pose and a camera. */
 MUST_USE enum status image_session_open(struct image_session *session, const struct camera *camera);
 
-/* Draws a shot with the renderer or the path tracer, as renderer_render() does, and its traced
- * layers. */
+/* Draws a shot with the renderer or the path tracer, as renderer_render_again() does, and its
+ * traced layers. */
 MUST_USE enum status image_session_draw(struct image_session *session,
                                         const struct renderer_shot *shot,
                                         struct render_result *result,

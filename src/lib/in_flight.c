@@ -144,7 +144,6 @@ static enum status fetch(firn_renderer *r, uint64_t ticket, const struct firn_bu
         status = lib_buffers_write(r, buffers, count, &job->shown, &job->result);
     else
         memcpy(r->scene->device->message, job->error, LIB_MESSAGE_SIZE);
-    render_result_finish(&job->result);
     r->fetched++;
     return status;
 }

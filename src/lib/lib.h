@@ -81,7 +81,7 @@ struct lib_shown {
 struct lib_job {
     uint64_t ticket;
     struct firn_camera camera;
-    struct render_result result;
+    struct render_result result; /* kept for the next view */
     struct lib_shown shown;
     enum status status;
     char error[LIB_MESSAGE_SIZE];
@@ -204,7 +204,8 @@ void lib_camera_describe(struct firn_camera *to, const struct firn_camera *from,
 
 /* ---- rendering ---- */
 
-/* Draws a view, until renderer->is_cancelled is set. */
+/* Draws a view, until renderer->is_cancelled is set. *result is {0} or an earlier view, whose
+ * memory is reused. */
 MUST_USE enum status lib_draw(firn_renderer *renderer, const struct firn_camera *camera,
                               struct render_result *result, firn_progress_fn *progress, void *user);
 

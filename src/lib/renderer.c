@@ -192,9 +192,9 @@ firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camer
 {
     struct lib_call call;
     struct firn_camera copied;
-    struct render_result result = { 0 };
     if (!lib_enter(&call, renderer ? renderer->scene->device : NULL, true))
         return renderer ? FIRN_FAILED : FIRN_USAGE;
+    struct render_result *result = &renderer->jobs[0].result; /* no views are in flight below */
     enum status status = lib_camera_read(&copied, camera);
     if (status == STATUS_OK)
         status = lib_buffers_check(renderer, buffers, count);
@@ -204,12 +204,11 @@ firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camer
     }
     if (status == STATUS_OK) {
         atomic_store(&renderer->is_cancelled, false);
-        status = lib_draw(renderer, &copied, &result, progress, user);
+        status = lib_draw(renderer, &copied, result, progress, user);
     }
     const struct lib_shown shown = lib_shown_of(renderer);
     if (status == STATUS_OK)
-        status = lib_buffers_write(renderer, buffers, count, &shown, &result);
-    render_result_finish(&result);
+        status = lib_buffers_write(renderer, buffers, count, &shown, result);
     return lib_leave(&call, status);
 }
 

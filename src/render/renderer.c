@@ -331,8 +331,7 @@ static bool add_planes(struct renderer *r, struct render_result *result)
     const bool is_weighted = renderer_is_weighted(&r->params);
     const bool has_mean = r->params.resolved || (r->params.display && many);
     struct image *image = &result->image;
-    image_init(image, r->tile.width, r->tile.height);
-    image_init(&result->display, r->tile.width, r->tile.height);
+    render_result_clear(result, r->tile.width, r->tile.height);
     if (is_weighted && !weighted_mean_add_planes(&result->display))
         return false;
     if (r->params.linear || (has_mean && !is_weighted)) {
@@ -343,6 +342,7 @@ static bool add_planes(struct renderer *r, struct render_result *result)
         if (renderer_wants_layer(r, i) && !accumulate_add_planes(image, techniques_layer(i)))
             return false;
     }
+    result->samples = (float)r->params.samples;
     return renderer_denoise_begin(r);
 }
 
@@ -375,10 +375,16 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
                             void *user)
 {
     *result = (struct render_result){ 0 };
+    return renderer_render_again(r, shot, result, progress, user);
+}
+
+enum status renderer_render_again(struct renderer *r, const struct renderer_shot *shot,
+                                  struct render_result *result, renderer_progress_fn *progress,
+                                  void *user)
+{
     if (!renderer_is_interleaved(&r->params))
         r->tile = tile_at(&r->tiling, shot->tile);
     enum status status = STATUS_OK;
-    result->samples = (float)r->params.samples;
     if (!add_planes(r, result))
         status = log_out_of_memory(NULL);
     else if (r->params.is_adaptive)
@@ -406,6 +412,16 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
 const struct image *render_result_display(const struct render_result *result)
 {
     return result->display.planes ? &result->display : &result->image;
+}
+
+void render_result_clear(struct render_result *result, uint32_t width, uint32_t height)
+{
+    struct image image = result->image, display = result->display;
+    free(result->rgba);
+    free(result->rgba_16);
+    image_clear(&image, width, height);
+    image_clear(&display, width, height);
+    *result = (struct render_result){ .image = image, .display = display };
 }
 
 void render_result_finish(struct render_result *result)

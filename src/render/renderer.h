@@ -69,6 +69,12 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
+/* Same as renderer_render(), but *result is {0} or an earlier image, whose memory is reused. */
+MUST_USE enum status renderer_render_again(struct renderer *renderer,
+                                           const struct renderer_shot *shot,
+                                           struct render_result *result,
+                                           renderer_progress_fn *progress, void *user);
+
 /* Filters the mean of an image that was assembled from tiles, and tone-maps it if params ask for
  * display. Images of a single tile are finished by renderer_render(). */
 MUST_USE enum status renderer_finish_display(struct renderer *renderer,
@@ -135,6 +141,9 @@ void renderer_destroy(struct renderer *renderer); /* may be NULL */
 
 /* Returns the image that contains the beauty for display. */
 const struct image *render_result_display(const struct render_result *result);
+
+/* Removes an image, but keeps the memory of its planes for the next one of that size. */
+void render_result_clear(struct render_result *result, uint32_t width, uint32_t height);
 
 void render_result_finish(struct render_result *result);
 

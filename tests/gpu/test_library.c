@@ -189,6 +189,10 @@ static void display_equals_the_png_file(void **state)
     firn_renderer *renderer = create(scene, layers, 1);
     struct firn_buffer buffer = buffer_of("display", rgba[PIXELS - WIDTH], FIRN_UINT8);
     buffer.row_stride = -(ptrdiff_t)(WIDTH * sizeof(rgba[0])); /* bottom row first */
+    const struct firn_camera other = {
+        .size = sizeof(other), .kind = FIRN_CAMERA_LOOK_AT, .eye = { 4, 2, 5 }, .fov_deg = 60
+    };
+    OK(firn_render(renderer, &other, &buffer, 1, NULL, NULL)); /* its memory is reused */
     OK(firn_render(renderer, NULL, &buffer, 1, NULL, NULL));
     const float *green = image_find(&image, "G");
     for (size_t i = 0; i < PIXELS; i++) {

@@ -157,6 +157,35 @@ static void test_a_part(void **state)
     image_finish(&image);
 }
 
+/* A cleared image reuses its planes' memory, zeroed, for planes of any names. A changed size frees
+ * it. */
+static void test_cleared_image(void **state)
+{
+    (void)state;
+    struct image image = { 0 };
+    float *texels[2];
+    image_clear(&image, WIDTH, HEIGHT);
+    for (int p = 0; p < 2; p++) {
+        texels[p] = image_add_plane(&image, p ? "b" : "a", p);
+        assert_non_null(texels[p]);
+        texels[p][0] = texels[p][TEXELS - 1] = 1.0f;
+    }
+    image_clear(&image, WIDTH, HEIGHT);
+    assert_null(image_find(&image, "a"));
+    assert_ptr_equal(image_add_plane(&image, "c", true), texels[0]);
+    image_clear(&image, WIDTH, HEIGHT); /* "b" is still spare */
+    for (int p = 0; p < 3; p++) {
+        const float *plane = image_add_plane(&image, (const char *[]){ "b", "d", "e" }[p], false);
+        assert_non_null(plane);
+        assert_true(p == 2 || plane == texels[p]);
+        assert_true(plane[0] == 0.0f && plane[TEXELS - 1] == 0.0f && !image.planes[p].half);
+    }
+    image_clear(&image, HEIGHT, WIDTH + 1);
+    assert_int_equal(image.plane_count + image.spare_count, 0);
+    assert_non_null(image_add_plane(&image, "a", false));
+    image_finish(&image);
+}
+
 /* Those that no rung draws have planes alone. */
 static void check_planes(const struct frame_layer *layer, struct image *image)
 {
@@ -192,6 +221,7 @@ int main(void)
         cmocka_unit_test(test_formats_and_channels),
         cmocka_unit_test(test_layers_side_by_side),
         cmocka_unit_test(test_a_part),
+        cmocka_unit_test(test_cleared_image),
         cmocka_unit_test(test_layers_of_the_frame),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
