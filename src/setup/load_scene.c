@@ -328,10 +328,12 @@ static void note_opaque(const struct setup_scene *options, const struct scene *s
             2.0f * setup_wall_thickness(&model->object, object->first_index, object->index_count);
         if (absorption * path < OPAQUE_DEPTH)
             continue;
+        const float now = options->model_transform.scale;
+        const float half = logf(2.0f) / (absorption * path) * (now > 0.0f ? now : 1.0f);
         log_note("%s: %s absorbs more than 99 %% of the light that passes through it, %.3g metres "
                  "on average; if the unit of the file is not the metre, use for example --scale "
-                 "%.1g",
-                 options->name, object_name(model, i, name), (double)path, 0.02 / (double)path);
+                 "%.2g, through which half of the light passes",
+                 options->name, object_name(model, i, name), (double)path, (double)half);
         return;
     }
 }
