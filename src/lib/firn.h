@@ -445,8 +445,8 @@ typedef int firn_progress_fn(void *user, uint32_t done, uint32_t all);
  * Renders a view into buffers and waits for it. `camera` may be NULL for FIRN_CAMERA_SCENE.
  * `buffers` has `count` elements; `progress` may be NULL. Results are deterministic and
  * bit-identical to those of `firn render`. Returns FIRN_CANCELLED, with the buffers unchanged, if
- * `progress` or firn_cancel() cancels; the renderer remains usable. Until it
- * is closed, it keeps memory for as many views as were in flight at a time, 4 bytes per value.
+ * `progress` or firn_cancel() cancels; the renderer remains usable. Until it is
+ * closed, it keeps memory for as many views as were in flight at a time, 4 bytes per value.
  */
 FIRN_API firn_status firn_render(firn_renderer *renderer, const struct firn_camera *camera,
                                  const struct firn_buffer *buffers, size_t count,

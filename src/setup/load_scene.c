@@ -332,7 +332,7 @@ static void note_opaque(const struct setup_scene *options, const struct scene *s
         const float half = logf(2.0f) / (absorption * path) * (now > 0.0f ? now : 1.0f);
         log_note("%s: %s absorbs more than 99 %% of the light that passes through it, %.3g metres "
                  "on average; if the unit of the file is not the metre, use for example --scale "
-                 "%.2g, through which half of the light passes",
+                 "%.2g, at which half of the light passes",
                  options->name, object_name(model, i, name), (double)path, (double)half);
         return;
     }
