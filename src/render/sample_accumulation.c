@@ -25,25 +25,20 @@ bool accumulate_add_planes(struct image *image, const struct frame_layer *layer)
     return true;
 }
 
-/* Adds a row of one channel of half texels to a row of a plane. The first sample replaces the row,
- * which spares reading untouched memory; 0 is added to it, as sums have no negative zeros. */
-static void add_half(float *row, size_t count, const uint16_t *texels, uint32_t channels,
-                     bool is_first)
+static void add_half(float *plane, size_t count, const void *texels, uint32_t channel,
+                     uint32_t channels)
 {
-    for (size_t i = 0; is_first && i < count; i++)
-        row[i] = 0.0f + half_to_float(texels[i * channels]);
-    for (size_t i = 0; !is_first && i < count; i++)
-        row[i] += half_to_float(texels[i * channels]);
+    const uint16_t *source = texels;
+    for (size_t i = 0; i < count; i++)
+        plane[i] += half_to_float(source[i * channels + channel]);
 }
 
-/* Same as add_half(), for single floats. */
-static void add_float(float *row, size_t count, const float *texels, uint32_t channels,
-                      bool is_first)
+static void add_float(float *plane, size_t count, const void *texels, uint32_t channel,
+                      uint32_t channels)
 {
-    for (size_t i = 0; is_first && i < count; i++)
-        row[i] = 0.0f + texels[i * channels];
-    for (size_t i = 0; !is_first && i < count; i++)
-        row[i] += texels[i * channels];
+    const float *source = texels;
+    for (size_t i = 0; i < count; i++)
+        plane[i] += source[i * channels + channel];
 }
 
 void accumulate_sample(struct image *image, const struct tile *tile,
@@ -51,24 +46,19 @@ void accumulate_sample(struct image *image, const struct tile *tile,
 {
     const VkFormat format = layer->image->format;
     const size_t size = rg_format_info(format)->size;
-    const uint32_t channels = channel_count(format), plane_count = frame_layer_plane_count(layer);
-    float *planes[FRAME_LAYER_PLANES];
-    assert(is_half(format) || size == channels * sizeof(float));
+    assert(is_half(format) || size == channel_count(format) * sizeof(float));
     if (sample && !layer->mean)
         return;
-    for (uint32_t p = 0; p < plane_count; p++)
-        planes[p] = image_find(image, layer->planes[p]);
-    for (uint32_t y = 0; y < tile->height; y++) { /* rows first: a row of texels fits the cache */
-        const char *source = (const char *)texels + size * tile->width * y;
-        for (uint32_t p = 0; p < plane_count; p++) {
-            float *row = &planes[p][(size_t)(tile->y + y) * image->width + tile->x];
-            const size_t channel = layer->first_channel + p;
+    for (uint32_t p = 0; p < frame_layer_plane_count(layer); p++) {
+        float *plane = image_find(image, layer->planes[p]);
+        for (uint32_t y = 0; y < tile->height; y++) {
+            float *row = &plane[(size_t)(tile->y + y) * image->width + tile->x];
+            const char *source = (const char *)texels + size * tile->width * y;
             if (is_half(format))
-                add_half(row, tile->width, (const uint16_t *)(const void *)source + channel,
-                         channels, !sample);
+                add_half(row, tile->width, source, layer->first_channel + p, channel_count(format));
             else
-                add_float(row, tile->width, (const float *)(const void *)source + channel, channels,
-                          !sample);
+                add_float(row, tile->width, source, layer->first_channel + p,
+                          channel_count(format));
         }
     }
 }
