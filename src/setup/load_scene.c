@@ -259,7 +259,7 @@ void setup_note_contacts(const struct setup_scene *options, const struct scene *
                  object_name(model, pair.second, names[1]), names[top == pair.second]);
     }
     if (scene->contacts.has_more_pairs)
-        log_note("%s: further objects share faces", options->name);
+        log_note("%s: further objects may share faces", options->name);
 }
 
 /* Warns of an empty environment box. This is no error, because a user may be editing the box. */
