@@ -48,7 +48,7 @@ bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 bool generate_floor(struct mesh *mesh, struct box object);
 
 enum {
-    GENERATE_STAGE_SIDES = 192,
+    GENERATE_STAGE_SIDES = 256,
     GENERATE_STAGE_RINGS = 34,
 };
 
