@@ -128,8 +128,7 @@ def write_models(folder):
                                         chunks)
     model['buffers'][0]['uri'] = ('data:application/octet-stream;base64,' +
                                   base64.b64encode(data).decode())
-    for name in ('room', 'Avocado', 'BarramundiFish', 'Suzanne', 'WaterBottle'):
-        (folder / f'{name}.gltf').write_text(json.dumps(model))
+    (folder / 'room.gltf').write_text(json.dumps(model))
     model['nodes'][1]['name'] = 'Tea'
     (folder / 'cup.gltf').write_text(json.dumps(model))
     for name in ('spot', 'teapot'):
