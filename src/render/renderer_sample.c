@@ -30,15 +30,15 @@ static bool traces_photons(const struct renderer *r)
     return refraction && refraction->refraction.trace_photons;
 }
 
-/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, they are
- * redrawn for fewer samples. */
+/* Returns the sample whose light maps a sample uses. On a stage, whose light is soft, 8 samples
+ * share them. */
 static uint32_t light_sample(const struct renderer *r, uint32_t sample)
 {
-    const uint32_t shared = 3;
-    if (r->params.is_adaptive)
-        return adaptive_light_sample(sample);
+    const uint32_t shared = 8;
     if (box_diagonal(r->params.scene->stage_box) > 0.0f)
         return shared * adaptive_light_sample(sample / shared);
+    if (r->params.is_adaptive)
+        return adaptive_light_sample(sample);
     return traces_photons(r) ? even_light_sample(sample) : sample;
 }
 
