@@ -336,6 +336,19 @@ _FORMATS = {
 }
 
 
+def _metas(folder):
+    """Returns the paths of the images' meta files, in the order of their indices."""
+    return sorted((folder / 'meta').glob('*.json'))
+
+
+def _meta(path):
+    """Returns the contents of a meta file, or None if it is missing or damaged."""
+    try:
+        return json.loads(path.read_text())
+    except (OSError, ValueError):
+        return None
+
+
 class Writer:
     """
     Writes a data set into a folder. Values of `formats`:
@@ -362,22 +375,23 @@ class Writer:
         self.formats, self.seed = tuple(formats), int(seed)
         self.categories = None if categories is None else set(categories)
         _folder(self.folder / 'meta')
+        old = next((entry for entry in map(_meta, _metas(self.folder)) if entry), {})
+        if old.get('seed', self.seed) != self.seed:
+            raise UsageError(f'{self.folder}: has images of seed {old["seed"]}; use another folder '
+                             f'for seed {self.seed}, or delete these images')
 
     def rng(self, index: int) -> np.random.Generator:
         """Returns the random number generator of an image, seeded by the seed and the index."""
         return np.random.default_rng([self.seed, index])
 
-    def _meta(self, index: int) -> pathlib.Path:
+    def _meta_path(self, index: int) -> pathlib.Path:
         return self.folder / 'meta' / f'{index:06}.json'
 
     def missing(self, indices: Iterable) -> list:
-        """Returns the indices without a complete image of this seed and these formats."""
+        """Returns the indices without a complete image in these formats."""
         def is_there(index):
-            try:
-                entry = json.loads(self._meta(index).read_text())
-            except (OSError, ValueError):
-                return False
-            return entry['seed'] == self.seed and entry['formats'] == list(self.formats)
+            entry = _meta(self._meta_path(index))
+            return entry is not None and entry['formats'] == list(self.formats)
         return [index for index in indices if not is_there(index)]
 
     def write(self, index: int, frame: Frame, scene=None, variation: dict | None = None) -> None:
@@ -390,12 +404,11 @@ class Writer:
                               for path in _FORMATS[name][0](self.folder, index, frame, entry))
         entry['sha256'] = {str(path.relative_to(self.folder)):
                            hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
-        _dump(self._meta(index), entry)
+        _dump(self._meta_path(index), entry)
 
     def close(self) -> None:
         """Writes dataset.json and the files of formats that list all images."""
-        entries = [json.loads(path.read_text())
-                   for path in sorted((self.folder / 'meta').glob('*.json'))]
+        entries = [json.loads(path.read_text()) for path in _metas(self.folder)]
         for finish in dict.fromkeys(_FORMATS[name][1] for name in self.formats):
             if finish:
                 finish(self, entries)

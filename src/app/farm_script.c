@@ -49,7 +49,9 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
             "#SBATCH --signal=USR1@60\n",
             script->name, script->task_count, script->name);
     print_sbatch(script, out);
-    fprintf(out, "srun ");
+    /* since Slurm 22.05, srun does not inherit --cpus-per-task from sbatch */
+    fprintf(out, "[ -z \"$SLURM_CPUS_PER_TASK\" ] || "
+                 "export SRUN_CPUS_PER_TASK=\"$SLURM_CPUS_PER_TASK\"\nsrun ");
     print_program(script, "render --resume --chunk ", out);
     fprintf(out, "\"$SLURM_ARRAY_TASK_ID/%u\" \\\n   ", script->task_count);
     print_arguments(script, out);

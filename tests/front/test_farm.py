@@ -157,6 +157,15 @@ class Words(Farm):
             self.assertIn(f'--array=1-{count}\n', self.script('slurm', *words))
             self.assertIn(f'$(seq {count})', self.script('parallel', *words))
 
+    def test_cores_of_a_job_are_those_of_its_step(self):
+        job = self.script('slurm', 'sphere', '--frames', '1').split("<<'END'\n")[1].split('END\n')[0]
+        (self.folder / 'srun').write_text('#!/bin/sh\necho "$SRUN_CPUS_PER_TASK"\n')
+        (self.folder / 'srun').chmod(0o755)
+        for cores in ('', '8'):
+            env = {'PATH': f'{self.folder}:/usr/bin:/bin', 'SLURM_CPUS_PER_TASK': cores}
+            done = subprocess.run(['sh', '-c', job], env=env, capture_output=True, check=True)
+            self.assertEqual(done.stdout.decode().strip(), cores)
+
     def test_names_of_jobs(self):
         for output, name in (('turn.##.exr', 'turn'), ('an ice cube.#.png', 'an'),
                              ('##.exr', 'firn'), ('-x.#.exr', 'firn')):

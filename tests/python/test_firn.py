@@ -432,6 +432,10 @@ class Firn(unittest.TestCase):
         self.assertEqual([one['segmentation'] for one in kept['annotations']],
                          [one['segmentation'] for one in coco['annotations']
                           if one['category_id'] == 2])
+        (parts / 'meta/000000.json').write_text('{')  # half a file
+        self.assertEqual(dataset.Writer(parts, FORMATS, seed=3).missing(range(3)), [0])
+        with self.assertRaisesRegex(firn.UsageError, 'images of seed 3'):
+            dataset.Writer(whole, FORMATS, seed=4)
         bop = json.loads((whole / 'bop/000001/scene_camera.json').read_text())
         meta = json.loads((whole / 'meta/000001.json').read_text())
         np.testing.assert_allclose(bop['1']['cam_t_w2c'], 1000 * np.array(meta['camera']['t']))
