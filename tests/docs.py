@@ -46,6 +46,14 @@ def link_faults(root, page, text):
             yield f'{page}: no such heading: {match[2]}'
 
 
+def break_faults(page, text):
+    """Finds prose lines whose first characters begin a comment (of MyST) or a list."""
+    lines = CODE.sub('', text).split('\n')
+    for before, line in zip(['', *lines], lines):
+        if re.match(r'%|\d+[.)] ', line) and re.match(r'[^\W\d]|[`*(\[]', before):
+            yield f'{page}: breaks its paragraph: {line}'
+
+
 def is_for_users(page):
     return page.startswith(('docs/tutorial/', 'docs/how-to/')) and page not in PROGRAMMERS
 
@@ -88,6 +96,7 @@ def faults(root):
                           root / 'graph/README.md', root / 'assets/README.md')}
     for page, text in texts.items():
         yield from link_faults(root, page, text)
+        yield from break_faults(page, text)
         if figures.filled(text, figures.load()) != text:
             yield f'{page}: differs from docs/figures.json: run man/figures.py'
         if is_for_users(page):

@@ -293,8 +293,7 @@ static void note_ice(const struct setup_scene *options, const struct scene *scen
 /* Logs a note that offers --material for blended surfaces with names such as "glass". */
 static void note_blended(const struct setup_scene *options, const struct scene *scene)
 {
-    if (!options->quiet && !options->material && options->material_override_count == 0 &&
-        !scene_is_known(options->name))
+    if (!options->quiet && !options->material && !scene_is_known(options->name))
         offer_materials(options->name, &scene->model);
 }
 

@@ -158,7 +158,8 @@ class Words(Farm):
             self.assertIn(f'$(seq {count})', self.script('parallel', *words))
 
     def test_cores_of_a_job_are_those_of_its_step(self):
-        job = self.script('slurm', 'sphere', '--frames', '1').split("<<'END'\n")[1].split('END\n')[0]
+        text = self.script('slurm', 'sphere', '--frames', '1')
+        job = text.split("<<'END'\n")[1].split('END\n')[0]
         (self.folder / 'srun').write_text('#!/bin/sh\necho "$SRUN_CPUS_PER_TASK"\n')
         (self.folder / 'srun').chmod(0o755)
         for cores in ('', '8'):

@@ -343,7 +343,7 @@ class Scenes(Case):
         def said(name, node='thing', mode='BLEND', *words):
             material = {'name': name, 'alphaMode': mode,
                         'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, 0.3]}}
-            scene = json.loads(boxes((material, [0, 0, 0], 1)))
+            scene = json.loads(boxes((material, [0, 0, 0], 1), (glass(1.5), [3, 0, 0], 1)))
             scene['nodes'][0]['name'] = node
             (self.folder / 'pane.gltf').write_text(json.dumps(scene))
             return self.succeed('graph', 'pane.gltf', *words, env=NO_DRIVER).stderr.decode()
@@ -356,11 +356,12 @@ class Scenes(Case):
             self.assertEqual(said(name, node), (
                 'firn: note: pane.gltf: alpha-blended surfaces do not refract; to draw them as '
                 f'clear objects, use --material {option}\n'))
+        self.assertIn('glass=glass', said('glass', 'x', 'BLEND', '--material', 'box 1=water'))
         for words in (('eyeglasses', 'dice'), ('price', 'underwater'), ('paint', 'wall'),
                       ('glass', 'x', 'OPAQUE'), ('glass', 'x', 'BLEND', '-q'),
-                      ('glass', 'x', 'BLEND', '--material', 'glass=glass')):
+                      ('glass', 'x', 'BLEND', '-r', 'bounce', '--material', 'glass=glass')):
             self.assertEqual(said(*words), '', words)
-        self.assertIn('refract_bounce', str(self.passes('pane.gltf', '-m', 'glass=glass')))
+        self.assertIn('refract_trace', str(self.passes('pane.gltf', '-m', 'glass=glass')))
 
     def test_files_of_other_formats(self):
         """What they lack, and what is not read, is said."""
