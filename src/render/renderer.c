@@ -350,7 +350,8 @@ static enum status divide_sums(struct renderer *r, struct render_result *result)
 {
     struct image *image = &result->image;
     if (result->display.planes)
-        weighted_mean_divide(&result->display, r->params.samples);
+        weighted_mean_divide(&result->display, r->params.samples,
+                             weighted_mean_scale(r->params.settings));
     if (image_find(image, frame_beauty.planes[0]))
         accumulate_mean(image, &frame_beauty, r->params.samples);
     for (uint32_t i = 0; techniques_layer(i); i++) {

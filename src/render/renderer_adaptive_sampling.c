@@ -45,7 +45,8 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
         if (r->params.layers & UINT64_C(1) << i)
             adaptive_rescale(&adaptive, &result->image, techniques_layer(i));
     }
-    adaptive_rescale(&adaptive, &result->display, &weighted_mean_alpha);
+    adaptive_rescale(&adaptive, &result->display, &frame_beauty);
+    adaptive_rescale(&adaptive, &result->display, &weighted_mean_extra);
     renderer_denoise_rescale(r, &adaptive);
     result->samples = adaptive_mean(&adaptive);
     adaptive_finish(&adaptive);

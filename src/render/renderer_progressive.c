@@ -88,40 +88,31 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     return STATUS_OK;
 }
 
-/* Returns pixel `i` of the mean for display, unfiltered. Keeps the sums. */
-static void find_display(const struct renderer *r, size_t i, uint32_t sample_count, float rgba[4])
-{
-    if (r->display_sums.planes && sample_count > 1) {
-        weighted_mean_pixel(&r->display_sums, i, sample_count, rgba);
-        return;
-    }
-    for (size_t p = 0; p < 4; p++)
-        rgba[p] = r->sums.planes[p].texels[i] / (float)sample_count;
-}
-
 void renderer_display_pixel(const struct renderer *r, size_t i, float rgba[static 4])
 {
     for (size_t p = 0; p < 4; p++)
         rgba[p] = r->shown.planes ? r->shown.planes[p].texels[i] : 0.0f;
 }
 
-/* Computes the mean of the samples for display. */
+/* Computes the mean of the samples for display. Keeps the sums. */
 static enum status find_shown(struct renderer *r, uint32_t sample_count)
 {
-    const bool is_filtered =
-        r->display_sums.planes && sample_count > 1 && weighted_mean_is_filtered(r->params.settings);
-    const bool exists = r->shown.planes || image_init_like(&r->shown, &r->sums, r->sums.height);
+    const bool is_weighted = r->display_sums.planes && sample_count > 1;
+    const float scale = weighted_mean_scale(r->params.settings);
+    const struct image *like = r->display_sums.planes ? &r->display_sums : &r->sums;
+    const bool exists = r->shown.planes || image_init_like(&r->shown, like, like->height);
     if (!exists || !r->shown.planes) {
         image_finish(&r->shown); /* the next call tries again */
         return log_out_of_memory(NULL);
     }
     for (size_t i = 0; i < (size_t)r->sums.width * r->sums.height; i++) {
-        float rgba[4];
-        find_display(r, i, sample_count, rgba);
-        for (size_t p = 0; p < 4; p++)
-            r->shown.planes[p].texels[i] = rgba[p];
+        if (is_weighted)
+            weighted_mean_pixel(&r->display_sums, i, sample_count, scale, &r->shown);
+        for (size_t p = 0; p < 4 && !is_weighted; p++)
+            r->shown.planes[p].texels[i] = r->sums.planes[p].texels[i] / (float)sample_count;
     }
-    return !is_filtered || weighted_mean_filter(&r->shown, weighted_mean_scale(r->params.settings))
+    return !is_weighted || !weighted_mean_is_filtered(r->params.settings) ||
+                   weighted_mean_filter(&r->shown, scale)
                ? STATUS_OK
                : log_out_of_memory(NULL);
 }

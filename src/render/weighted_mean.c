@@ -7,14 +7,18 @@
 #include "src/settings/scene_settings.h"
 
 enum {
-    WEIGHT = 4, /* plane after those of frame_beauty */
+    WEIGHT = 4, /* planes after those of frame_beauty */
+    VARIANCE,
     PLANE_COUNT,
 };
+
+/* Standard error of brightness from which pixels are averaged; twice as much: only the average. */
+static const float noise = 0.02f;
 
 /* Weight of a neighbour in the separable filter: a Gaussian of sigma 0.6 pixels. */
 static const float neighbour_weight = 0.166f;
 
-const struct frame_layer weighted_mean_alpha = { .planes = { "A" }, .mean = true };
+const struct frame_layer weighted_mean_extra = { .planes = { "weight", "variance" }, .mean = true };
 
 static enum tonemap_resolve resolve_of(const struct settings *settings)
 {
@@ -33,11 +37,15 @@ bool weighted_mean_is_filtered(const struct settings *settings)
     return resolve_of(settings) == TONEMAP_RESOLVE_FILTERED;
 }
 
+static float luminance_of(const float rgb[static 3])
+{
+    return fmaxf(0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2], 0.0f);
+}
+
 float weighted_mean_weight(const float rgba[static 4], float scale)
 {
-    const float luminance = 0.2126f * rgba[0] + 0.7152f * rgba[1] + 0.0722f * rgba[2];
     const float alpha = fmaxf(rgba[3], 0.0f);
-    return 1.0f / (1.0f + scale * fmaxf(luminance, 0.0f) / (alpha > 0.0f ? alpha : 1.0f));
+    return 1.0f / (1.0f + scale * luminance_of(rgba) / (alpha > 0.0f ? alpha : 1.0f));
 }
 
 double weighted_mean_factor(double alpha, double weight, uint32_t samples)
@@ -47,7 +55,8 @@ double weighted_mean_factor(double alpha, double weight, uint32_t samples)
 
 static const char *plane_name(uint32_t plane)
 {
-    return plane == WEIGHT ? "weight" : frame_beauty.planes[plane];
+    return plane >= WEIGHT ? weighted_mean_extra.planes[plane - WEIGHT]
+                           : frame_beauty.planes[plane];
 }
 
 /* Returns the planes in the order of weighted_mean_add_planes(). */
@@ -88,31 +97,38 @@ void weighted_mean_add(struct image *sums, const struct tile *tile, const uint16
                 planes[c][i] += weight * rgba[c];
             planes[3][i] += rgba[3];
             planes[WEIGHT][i] += weight * rgba[3];
+            planes[VARIANCE][i] += sqrtf(scale * weight * luminance_of(rgba));
         }
     }
 }
 
-void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples, float rgba[static 4])
+/* Returns the variance of the mean brightness. The sum of squared brightness is that of displayed
+ * luminance. */
+static double variance_of(float luminance, float brightness, uint32_t samples)
 {
-    float *planes[PLANE_COUNT];
-    find_planes(sums, planes);
-    const double factor =
-        weighted_mean_factor((double)planes[3][i], (double)planes[WEIGHT][i], samples);
-    for (uint32_t c = 0; c < 3; c++)
-        rgba[c] = (float)((double)planes[c][i] * factor);
-    rgba[3] = planes[3][i] / (float)samples;
+    const double n = samples, sum = (double)brightness;
+    return samples > 1 ? fmax(((double)luminance - sum * sum / n) / (n * (n - 1.0)), 0.0) : 0.0;
 }
 
-void weighted_mean_divide(struct image *sums, uint32_t samples)
+void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples, float scale,
+                         struct image *mean)
 {
-    float *planes[PLANE_COUNT];
-    find_planes(sums, planes);
-    for (size_t i = 0; i < (size_t)sums->width * sums->height; i++) {
-        float rgba[4];
-        weighted_mean_pixel(sums, i, samples, rgba);
-        for (uint32_t c = 0; c < 4; c++)
-            planes[c][i] = rgba[c];
-    }
+    float *from[PLANE_COUNT], *to[PLANE_COUNT];
+    find_planes(sums, from);
+    find_planes(mean, to);
+    const float rgb[3] = { from[0][i], from[1][i], from[2][i] };
+    const double factor =
+        weighted_mean_factor((double)from[3][i], (double)from[WEIGHT][i], samples);
+    for (uint32_t c = 0; c < 3; c++)
+        to[c][i] = (float)((double)rgb[c] * factor);
+    to[3][i] = from[3][i] / (float)samples;
+    to[VARIANCE][i] = (float)variance_of(scale * luminance_of(rgb), from[VARIANCE][i], samples);
+}
+
+void weighted_mean_divide(struct image *sums, uint32_t samples, float scale)
+{
+    for (size_t i = 0; i < (size_t)sums->width * sums->height; i++)
+        weighted_mean_pixel(sums, i, samples, scale, sums);
 }
 
 /* ---- reconstruction filter ---- */
@@ -160,7 +176,114 @@ static void write_row(struct image *mean, uint32_t y, const struct pixel *sums)
     }
 }
 
-bool weighted_mean_filter(struct image *mean, float scale)
+/* ---- average of noisy pixels ---- */
+
+/* A pixel's brightness, and its variance, averaged over 3 x 3 pixels because it is uncertain. */
+struct noisy {
+    float brightness, variance;
+};
+
+/* The pixels around a pixel, without those outside the image. */
+struct around {
+    uint32_t left, right, top, bottom;
+};
+
+static struct around around(const struct image *image, uint32_t x, uint32_t y)
+{
+    return (struct around){ x ? x - 1 : 0, x + 1 < image->width ? x + 1 : x, y ? y - 1 : 0,
+                            y + 1 < image->height ? y + 1 : y };
+}
+
+static void find_noise(const struct image *mean, const struct pixel *pixels, float scale,
+                       struct noisy *noisy)
+{
+    const float *variance = image_find(mean, plane_name(VARIANCE));
+    for (uint32_t y = 0; y < mean->height; y++) {
+        for (uint32_t x = 0; x < mean->width; x++) {
+            const size_t i = (size_t)y * mean->width + x;
+            const struct around a = around(mean, x, y);
+            float sum = 0.0f;
+            for (uint32_t v = a.top; v <= a.bottom; v++) {
+                for (uint32_t u = a.left; u <= a.right; u++)
+                    sum += variance[(size_t)v * mean->width + u];
+            }
+            noisy[i].variance = sum / (float)((a.right - a.left + 1) * (a.bottom - a.top + 1));
+            noisy[i].brightness = sqrtf(scale * luminance_of(pixels[i].values));
+        }
+    }
+}
+
+/* Returns the weight of pixel `b` in the average of its neighbour `a`. */
+static float similarity(const struct noisy *a, const struct noisy *b)
+{
+    const float difference = a->brightness - b->brightness;
+    const float excess = difference * difference - a->variance - fminf(a->variance, b->variance);
+    return expf(-fmaxf(excess, 0.0f) / (4.0f * (a->variance + b->variance) + 1e-6f));
+}
+
+/* Returns the average of pixel (x, y) and its similar neighbours. */
+static struct pixel average(const struct image *mean, const struct pixel *pixels,
+                            const struct noisy *noisy, uint32_t x, uint32_t y)
+{
+    static const float distance_weights[] = { 1.0f, 0.607f, 0.368f }; /* Gaussian of sigma 1 */
+    const size_t i = (size_t)y * mean->width + x;
+    const struct around a = around(mean, x, y);
+    struct pixel sum = { 0 };
+    float weights = 0.0f;
+    for (uint32_t v = a.top; v <= a.bottom; v++) {
+        for (uint32_t u = a.left; u <= a.right; u++) {
+            const size_t k = (size_t)v * mean->width + u;
+            const float weight =
+                distance_weights[(u != x) + (v != y)] * similarity(&noisy[i], &noisy[k]);
+            for (uint32_t c = 0; c < 5; c++)
+                sum.values[c] += weight * pixels[k].values[c];
+            weights += weight;
+        }
+    }
+    for (uint32_t c = 0; c < 5; c++)
+        sum.values[c] /= weights;
+    return sum;
+}
+
+/* Writes a row, in which noisy pixels are averaged with their neighbours. `row` is scratch. */
+static void smooth_row(struct image *mean, const struct pixel *pixels, const struct noisy *noisy,
+                       uint32_t y, struct pixel *row)
+{
+    for (uint32_t x = 0; x < mean->width; x++) {
+        const size_t i = (size_t)y * mean->width + x;
+        const float share = fminf(sqrtf(noisy[i].variance) / noise - 1.0f, 1.0f);
+        row[x] = pixels[i];
+        if (!(share > 0.0f))
+            continue;
+        const struct pixel smoothed = average(mean, pixels, noisy, x, y);
+        for (uint32_t c = 0; c < 5; c++)
+            row[x].values[c] += share * (smoothed.values[c] - row[x].values[c]);
+    }
+    write_row(mean, y, row);
+}
+
+/* Averages noisy pixels with their neighbours. Returns false when out of memory. */
+static bool smooth(struct image *mean, float scale)
+{
+    const size_t width = mean->width, count = width * mean->height;
+    if (!count)
+        return true;
+    struct pixel *pixels = calloc(count + width, sizeof(*pixels)); /* and a row of results */
+    struct noisy *noisy = calloc(count, sizeof(*noisy));
+    const bool has_memory = pixels && noisy;
+    if (has_memory) {
+        for (uint32_t y = 0; y < mean->height; y++)
+            weigh_row(mean, y, scale, &pixels[y * width]);
+        find_noise(mean, pixels, scale, noisy);
+        for (uint32_t y = 0; y < mean->height; y++)
+            smooth_row(mean, pixels, noisy, y, &pixels[count]);
+    }
+    free(noisy);
+    free(pixels);
+    return has_memory;
+}
+
+static bool reconstruct(struct image *mean, float scale)
 {
     const uint32_t width = mean->width, height = mean->height;
     struct pixel *rows = calloc(4 * (size_t)width, sizeof(*rows)); /* three rows and their sums */
@@ -180,4 +303,10 @@ bool weighted_mean_filter(struct image *mean, float scale)
     }
     free(rows);
     return true;
+}
+
+bool weighted_mean_filter(struct image *mean, float scale)
+{
+    return reconstruct(mean, scale) &&
+           (!image_find(mean, plane_name(VARIANCE)) || smooth(mean, scale));
 }

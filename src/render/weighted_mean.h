@@ -8,7 +8,10 @@
  * mean is the linear mean where the samples of a pixel agree, and darker elsewhere.
  *
  * A reconstruction filter that is wider than a pixel suppresses single bright pixels, which remain
- * where light paths scatter widely.
+ * where light paths scatter widely. Before it, pixels whose samples differ too much for their
+ * number are averaged with neighbours that differ no more than their noise explains (Rousselle,
+ * Knaus and Zwicker 2012, Adaptive Rendering with Non-Local Means Filtering, equation 4, for single
+ * pixels). The more samples, the fewer pixels are averaged.
  *
  * Alpha is not weighted, because it is the coverage of the pixel. The radiance of samples is
  * premultiplied by alpha; its weights depend on the luminance without alpha.
@@ -21,8 +24,8 @@
 #include "src/render/frame/output_layers.h"
 #include "src/settings/settings.h"
 
-/* Layer of the unweighted sums of alpha in an image of weighted sums. */
-extern const struct frame_layer weighted_mean_alpha;
+/* The planes besides those of frame_beauty in an image of weighted sums. */
+extern const struct frame_layer weighted_mean_extra;
 
 /* Returns the scale of the weights: the gain of the exposure, so that they depend on displayed
  * luminance. Returns 0, for equal weights, if the setting tonemap.resolve is `linear`. */
@@ -38,25 +41,29 @@ float weighted_mean_weight(const float rgba[static 4], float scale);
  * `weight` that of weights times alpha. */
 double weighted_mean_factor(double alpha, double weight, uint32_t samples);
 
-/* Adds zero-filled planes for weighted sums of frame_beauty: R, G, B, A and the sum of weights.
- * Returns false when out of memory. */
+/* Adds zero-filled planes for weighted sums of frame_beauty: R, G, B, A, the sum of weights, and
+ * `variance`, which is the sum of brightness until the sums are divided. Returns false when out of
+ * memory. */
 bool weighted_mean_add_planes(struct image *sums);
 
 /* Adds one sample to a rectangle of the sums. `texels` are RGBA half floats without row padding. */
 void weighted_mean_add(struct image *sums, const struct tile *tile, const uint16_t *texels,
                        float scale);
 
-/* Returns the mean of pixel `i` after `samples` samples. */
-void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples,
-                         float rgba[static 4]);
+/* Writes pixel `i` of the mean of `samples` samples, and the variance of its brightness, to an
+ * image with the same planes, which may be `sums` itself. Brightness is the square root of
+ * displayed luminance, 0 to 1; its variance is 0 for one sample. `scale` is that of the samples. */
+void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples, float scale,
+                         struct image *mean);
 
 /* Replaces the sums of all pixels by the means. */
-void weighted_mean_divide(struct image *sums, uint32_t samples);
+void weighted_mean_divide(struct image *sums, uint32_t samples, float scale);
 
 /*
- * Applies a reconstruction filter to the means of a whole image, so that each sample also
- * contributes to neighbouring pixels. The mean weight of a pixel's samples is the weight of their
- * mean, so that the samples are not needed. Returns false when out of memory.
+ * Averages the noisy pixels of a whole image with their neighbours, if it has the plane `variance`.
+ * Then applies a reconstruction filter, so that each sample also contributes to neighbouring
+ * pixels. The mean weight of a pixel's samples is the weight of their mean, so that the samples are
+ * not needed. Returns false when out of memory.
  */
 MUST_USE bool weighted_mean_filter(struct image *mean, float scale);
 

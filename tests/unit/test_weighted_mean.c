@@ -7,8 +7,9 @@
 
 static const struct tile pixel = { .width = 1, .height = 1 };
 
-/* The mean of grey samples with alphas of 1, or 0 where the grey is negative. */
-static void find_mean(const float *greys, uint32_t count, float scale, float rgba[4])
+/* The mean of grey samples with alphas of 1, or 0 where the grey is negative. Returns the variance
+ * of its brightness. */
+static float find_mean(const float *greys, uint32_t count, float scale, float rgba[4])
 {
     struct image image;
     image_init(&image, 1, 1);
@@ -18,11 +19,12 @@ static void find_mean(const float *greys, uint32_t count, float scale, float rgb
         const uint16_t texels[4] = { grey, grey, grey, half_from_float(greys[i] < 0.0f ? 0 : 1) };
         weighted_mean_add(&image, &pixel, texels, scale);
     }
-    weighted_mean_pixel(&image, 0, count, rgba);
-    weighted_mean_divide(&image, count);
+    weighted_mean_divide(&image, count, scale);
     for (uint32_t c = 0; c < 4; c++)
-        CHECK_NEAR(image_find(&image, frame_beauty.planes[c])[0], rgba[c], 0.0);
+        rgba[c] = image_find(&image, frame_beauty.planes[c])[0];
+    const float variance = image_find(&image, "variance")[0];
     image_finish(&image);
+    return variance;
 }
 
 static float shown(const float *greys, uint32_t count, float scale)
@@ -105,6 +107,44 @@ static void filter_reaches_the_neighbours(void **state)
     CHECK_NEAR(filtered_grey(0.0f, 9.0f, 8), 0.9 * corner / (0.1 * corner + 1.0 - corner), 1e-5);
 }
 
+static void variance_is_that_of_the_mean_brightness(void **state)
+{
+    static const float equal[] = { 3.0f, 3.0f, 3.0f }, edge[] = { 0.0f, 1.0f };
+    float rgba[4];
+    (void)state;
+    CHECK_NEAR(find_mean(equal, 3, 1.0f, rgba), 0.0, 1e-6);
+    CHECK_NEAR(find_mean(edge, 1, 1.0f, rgba), 0.0, 0.0);
+    /* brightness 0 and sqrt(1/2): sample variance 1/4, of the mean of two 1/8 */
+    CHECK_NEAR(find_mean(edge, 2, 1.0f, rgba), 0.125, 1e-6);
+}
+
+/* The middle of 5 x 5 black pixels after the filter, which is white. All have a variance. */
+static float middle_of_noise(float variance, float noise_around)
+{
+    struct image image;
+    image_init(&image, 5, 5);
+    assert_true(weighted_mean_add_planes(&image));
+    for (size_t i = 0; i < 25; i++) {
+        image_find(&image, "A")[i] = 1.0f;
+        image_find(&image, "variance")[i] = i == 12 ? variance : noise_around;
+    }
+    image_find(&image, "G")[12] = 1.0f;
+    assert_true(weighted_mean_filter(&image, 1.0f));
+    const float shown = image_find(&image, "G")[12];
+    image_finish(&image);
+    return shown;
+}
+
+static void noisy_pixels_are_averaged(void **state)
+{
+    const float sharp = middle_of_noise(0.0f, 0.0f);
+    (void)state;
+    CHECK_NEAR(middle_of_noise(3e-4f, 3e-4f), sharp, 0.0); /* standard error 0.017 */
+    const float soft = middle_of_noise(0.2f, 0.2f);
+    assert_true(soft < 0.6f * sharp);
+    assert_true(middle_of_noise(0.002f, 0.002f) > soft); /* noise explains less of the difference */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -113,6 +153,8 @@ int main(void)
         cmocka_unit_test(weights_depend_on_exposure),
         cmocka_unit_test(alpha_is_coverage),
         cmocka_unit_test(filter_reaches_the_neighbours),
+        cmocka_unit_test(variance_is_that_of_the_mean_brightness),
+        cmocka_unit_test(noisy_pixels_are_averaged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

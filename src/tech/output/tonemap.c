@@ -77,7 +77,8 @@ static const struct setting rows[] = {
         .choices = resolves,
         .help = "mean of samples in PNG files and windows: weighted (by 1/(1+luminance), which "
                 "antialiases edges of highlights), filtered (weighted, over pixels and their "
-                "neighbours) or linear; EXR files are always linear",
+                "neighbours; noisy pixels are averaged with similar neighbours) or linear; EXR "
+                "files are always linear",
     },
 };
 
