@@ -3,8 +3,8 @@
 Usage: build_site.py FIRN SPHINX_BUILD FOLDER   (`meson compile docs`)
        build_site.py --install FOLDER DIRECTORY   (`meson install`)   nothing if it is not built
 FIRN is - for a site without strips. FOLDER/source is a staged copy of the pages, with generated
-ones: a strip of images of each setting (docs/strips.txt) and the API of the headers. FOLDER/html is
-the site. A broken link is an error.
+ones: a strip of images of each setting (docs/strips.txt), and the APIs of C and Python. FOLDER/html
+is the site. A broken link is an error.
 """
 import hashlib
 import os
@@ -18,6 +18,7 @@ sys.dont_write_bytecode = True  # keep __pycache__ out of the source tree
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / 'man'))
 import api  # noqa: E402
+import python_api  # noqa: E402
 from help import names  # noqa: E402
 
 PAGES = ('CHANGELOG.md', 'CONTRIBUTING.md', 'README.md', 'SECURITY.md', 'graph/README.md',
@@ -133,6 +134,8 @@ def stage(source, generated):
 def main(firn, sphinx, folder):
     folder = pathlib.Path(folder).resolve()
     generated = {f'docs/reference/{name}.md': text for name, text in api.pages(ROOT).items()}
+    if (ROOT / 'python').is_dir():
+        generated['docs/reference/python-api.md'] = python_api.page(ROOT)
     drawn = draw_strips(firn, folder / 'strips') if firn != '-' else {}
     if drawn:
         generated['docs/reference/settings-images.md'] = strips_page(firn, drawn, '../strips/')

@@ -15,7 +15,7 @@ GENERATED = ('docs/reference/settings.md', 'docs/reference/materials.md')
 PROGRAMMERS = ('docs/how-to/adding-a-technique.md', 'docs/how-to/library.md',
                'docs/how-to/use-the-render-graph.md')
 SITE = {f'docs/reference/{name}.md' for name in (  # pages that docs/build_site.py generates
-    'firn-h', 'rg-cmd', 'rg-exec', 'rg-plan', 'rg-profile', 'rg-tables')}
+    'firn-h', 'python-api', 'rg-cmd', 'rg-exec', 'rg-plan', 'rg-profile', 'rg-tables')}
 LINK = re.compile(r'(!?)\[[^]\[]*\]\(([^)\s]+)\)')
 CODE = re.compile(r'(?ms)^```.*?^```$|^(?: {4}|\t)[^\n]*$')
 
