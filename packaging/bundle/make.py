@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GLIBC = re.compile(r'(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|mvec))\.so\.\d+')
@@ -83,6 +84,13 @@ def add_licences(bundle, libraries):
         shutil.copyfile(f'/usr/share/doc/{owner}/copyright', folder / owner)
 
 
+def copy_wheel(wheel, folder):
+    """Stores a wheel without compression, because the archive's finds that assets are there twice."""
+    with zipfile.ZipFile(wheel) as source, zipfile.ZipFile(folder / wheel.name, 'w') as target:
+        for entry in source.infolist():
+            target.writestr(entry, source.read(entry), zipfile.ZIP_STORED)
+
+
 def install(build, bundle, stage):
     """Copies the stripped programs and the files of share/ that they need."""
     subprocess.run(['meson', 'install', '-C', build, '--no-rebuild', '--destdir', stage],
@@ -96,7 +104,7 @@ def install(build, bundle, stage):
         if (program.parents[1] / 'share' / name).exists():
             shutil.copytree(program.parents[1] / 'share' / name, bundle / 'share' / name)
     for wheel in pathlib.Path(build).glob('firn-*.whl'):
-        shutil.copy(wheel, bundle)
+        copy_wheel(wheel, bundle / 'share')
     docs = bundle / 'share/doc/firn'
     docs.mkdir(parents=True, exist_ok=True)
     for page in PAGES:
