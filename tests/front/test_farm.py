@@ -367,10 +367,14 @@ class Slurm(Farm):
         mine = self.wait_for(lambda: self.find_firn('n1'))
         self.daemons['n1'].kill()
         self.kill(mine)
-        # sooner than Slurm finds it out: a time for that would be too short on a busy machine
-        self.ask('scontrol', 'update', 'NodeName=n1', 'State=DOWN', 'Reason=lost')
         log = self.folder / 'turn.logs/status.log'
-        self.wait_for(lambda: log.exists() and self.ask('squeue', '-h') == '')
+
+        def is_over():
+            # Sooner than Slurm finds it out: a time for that would be too short on a busy machine.
+            # Again and again, because a last message of the node, which arrives later, revives it.
+            self.ask('scontrol', 'update', 'NodeName=n1', 'State=DOWN', 'Reason=lost')
+            return log.exists() and self.ask('squeue', '-h') == ''
+        self.wait_for(is_over)
         self.assertEqual(log.read_text(), 'done         8  1-8\n',
                          self.log())
         self.check_frames(alone)
