@@ -4,7 +4,7 @@ import inspect
 import pathlib
 import re
 
-# Sections: title, module of the documented names, names in order (None: all that are not listed)
+# Sections: title, module, names in order; None: every name that no other section lists
 SECTIONS = (
     ('Devices, scenes and renderers', 'firn',
      ('Device', 'Scene', 'Objects', 'SceneObject', 'Material', 'Renderer', 'Plan')),
@@ -13,7 +13,7 @@ SECTIONS = (
     ('Exceptions', 'firn', None),
     ('Data sets', 'firn.dataset', None),
 )
-# Classes that programs construct; methods return objects of the others.
+# Classes whose constructor is documented. Objects of other classes are returned by methods.
 CONSTRUCTED = ('Device', 'Material', 'Plan', 'Camera', 'Writer')
 
 
@@ -25,7 +25,7 @@ def definitions(path):
 
 
 def prose(node):
-    """Returns a docstring; paragraphs that are aligned by spaces become literal blocks."""
+    """Returns a docstring as Markdown; paragraphs in columns become code blocks."""
     text = inspect.cleandoc(ast.get_docstring(node) or '')
     paragraphs = re.split(r'\n{2,}', text)
     return '\n\n'.join(f'```text\n{p}\n```' if re.search(r'\S {3,}\S', p) else p

@@ -85,7 +85,7 @@ def add_licences(bundle, libraries):
 
 
 def copy_wheel(wheel, folder):
-    """Stores a wheel without compression, because the archive's finds that assets are there twice."""
+    """Stores a wheel uncompressed, so that the archive can compress assets that occur twice."""
     with zipfile.ZipFile(wheel) as source, zipfile.ZipFile(folder / wheel.name, 'w') as target:
         for entry in source.infolist():
             target.writestr(entry, source.read(entry), zipfile.ZIP_STORED)

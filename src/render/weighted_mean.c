@@ -12,7 +12,7 @@ enum {
     PLANE_COUNT,
 };
 
-/* Standard error of brightness from which pixels are averaged; twice as much: only the average. */
+/* Standard error of brightness at which denoising starts. It is complete at twice this error. */
 static const float noise = 0.02f;
 
 /* Weight of a neighbour in the separable filter: a Gaussian of sigma 0.6 pixels. */
@@ -102,8 +102,8 @@ void weighted_mean_add(struct image *sums, const struct tile *tile, const uint16
     }
 }
 
-/* Returns the variance of the mean brightness. The sum of squared brightness is that of displayed
- * luminance. */
+/* Returns the variance of the mean brightness. `luminance` and `brightness` are sums; the sum of
+ * squared brightness is the sum of displayed luminance. */
 static double variance_of(float luminance, float brightness, uint32_t samples)
 {
     const double n = samples, sum = (double)brightness;
@@ -176,9 +176,10 @@ static void write_row(struct image *mean, uint32_t y, const struct pixel *sums)
     }
 }
 
-/* ---- average of noisy pixels ---- */
+/* ---- denoising ---- */
 
-/* A pixel's brightness, and its variance, averaged over 3 x 3 pixels because it is uncertain. */
+/* A pixel's brightness, and the variance of that, smoothed over 3 x 3 pixels because its own
+ * estimate is noisy. */
 struct noisy {
     float brightness, variance;
 };
@@ -194,22 +195,20 @@ static struct around around(const struct image *image, uint32_t x, uint32_t y)
                             y + 1 < image->height ? y + 1 : y };
 }
 
-static void find_noise(const struct image *mean, const struct pixel *pixels, float scale,
-                       struct noisy *noisy)
+/* Finds the noise of a row of pixels. */
+static void find_noise(const struct image *mean, uint32_t y, const struct pixel *pixels,
+                       float scale, struct noisy *noisy)
 {
     const float *variance = image_find(mean, plane_name(VARIANCE));
-    for (uint32_t y = 0; y < mean->height; y++) {
-        for (uint32_t x = 0; x < mean->width; x++) {
-            const size_t i = (size_t)y * mean->width + x;
-            const struct around a = around(mean, x, y);
-            float sum = 0.0f;
-            for (uint32_t v = a.top; v <= a.bottom; v++) {
-                for (uint32_t u = a.left; u <= a.right; u++)
-                    sum += variance[(size_t)v * mean->width + u];
-            }
-            noisy[i].variance = sum / (float)((a.right - a.left + 1) * (a.bottom - a.top + 1));
-            noisy[i].brightness = sqrtf(scale * luminance_of(pixels[i].values));
+    for (uint32_t x = 0; x < mean->width; x++) {
+        const struct around a = around(mean, x, y);
+        float sum = 0.0f;
+        for (uint32_t v = a.top; v <= a.bottom; v++) {
+            for (uint32_t u = a.left; u <= a.right; u++)
+                sum += variance[(size_t)v * mean->width + u];
         }
+        noisy[x].variance = sum / (float)((a.right - a.left + 1) * (a.bottom - a.top + 1));
+        noisy[x].brightness = sqrtf(scale * luminance_of(pixels[x].values));
     }
 }
 
@@ -221,22 +220,27 @@ static float similarity(const struct noisy *a, const struct noisy *b)
     return expf(-fmaxf(excess, 0.0f) / (4.0f * (a->variance + b->variance) + 1e-6f));
 }
 
+/* Pixels and their noise of the denoised row and its neighbours; row y is at y % 3. */
+struct rows {
+    struct pixel *pixels[3];
+    struct noisy *noisy[3];
+    struct pixel *averaged; /* the result */
+};
+
 /* Returns the average of pixel (x, y) and its similar neighbours. */
-static struct pixel average(const struct image *mean, const struct pixel *pixels,
-                            const struct noisy *noisy, uint32_t x, uint32_t y)
+static struct pixel average(const struct image *mean, const struct rows *rows, uint32_t x,
+                            uint32_t y)
 {
     static const float distance_weights[] = { 1.0f, 0.607f, 0.368f }; /* Gaussian of sigma 1 */
-    const size_t i = (size_t)y * mean->width + x;
     const struct around a = around(mean, x, y);
     struct pixel sum = { 0 };
     float weights = 0.0f;
     for (uint32_t v = a.top; v <= a.bottom; v++) {
         for (uint32_t u = a.left; u <= a.right; u++) {
-            const size_t k = (size_t)v * mean->width + u;
-            const float weight =
-                distance_weights[(u != x) + (v != y)] * similarity(&noisy[i], &noisy[k]);
+            const float weight = distance_weights[(u != x) + (v != y)] *
+                                 similarity(&rows->noisy[y % 3][x], &rows->noisy[v % 3][u]);
             for (uint32_t c = 0; c < 5; c++)
-                sum.values[c] += weight * pixels[k].values[c];
+                sum.values[c] += weight * rows->pixels[v % 3][u].values[c];
             weights += weight;
         }
     }
@@ -245,38 +249,43 @@ static struct pixel average(const struct image *mean, const struct pixel *pixels
     return sum;
 }
 
-/* Writes a row, in which noisy pixels are averaged with their neighbours. `row` is scratch. */
-static void smooth_row(struct image *mean, const struct pixel *pixels, const struct noisy *noisy,
-                       uint32_t y, struct pixel *row)
+/* Denoises a row. */
+static void smooth_row(struct image *mean, const struct rows *rows, uint32_t y)
 {
+    bool is_noisy = false;
     for (uint32_t x = 0; x < mean->width; x++) {
-        const size_t i = (size_t)y * mean->width + x;
-        const float share = fminf(sqrtf(noisy[i].variance) / noise - 1.0f, 1.0f);
-        row[x] = pixels[i];
+        const float share = fminf(sqrtf(rows->noisy[y % 3][x].variance) / noise - 1.0f, 1.0f);
+        struct pixel *pixel = &rows->averaged[x];
+        *pixel = rows->pixels[y % 3][x];
         if (!(share > 0.0f))
             continue;
-        const struct pixel smoothed = average(mean, pixels, noisy, x, y);
+        const struct pixel smoothed = average(mean, rows, x, y);
         for (uint32_t c = 0; c < 5; c++)
-            row[x].values[c] += share * (smoothed.values[c] - row[x].values[c]);
+            pixel->values[c] += share * (smoothed.values[c] - pixel->values[c]);
+        is_noisy = true;
     }
-    write_row(mean, y, row);
+    if (is_noisy)
+        write_row(mean, y, rows->averaged);
 }
 
-/* Averages noisy pixels with their neighbours. Returns false when out of memory. */
+/* Denoises an image. Returns false when out of memory. */
 static bool smooth(struct image *mean, float scale)
 {
-    const size_t width = mean->width, count = width * mean->height;
-    if (!count)
-        return true;
-    struct pixel *pixels = calloc(count + width, sizeof(*pixels)); /* and a row of results */
-    struct noisy *noisy = calloc(count, sizeof(*noisy));
+    const size_t width = mean->width;
+    struct pixel *pixels = calloc(4 * width + 1, sizeof(*pixels));
+    struct noisy *noisy = calloc(3 * width + 1, sizeof(*noisy));
     const bool has_memory = pixels && noisy;
     if (has_memory) {
-        for (uint32_t y = 0; y < mean->height; y++)
-            weigh_row(mean, y, scale, &pixels[y * width]);
-        find_noise(mean, pixels, scale, noisy);
-        for (uint32_t y = 0; y < mean->height; y++)
-            smooth_row(mean, pixels, noisy, y, &pixels[count]);
+        const struct rows rows = { { pixels, pixels + width, pixels + 2 * width },
+                                   { noisy, noisy + width, noisy + 2 * width },
+                                   pixels + 3 * width };
+        for (uint32_t y = 0; y < mean->height; y++) {
+            for (uint32_t next = y ? y + 1 : 0; next <= y + 1 && next < mean->height; next++) {
+                weigh_row(mean, next, scale, rows.pixels[next % 3]);
+                find_noise(mean, next, rows.pixels[next % 3], scale, rows.noisy[next % 3]);
+            }
+            smooth_row(mean, &rows, y);
+        }
     }
     free(noisy);
     free(pixels);

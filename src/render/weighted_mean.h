@@ -8,10 +8,10 @@
  * mean is the linear mean where the samples of a pixel agree, and darker elsewhere.
  *
  * A reconstruction filter that is wider than a pixel suppresses single bright pixels, which remain
- * where light paths scatter widely. Before it, pixels whose samples differ too much for their
- * number are averaged with neighbours that differ no more than their noise explains (Rousselle,
- * Knaus and Zwicker 2012, Adaptive Rendering with Non-Local Means Filtering, equation 4, for single
- * pixels). The more samples, the fewer pixels are averaged.
+ * where light paths scatter widely. After it, pixels with a high standard error are denoised by
+ * non-local means with patches of one pixel: neighbours count if they differ no more than the noise
+ * explains (Rousselle, Knaus and Zwicker 2012, Adaptive Rendering with Non-Local Means Filtering).
+ * The more samples, the fewer pixels are denoised.
  *
  * Alpha is not weighted, because it is the coverage of the pixel. The radiance of samples is
  * premultiplied by alpha; its weights depend on the luminance without alpha.
@@ -42,7 +42,7 @@ float weighted_mean_weight(const float rgba[static 4], float scale);
 double weighted_mean_factor(double alpha, double weight, uint32_t samples);
 
 /* Adds zero-filled planes for weighted sums of frame_beauty: R, G, B, A, the sum of weights, and
- * `variance`, which is the sum of brightness until the sums are divided. Returns false when out of
+ * `variance`, which holds the sum of brightness while samples accumulate. Returns false when out of
  * memory. */
 bool weighted_mean_add_planes(struct image *sums);
 
@@ -50,9 +50,10 @@ bool weighted_mean_add_planes(struct image *sums);
 void weighted_mean_add(struct image *sums, const struct tile *tile, const uint16_t *texels,
                        float scale);
 
-/* Writes pixel `i` of the mean of `samples` samples, and the variance of its brightness, to an
- * image with the same planes, which may be `sums` itself. Brightness is the square root of
- * displayed luminance, 0 to 1; its variance is 0 for one sample. `scale` is that of the samples. */
+/* Writes pixel `i`: the mean over `samples` samples and the variance of the mean brightness. The
+ * destination `mean` has the planes of `sums`, and may be `sums`. Brightness is the square root
+ * of displayed luminance, 0 to 1; its variance is 0 for one sample. `scale` is that of
+ * weighted_mean_add(). */
 void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples, float scale,
                          struct image *mean);
 
@@ -60,10 +61,10 @@ void weighted_mean_pixel(const struct image *sums, size_t i, uint32_t samples, f
 void weighted_mean_divide(struct image *sums, uint32_t samples, float scale);
 
 /*
- * Averages the noisy pixels of a whole image with their neighbours, if it has the plane `variance`.
- * Then applies a reconstruction filter, so that each sample also contributes to neighbouring
- * pixels. The mean weight of a pixel's samples is the weight of their mean, so that the samples are
- * not needed. Returns false when out of memory.
+ * Applies a reconstruction filter to a whole image, so that each sample also contributes to
+ * neighbouring pixels. The mean weight of a pixel's samples is the weight of their mean, so that
+ * the samples are not needed. Then denoises the image, if it has the plane `variance`. Returns
+ * false when out of memory.
  */
 MUST_USE bool weighted_mean_filter(struct image *mean, float scale);
 

@@ -370,8 +370,8 @@ class Slurm(Farm):
         log = self.folder / 'turn.logs/status.log'
 
         def is_over():
-            # Sooner than Slurm finds it out: a time for that would be too short on a busy machine.
-            # Again and again, because a last message of the node, which arrives later, revives it.
+            # Mark the node down instead of waiting for Slurm's timeout, and repeat this: a late
+            # message of the node can mark it as up again.
             self.ask('scontrol', 'update', 'NodeName=n1', 'State=DOWN', 'Reason=lost')
             return log.exists() and self.ask('squeue', '-h') == ''
         self.wait_for(is_over)
