@@ -79,14 +79,12 @@ static void apply_access(struct cell *s, const struct access *a, uint32_t pass, 
 
 /* ---- several queues ---- */
 
-/* Makes the current pass wait for accesses of other queues to the subresource. Returns true if it
- * then needs no barrier: it reads what another queue wrote, which the semaphore makes visible. The
+/* Makes the current pass wait for accesses of other queues to the subresource of a resource that
+ * several queues access. Returns true if it then needs no barrier: it reads what another queue wrote, which the semaphore makes visible. The
  * state of the subresource describes its home queue only; a change on another queue moves it there,
  * and then waits for all commands, which include the semaphore's wait. */
 static bool cross_queues(struct compiler *c, struct cell *s, const struct access *a, uint32_t pass)
 {
-    if (!a->resource->queue_cells)
-        return false;
     struct cell_queues *q = &a->resource->queue_cells[s - a->resource->cells];
     bool moves = q->home != a->queue;
     bool changes = changes_cell(s, a) || (moves && a->kind == RG_HOST_READ);
@@ -190,7 +188,7 @@ static void simulate_access(struct compiler *c, const struct access *a)
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         struct rg_barrier unused;
         uint32_t release;
-        if (cross_queues(c, w.cell, a, 0))
+        if (a->resource->queue_cells && cross_queues(c, w.cell, a, 0))
             continue;
         bool needed = needs_barrier(w.cell, a, &unused, &release);
         apply_access(w.cell, a, 0, needed);
@@ -408,7 +406,7 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
     struct rg_barrier *b = &c->barriers[c->barrier_count];
     uint32_t release;
     bool added = false;
-    if (cross_queues(c, w->cell, a, pass))
+    if (r->queue_cells && cross_queues(c, w->cell, a, pass))
         return false;
     bool needed = needs_barrier(w->cell, a, b, &release);
     if (needed) {

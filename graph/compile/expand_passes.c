@@ -223,6 +223,12 @@ static VkImageSubresourceRange use_range(const struct compiler *c, const struct 
     return out;
 }
 
+static bool is_whole(const struct rg_range *range)
+{
+    return !(range->aspect | range->mip | range->mip_count | range->layer | range->layer_count |
+             range->each);
+}
+
 static void add_use(struct compiler *c, const struct rg_use *use)
 {
     struct resource *r = rg_resource_of(c, use->image, use->buffer);
@@ -231,7 +237,8 @@ static void add_use(struct compiler *c, const struct rg_use *use)
     if (!a)
         return;
     a->declared = use;
-    r->is_mutable = r->is_mutable || (use->image && rg_view_format(use) != use->image->format);
+    if (use->view_format && use->image && use->view_format != use->image->format)
+        r->is_mutable = true;
     /* a depth image that is tested and sampled: read-only depth layout for the whole range */
     if (use->access == RG_SAMPLED && use->image && c->pass->pass->depth_read_only &&
         use->image == c->pass->pass->depth.image)
@@ -240,7 +247,7 @@ static void add_use(struct compiler *c, const struct rg_use *use)
         a->flags |= ACCESS_TEXELS;
     if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
         a->flags |= ACCESS_OVERWRITES;
-    if (use->image) {
+    if (use->image && !is_whole(&use->range)) {
         a->range = use_range(c, r, &use->range);
         if (!find_cells(c, a))
             return;

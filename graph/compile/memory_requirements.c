@@ -172,13 +172,13 @@ static struct rg_memory_requirements buffer_memory(const struct compiler *c, VkD
                                                    VkBufferUsageFlags usage)
 {
     const struct rg_device *device = c->params->device;
+    if (!device || !device->buffer_memory)
+        return (struct rg_memory_requirements){ size, 256, 1 };
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
         .size = size,
         .usage = usage,
     };
-    if (!device || !device->buffer_memory)
-        return (struct rg_memory_requirements){ size, 256, 1 };
     return device->buffer_memory(device->user, &info);
 }
 
@@ -227,26 +227,24 @@ static void list_image(struct compiler *c, struct resource *r)
     const VkImageCreateFlags mutable_flags =
         VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT;
     struct rg_plan_image *image = &c->images[r->plan_image];
-    *image = (struct rg_plan_image){
-        .image = r->image,
-        .extent = r->extent,
-        .depth = r->depth,
-        .layers = r->all.layerCount,
-        .mips = r->all.levelCount,
-        .aspects = r->all.aspectMask,
-        .usage = r->usage | (r->partner ? r->partner->usage : 0),
-        .flags = (r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0) |
-                 (is_mutable(r) ? mutable_flags : 0),
-        .samples = r->image->samples ? r->image->samples : 1,
-        .imported = r->import != RG_NONE,
-        .persistent = r->persistent,
-        .import = r->import,
-        .partner = r->partner ? r->partner->plan_image : RG_NONE,
-        .queues = r->queues | 1u << RG_QUEUE_MAIN,
-        .first = r->first,
-        .last = r->last,
-        .block = RG_NONE,
-    };
+    image->image = r->image;
+    image->extent = r->extent;
+    image->depth = r->depth;
+    image->layers = r->all.layerCount;
+    image->mips = r->all.levelCount;
+    image->aspects = r->all.aspectMask;
+    image->usage = r->usage | (r->partner ? r->partner->usage : 0);
+    image->flags = (r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0) |
+                   (is_mutable(r) ? mutable_flags : 0);
+    image->samples = r->image->samples ? r->image->samples : 1;
+    image->imported = r->import != RG_NONE;
+    image->persistent = r->persistent;
+    image->import = r->import;
+    image->partner = r->partner ? r->partner->plan_image : RG_NONE;
+    image->queues = r->queues | 1u << RG_QUEUE_MAIN;
+    image->first = r->first;
+    image->last = r->last;
+    image->block = RG_NONE;
     if (image->imported)
         return;
     check_samples(c, image);
@@ -275,18 +273,16 @@ static void check_structure(struct compiler *c, const struct resource *r)
 static void list_buffer(struct compiler *c, struct resource *r)
 {
     struct rg_plan_buffer *buffer = &c->buffers[r->plan_buffer];
-    *buffer = (struct rg_plan_buffer){
-        .buffer = r->buffer,
-        .size = r->size,
-        .usage = r->usage,
-        .imported = r->import != RG_NONE,
-        .persistent = r->persistent,
-        .import = r->import,
-        .queues = r->queues | 1u << RG_QUEUE_MAIN,
-        .first = r->first,
-        .last = r->last,
-        .block = RG_NONE,
-    };
+    buffer->buffer = r->buffer;
+    buffer->size = r->size;
+    buffer->usage = r->usage;
+    buffer->imported = r->import != RG_NONE;
+    buffer->persistent = r->persistent;
+    buffer->import = r->import;
+    buffer->queues = r->queues | 1u << RG_QUEUE_MAIN;
+    buffer->first = r->first;
+    buffer->last = r->last;
+    buffer->block = RG_NONE;
     buffer->max_size = r->max_size;
     check_structure(c, r);
     if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
@@ -303,8 +299,8 @@ static void list_buffer(struct compiler *c, struct resource *r)
 void rg_list_resources(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
-    plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
-    plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
+    plan->images = c->images = ARENA_ZEROED(c->arena, struct rg_plan_image, plan->image_count);
+    plan->buffers = c->buffers = ARENA_ZEROED(c->arena, struct rg_plan_buffer, plan->buffer_count);
     c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
     for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {
         struct resource *r = c->resources[i];
