@@ -250,7 +250,8 @@ struct rg_vulkan {
     VkDevice device;
 };
 
-/* Returns a device's properties for rg_compile(). `vulkan` must outlive the returned struct. */
+/* Returns a device's properties for rg_compile(), or {0} if a member of `vulkan` is NULL. `vulkan`
+ * must outlive the returned struct. */
 RG_API struct rg_device rg_exec_device(const struct rg_vulkan *vulkan);
 
 #ifdef __cplusplus

@@ -185,7 +185,9 @@ void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set)
 
 void rg_cmd_viewport(struct rg_cmd *cmd, const VkViewport *viewport)
 {
-    if (is_in(cmd, RG_RASTER, "rg_cmd_viewport()"))
+    if (!viewport)
+        rg_exec_misuse(cmd, NULL, "rg_cmd_viewport() of NULL");
+    else if (is_in(cmd, RG_RASTER, "rg_cmd_viewport()"))
         cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, viewport);
 }
 
@@ -302,6 +304,10 @@ static bool find_counted(const struct rg_cmd *cmd, const struct rg_indirect_coun
                          uint32_t stride, VkBuffer *commands, VkBuffer *count)
 {
     struct rg_exec *exec = cmd->exec;
+    if (!draws) {
+        rg_exec_misuse(cmd, NULL, "an indirect draw of a struct rg_indirect_count that is NULL");
+        return false;
+    }
     if (!exec->has_indirect_count) {
         refuse(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the feature drawIndirectCount",
                cmd->plan_pass->pass->name);

@@ -72,6 +72,8 @@ static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInf
 struct rg_device rg_exec_device(const struct rg_vulkan *vulkan)
 {
     VkPhysicalDeviceProperties properties;
+    if (!vulkan->instance || !vulkan->get_proc_addr || !vulkan->physical || !vulkan->device)
+        return (struct rg_device){ 0 };
     FIND(vulkan, vkGetPhysicalDeviceProperties)(vulkan->physical, &properties);
     return (struct rg_device){
         .user = vulkan,

@@ -133,6 +133,8 @@ static const char *params_problem(const struct rg_exec_params *p)
         if (entry->size > k->dataSize || entry->offset > k->dataSize - entry->size)
             return "params with a constant that exceeds its data";
     }
+    if (!p->instance || !p->physical || !p->device)
+        return "params without an instance, a physical device or a device";
     return NULL;
 }
 
@@ -151,6 +153,8 @@ static const char *find_functions(struct rg_functions *functions, PFN_vkGetInsta
     return missing;
 }
 
+static const struct rg_exec_params no_params = { 0 };
+
 struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
 {
     return rg_exec_create_extended(params, &(struct rg_exec_extensions){ 0 }, result);
@@ -160,8 +164,7 @@ struct rg_exec *rg_exec_create_extended(const struct rg_exec_params *params,
                                         const struct rg_exec_extensions *extensions,
                                         VkResult *result)
 {
-    static const struct rg_exec_params none = { 0 };
-    params = params ? params : &none;
+    params = params ? params : &no_params;
     struct rg_exec start = {
         .params = *params,
         .extensions = *extensions,
@@ -202,6 +205,7 @@ struct rg_exec *rg_exec_create_extended(const struct rg_exec_params *params,
 VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
 {
     VkResult result = VK_SUCCESS;
+    params = params ? params : &no_params;
     if (exec->next_part.count)
         return rg_exec_refuse(exec, "rg_exec_update() before the last part");
     const struct rg_exec former = *exec;
@@ -268,6 +272,8 @@ VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
     const uint64_t start = rg_time_now();
     if (exec->next_part.count)
         return rg_exec_refuse(exec, "rg_exec_begin() before the last part");
+    if (!exec->params.queue)
+        return rg_exec_refuse(exec, "rg_exec_begin() without rg_exec_params.queue");
     exec->begun = true;
     exec->slot = (exec->slot + 1) % exec->slot_count;
     *slot = exec->slot;
@@ -400,6 +406,8 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_exec_recording *re
         return rg_exec_refuse(exec, "rg_exec_record() before the last part");
     if (exec->plan->submission_count)
         return rg_exec_refuse(exec, "rg_exec_record() of a plan for several queues");
+    if (!recording->commands)
+        return rg_exec_refuse(exec, "rg_exec_record() without a command buffer");
     if (recording->slot >= exec->slot_count ||
         recording->image_index >= exec->image_set_count / exec->parities)
         return rg_exec_refuse(exec, "rg_exec_record() with a slot or image_index out of range");

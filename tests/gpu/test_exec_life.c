@@ -414,6 +414,8 @@ static void missing_import_is_refused(void **state)
         run.params.import_count = 0;
         assert_int_equal(run_create(&run, run.plan), VK_ERROR_INITIALIZATION_FAILED);
         assert_int_equal(run.line_count, 1);
+        assert_string_equal(run.line, i ? "VkResult -3 from the imported object of numbers"
+                                        : "VkResult -3 from the imported object of texels");
         run_close(&run);
     }
 }

@@ -120,6 +120,11 @@ static const struct table_mistake {
                               .access = RG_SAMPLED,
                               .binding = PAINT_SOURCE,
                               .sampler = &shadow }) } },
+    { "(work): shadow binding differs from that of the shader; binding 5: 'shadow_samplers_comp' "
+      "compares depths: set rg_sampler.compare of 'shade'",
+      { CLEAR(shade),
+        COMPUTES(shadow_samplers_comp, TEXELS,
+                 { .image = &shade, .access = RG_SAMPLED, .binding = DATA_SAMPLERS }) } },
     { "(work): picture has conflicting uses in one pass; 'color' and 'sampled at binding 3'",
       { CLEAR(picture), DRAWS(picture, RG_LOAD_KEEP, FETCH(picture)) } },
     { "(work): picture is read before anything writes it; clear it",
@@ -288,6 +293,8 @@ WRONG(bind_set, rg_cmd_bind_set(cmd, A_SET))
 WRONG(bind_null_set, rg_cmd_bind_set(cmd, VK_NULL_HANDLE))
 WRONG(bind_null, rg_cmd_bind_pipeline(cmd, VK_NULL_HANDLE))
 WRONG(scissor, rg_cmd_scissor(cmd, (VkRect2D){ 0 }))
+WRONG(viewport, rg_cmd_viewport(cmd, NULL))
+WRONG(draw_null_count, rg_cmd_draw_indirect_count(cmd, NULL))
 WRONG(draw_null_mesh, rg_cmd_draw_mesh(cmd, NULL))
 WRONG(draw_incomplete, rg_cmd_draw_mesh_part(cmd, &incomplete, 0, 3))
 WRONG(draw_beyond, rg_cmd_draw_mesh_part(cmd, &frame->mesh, 1, 3))
@@ -328,6 +335,9 @@ static const struct frame_mistake frame_mistakes[] = {
     { "draw", draw_too_many,
       "draw: a read of indirect parameters of 272 bytes at offset 0 exceeds "
       "the 256 bytes of numbers" },
+    { "draw", viewport, "draw: rg_cmd_viewport() of NULL" },
+    { "draw", draw_null_count,
+      "draw: an indirect draw of a struct rg_indirect_count that is NULL" },
     { "draw", draw_uncounted, "draw: the row's uses have no access 'indirect' of seed" },
     { "mesh", draw_null_mesh, "mesh: a draw of a mesh that is NULL or lacks buffers" },
     { "mesh", draw_incomplete, "mesh: a draw of a mesh that is NULL or lacks buffers" },
@@ -415,10 +425,30 @@ static void calls_are_refused(void **state)
     rg_exec_set_region(run.exec,
                        &(struct rg_exec_region){ { { 0 }, { 9, 1 } }, { { 0 }, { 1, 1 } } });
     check_line(&run, "rg_exec_set_region() outside of the view");
+    assert_int_equal(rg_exec_record(run.exec, &(struct rg_exec_recording){ 0 }, &frame),
+                     VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "rg_exec_record() without a command buffer");
+    assert_int_equal(rg_exec_update(run.exec, NULL), VK_ERROR_INITIALIZATION_FAILED);
+    check_line(&run, "rg_exec_update of params without a plan");
     run_frame(&run, &frame);
     run_close(&run);
     gpu_buffer_destroy(*state, &buffers[0]);
     gpu_buffer_destroy(*state, &buffers[1]);
+}
+
+static void a_frame_needs_a_queue(void **state)
+{
+    const struct run_params params = {
+        .technique = { "fill", &frame_rows[5], 1 },
+        .outputs = { &marks },
+    };
+    struct gpu gpu = *(struct gpu *)*state;
+    struct run run;
+    gpu.queue = VK_NULL_HANDLE;
+    run_open(&run, &gpu, &params);
+    assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_ERROR_VALIDATION_FAILED_EXT);
+    check_line(&run, "rg_exec_begin() without rg_exec_params.queue");
+    run_close(&run);
 }
 
 /* ---- mistakes in plans for several queues ---- */
@@ -562,8 +592,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tables_have_faults), ON_DEVICE(frames_are_refused),
-        ON_DEVICE(calls_are_refused),         ON_DEVICE(queues_are_checked),
-        ON_DEVICE(imports_are_checked),
+        ON_DEVICE(calls_are_refused),         ON_DEVICE(a_frame_needs_a_queue),
+        ON_DEVICE(queues_are_checked),        ON_DEVICE(imports_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

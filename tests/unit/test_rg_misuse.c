@@ -405,6 +405,7 @@ static void test_executors(void **state)
           "entries or data are NULL" },
         { { .plan = &good, .get_proc_addr = find_nothing, .constants = &constants[2] },
           "exceeds its data" },
+        { { .plan = &good, .get_proc_addr = find_nothing }, "params without an instance, a" },
     };
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
@@ -418,6 +419,7 @@ static void test_executors(void **state)
         assert_non_null(strstr(text, cases[i].text));
     }
     assert_null(rg_exec_create(NULL, NULL));
+    assert_null(rg_exec_device(&(struct rg_vulkan){ .get_proc_addr = find_nothing }).image_memory);
 }
 
 int main(void)
