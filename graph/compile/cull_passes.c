@@ -2,7 +2,7 @@
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* maximum number of iterations */
+    MAX_ROUNDS = 16 /* maximum number of iterations */
 };
 
 /* Starts an iteration: marks outputs and persistent content of the next frame as needed. */

@@ -281,20 +281,22 @@ static bool row_writes(const struct rg_pass *row, const struct rg_image *image)
     return false;
 }
 
-/* Returns true if the use binds its fallback, because the image is neither written nor imported. */
+/* Returns true if the use binds its fallback, because the image, or the one whose history it is, is
+ * neither written nor imported. */
 static bool falls_back(const struct hazard *h, const struct rg_use *use)
 {
     const struct rg_compile_params *params = h->params;
     if (!use->fallback)
         return false;
+    const struct rg_image *image = use->image->previous ? use->image->previous : use->image;
     for (size_t i = 0; i < params->import_count; i++) {
-        if (params->imports[i].image == use->image)
+        if (params->imports[i].image == image)
             return false;
     }
     for (size_t t = 0; t < params->technique_count; t++) {
         const struct rg_technique *technique = params->techniques[t];
         for (size_t p = 0; p < technique->pass_count; p++) {
-            if (row_writes(&technique->passes[p], use->image))
+            if (row_writes(&technique->passes[p], image))
                 return false;
         }
     }

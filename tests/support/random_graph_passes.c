@@ -176,6 +176,23 @@ static void draw_stages(struct random_tables *t, const struct rg_pass *pass, str
         use->stages |= VK_SHADER_STAGE_FRAGMENT_BIT;
 }
 
+static const struct rg_image missing = { .name = "missing", .format = VK_FORMAT_R16_SFLOAT };
+static const struct rg_fallback black = { { 0 } };
+
+/* Gives a sampled image a placeholder, or samples an image that nothing writes. */
+static void draw_fallback(struct random_tables *t, const struct rg_pass *pass, struct rg_use *use)
+{
+    const bool sampled = use && use->image && use->access == RG_SAMPLED && !use->view_format;
+    if (sampled && use->image->samples <= 1 && random_graph_chance(t, 15))
+        use->fallback = &black;
+    if (use || pass->kind == RG_TRANSFER || t->use_count == USES || random_graph_chance(t, 95))
+        return;
+    use = add_use(t, 0, RG_SAMPLED);
+    *use = (struct rg_use){ &missing, .access = RG_SAMPLED, .binding = use->binding };
+    use->fallback = &black;
+    draw_stages(t, pass, use);
+}
+
 static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
 {
     uint32_t wanted = (t->local ? 1 : 0) + random_graph_below(t, USES - 2);
@@ -195,8 +212,10 @@ static void draw_reads(struct random_tables *t, const struct rg_pass *pass)
         if (known->stencil && use->access != RG_COPY_SRC)
             use->range.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
         draw_stages(t, pass, use);
+        draw_fallback(t, pass, use);
         wanted--;
     }
+    draw_fallback(t, pass, NULL);
 }
 
 static enum rg_access draw_write(struct random_tables *t, const struct rg_pass *pass, bool defined)
@@ -558,12 +577,9 @@ void random_graph_draw(struct random_tables *t)
     draw_state(t, pass);
     draw_arrays(t);
     pass->name = random_graph_name(t, 'p', t->pass_count, RESOURCES + t->pass_count);
-    if (pass->kind == RG_RASTER) {
-        pass->vert = &shader;
-        pass->frag = &shader;
-    } else if (pass->kind == RG_COMPUTE) {
-        pass->comp = &shader;
-    }
+    if (pass->kind != RG_TRANSFER && random_graph_chance(t, 85)) /* others bind own pipelines */
+        *(pass->kind == RG_RASTER ? &pass->vert : &pass->comp) = &shader;
+    pass->frag = pass->vert;
     for (uint32_t i = 0; i < t->claim_count; i++)
         if (t->claims[i].writes) {
             define(&t->known[t->claims[i].resource], &t->claims[i].range, t->condition);

@@ -102,12 +102,13 @@ static void each_repetition_has_its_own(void **state)
     rg_plan_destroy(plan);
 }
 
-static void check_provided(const struct rg_technique *technique, const struct rg_import *import)
+static void check_provided(const struct rg_technique *technique, const struct rg_import *import,
+                           const struct rg_image *image)
 {
     struct rg_plan *plan = compile(technique, import);
     assert_int_equal(plan->fault_count, 0);
     assert_int_equal(plan->fallback_count, 0);
-    assert_int_not_equal(small_graph_find(plan, &absent), RG_NONE);
+    assert_int_not_equal(small_graph_find(plan, image), RG_NONE);
     rg_plan_destroy(plan);
 }
 
@@ -124,9 +125,16 @@ static void what_is_provided_is_read(void **state)
         COMPUTE("fill", { .image = &absent, .access = RG_STORAGE_WRITE }),
         DRAW_SHOWN({ TEXTURE(absent), .fallback = &white }),
     };
-    check_provided(TECHNIQUE(reads), &import);
-    check_provided(TECHNIQUE(drawn), NULL);
-    check_provided(TECHNIQUE(stored), NULL);
+    static const struct rg_image drawn_now = IMAGE(.name = "drawn now");
+    static const struct rg_image drawn_last = IMAGE(.name = "drawn last", .previous = &drawn_now);
+    const struct rg_pass history[] = {
+        DRAW_SHOWN({ TEXTURE(drawn_last), .fallback = &white }),
+        DRAW("fill", .color = RG_TARGETS({ CLEARED(drawn_now) })),
+    };
+    check_provided(TECHNIQUE(history), NULL, &drawn_last);
+    check_provided(TECHNIQUE(reads), &import, &absent);
+    check_provided(TECHNIQUE(drawn), NULL, &absent);
+    check_provided(TECHNIQUE(stored), NULL, &absent);
 }
 
 /* A later row writes it: that is a wrong order, not an image that is missing. */
