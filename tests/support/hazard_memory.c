@@ -120,9 +120,11 @@ static void check_image(struct hazard *h, const struct hazard_resource *resource
         hazard_report(h, "'%s' cannot be filled with zeros", name_of(resource));
     const uint32_t partner =
         resource->partner == RG_NONE ? RG_NONE : h->resources[resource->partner].plan;
-    if (image->partner != partner ||
-        (partner != RG_NONE && image->usage != h->plan->images[partner].usage))
-        hazard_report(h, "'%s' has another partner, or other usage than it", name_of(resource));
+    const struct rg_plan_image *other = partner == RG_NONE ? image : &h->plan->images[partner];
+    if (image->partner != partner || image->usage != other->usage || image->flags != other->flags ||
+        image->queues != other->queues)
+        hazard_report(h, "'%s' has another partner, or other properties than it",
+                      name_of(resource));
 }
 
 static void check_import(struct hazard *h, const struct hazard_resource *resource, bool imported,
@@ -160,7 +162,16 @@ static void check_view(struct hazard *h, const struct hazard_resource *resource,
         hazard_report(h, "'%s' cannot be viewed in another format", name_of(resource));
 }
 
-/* Computes the first and last pass that uses each resource, and checks the usage flags. */
+/* Checks that a resource is shared with the queue of a pass that uses it. */
+static void check_queue(struct hazard *h, const struct hazard_resource *resource, uint32_t pass)
+{
+    const uint32_t queues = resource->image ? h->plan->images[resource->plan].queues
+                                            : h->plan->buffers[resource->plan].queues;
+    if (h->plan->submission_count && !(queues >> hazard_queue_of(h, HAZARD_FIRST_SLOT + pass) & 1))
+        hazard_report(h, "'%s' is not shared with the queue of pass %u", name_of(resource), pass);
+}
+
+/* Computes the first and last pass that uses each resource, and checks usage flags and queues. */
 static void check_uses(struct hazard *h)
 {
     for (uint32_t p = 0; p < h->plan->pass_count; p++) {
@@ -174,6 +185,7 @@ static void check_uses(struct hazard *h)
                 hazard_report(h, "'%s' is used but not in the plan", name_of(resource));
                 continue;
             }
+            check_queue(h, resource, p);
             check_view(h, resource, h->uses[u].use);
             check_usage(h, resource, h->uses[u].access, h->uses[u].use && h->uses[u].use->texels);
         }
