@@ -189,6 +189,7 @@ static const struct field pass_fields[] = {
     CHOSEN(rg_pass, stencil, stencils), FIELD(rg_pass, FLOAT, depth_bias.slope),
     FIELD(rg_pass, U32, queue),         CHOSEN(rg_pass, set, sets),
     FIELD(rg_pass, U32, layers),        FIELD(rg_pass, BOOL, multiview),
+    FIELD(rg_pass, BOOL, secondary),
 };
 
 static const struct field import_fields[] = {
@@ -206,10 +207,11 @@ static const struct field output_fields[] = {
 };
 
 static const struct field params_fields[] = {
-    FIELD(rg_compile_params, U32, view.width),     FIELD(rg_compile_params, U32, view.height),
-    FIELD(rg_compile_params, U32, sharing),        FIELD(rg_compile_params, U32, queues),
-    FIELD(rg_compile_params, MISSING, techniques), FIELD(rg_compile_params, MISSING, outputs),
-    FIELD(rg_compile_params, MISSING, imports),
+    FIELD(rg_compile_params, U32, view.width),      FIELD(rg_compile_params, U32, view.height),
+    FIELD(rg_compile_params, U32, sharing),         FIELD(rg_compile_params, U32, queues),
+    FIELD(rg_compile_params, MISSING, techniques),  FIELD(rg_compile_params, MISSING, outputs),
+    FIELD(rg_compile_params, MISSING, imports),     FIELD(rg_compile_params, U32, max_view.width),
+    FIELD(rg_compile_params, U32, max_view.height),
 };
 
 static const struct field technique_fields[] = {

@@ -286,7 +286,7 @@ static bool row_writes(const struct rg_pass *row, const struct rg_image *image)
 static bool falls_back(const struct hazard *h, const struct rg_use *use)
 {
     const struct rg_compile_params *params = h->params;
-    if (!use->fallback)
+    if (!use->fallback || !use->image)
         return false;
     const struct rg_image *image = use->image->previous ? use->image->previous : use->image;
     for (size_t i = 0; i < params->import_count; i++) {
