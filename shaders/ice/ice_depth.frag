@@ -7,7 +7,9 @@
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D back;
 
-layout(location = 0) out vec4 layers; /* front depth, back depth, thickness, metres */
+layout(location = 0) out float layer_front; /* metres */
+layout(location = 1) out float layer_back;
+layout(location = 2) out float thickness;
 
 /* Returns the ratio of distance along this pixel's primary ray to view-space depth. */
 float slant()
@@ -23,7 +25,7 @@ void main()
     float depth_back = texelFetch(back, pixel, 0).r;
     if (depth_back == 0.0)
         discard;
-    layers.x = depth_front == 1.0 ? 0.0 : fitted_view_depth(depth_front);
-    layers.y = fitted_view_depth(depth_back);
-    layers.z = max(layers.y - layers.x, 0.0) * slant();
+    layer_front = depth_front == 1.0 ? 0.0 : fitted_view_depth(depth_front);
+    layer_back = fitted_view_depth(depth_back);
+    thickness = max(layer_back - layer_front, 0.0) * slant();
 }

@@ -125,12 +125,15 @@ static void put_row(const struct target *target, char *to, const float *from, si
 static void write_layer(const struct target *target, const struct image *image)
 {
     const size_t size = type_sizes[target->type];
-    for (uint32_t c = 0; c < target->channels; c++) {
-        const float *plane = image_find(image, target->layer->planes[c]);
-        for (size_t y = 0; y < image->height; y++) {
-            char *to = target->data + (ptrdiff_t)y * target->row_stride + (ptrdiff_t)(c * size);
-            put_row(target, to, plane ? &plane[y * image->width] : NULL, image->width);
-        }
+    const float *planes[FRAME_LAYER_PLANES];
+    for (uint32_t c = 0; c < target->channels; c++)
+        planes[c] = image_find(image, target->layer->planes[c]);
+    /* Rows in the outer loop: all channels of a row are written while it is in the cache. */
+    for (size_t y = 0; y < image->height; y++) {
+        char *to = target->data + (ptrdiff_t)y * target->row_stride;
+        for (uint32_t c = 0; c < target->channels; c++)
+            put_row(target, to + c * size, planes[c] ? &planes[c][y * image->width] : NULL,
+                    image->width);
     }
 }
 

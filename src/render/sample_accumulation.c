@@ -49,15 +49,20 @@ void accumulate_sample(struct image *image, const struct tile *tile,
     assert(is_half(format) || size == channel_count(format) * sizeof(float));
     if (sample && !layer->mean)
         return;
-    for (uint32_t p = 0; p < frame_layer_plane_count(layer); p++) {
-        float *plane = image_find(image, layer->planes[p]);
-        for (uint32_t y = 0; y < tile->height; y++) {
-            float *row = &plane[(size_t)(tile->y + y) * image->width + tile->x];
-            const char *source = (const char *)texels + size * tile->width * y;
+    float *planes[FRAME_LAYER_PLANES];
+    const uint32_t count = frame_layer_plane_count(layer);
+    for (uint32_t p = 0; p < count; p++)
+        planes[p] = image_find(image, layer->planes[p]);
+    /* Rows in the outer loop: all channels of a row are read while it is in the cache. */
+    for (uint32_t y = 0; y < tile->height; y++) {
+        const size_t first = (size_t)(tile->y + y) * image->width + tile->x;
+        const char *source = (const char *)texels + size * tile->width * y;
+        for (uint32_t p = 0; p < count; p++) {
             if (is_half(format))
-                add_half(row, tile->width, source, layer->first_channel + p, channel_count(format));
+                add_half(&planes[p][first], tile->width, source, layer->first_channel + p,
+                         channel_count(format));
             else
-                add_float(row, tile->width, source, layer->first_channel + p,
+                add_float(&planes[p][first], tile->width, source, layer->first_channel + p,
                           channel_count(format));
         }
     }

@@ -7,9 +7,6 @@
  * Depth is 0 at the near plane and 1 at the far plane (metres: see linearize_depth.glsl). */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
-/* AOV layer in metres: front depth, back depth, thickness along the view ray; 0 without ice. */
-extern const struct rg_image ice_depth_layers;
-
 /* Sets up a pass's depth test to reject fragments behind the farthest back face. */
 #define ICE_DEPTH_BEFORE_BACK \
     .depth = { &ice_depth_back, RG_LOAD_KEEP }, .depth_read_only = true, \

@@ -149,7 +149,7 @@ static const struct technique_import imports[] = {
 static const struct frame_layer layers[] = {
     {
         .name = "Z",
-        .image = &gbuffer_position,
+        .image = &gbuffer_normal,
         .planes = { "Z" },
         .first_channel = 3,
         .shown = FRAME_SHOWN_DISTANCE,
@@ -182,7 +182,7 @@ static const struct frame_layer layers[] = {
     },
     {
         .name = "distance",
-        .image = &gbuffer_normal,
+        .image = &gbuffer_position,
         .planes = { "distance.Z" },
         .first_channel = 3,
         .shown = FRAME_SHOWN_DISTANCE,

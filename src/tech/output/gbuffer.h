@@ -4,8 +4,11 @@
 #include "shaders/output/gbuffer.h"
 #include "src/tech/technique.h"
 
-extern const struct rg_image gbuffer_normal; /* unit, outward, world; 0: no surface */
-/* xyz: world-space position, metres; w: view-space depth, metres, or GBUFFER_NOTHING */
+/* xyz: unit, outward, world-space normal, or 0; w: view-space depth, metres, or GBUFFER_NOTHING.
+ * The depth lies beside the normal because layers N and Z are often requested without P: then only
+ * one image is read back. */
+extern const struct rg_image gbuffer_normal;
+/* xyz: world-space position, metres; w: distance from the camera, metres, or GBUFFER_NOTHING */
 extern const struct rg_image gbuffer_position;
 extern const struct rg_image gbuffer_object; /* object number; 0: no surface */
 extern const struct rg_image gbuffer_depth;  /* reversed depth of surroundings and object */
