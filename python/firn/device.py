@@ -6,6 +6,7 @@ import ctypes
 import html
 import logging
 import os
+import sys
 import weakref
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -424,6 +425,19 @@ class _NativeRenderer(_Handle):
         self.size = size
 
 
+def _find_unshared(arrays, shape, count):
+    """Returns an array of this shape that has `count` references as CPython counts them here."""
+    for array in arrays:
+        if sys.getrefcount(array) == count and array.shape == shape:
+            return array
+    return None
+
+
+# The count of an array that only the container refers to. It differs between versions of CPython.
+_UNSHARED_COUNT = next(count for count in range(1, 10) if _find_unshared(
+    collections.deque([np.empty(())]), (), count) is not None)
+
+
 class Renderer:
     """
     Draws views of a scene. Consecutive views of one size share a compiled frame and an uploaded
@@ -438,6 +452,7 @@ class Renderer:
             if name not in known:
                 raise UsageError(f'no layer {name!r}; there are {", ".join(known)}')
         self._layers = {name: known[name] for name in names}
+        self._recent = {name: collections.deque(maxlen=2) for name in names}
         self._native = None
         self._closed = False
 
@@ -476,10 +491,20 @@ class Renderer:
         return camera_of_struct(struct, size)
 
     def _arrays(self, size) -> dict:
-        def array(layer):
+        """
+        Returns arrays for a frame. Arrays of the last two frames are reused once nothing else
+        refers to them or to views of them: page faults of new memory cost up to a quarter of a
+        frame's time.
+        """
+        def array(name, layer):
             shape = (size[1], size[0]) + ((layer['channels'],) if layer['channels'] > 1 else ())
-            return np.empty(shape, layer['dtype'])
-        return {name: array(layer) for name, layer in self._layers.items()}
+            recent = self._recent[name]
+            found = _find_unshared(recent, shape, _UNSHARED_COUNT)
+            if found is None:
+                found = np.empty(shape, layer['dtype'])
+                recent.append(found)
+            return found
+        return {name: array(name, layer) for name, layer in self._layers.items()}
 
     def _frame(self, arrays: dict, camera: Camera) -> Frame:
         return Frame(arrays, camera, [name for name in self._asked if layer_of(name) != name])

@@ -344,6 +344,19 @@ class Firn(unittest.TestCase):
         np.testing.assert_array_equal(next(ticket).display, first)
         self.assertGreater(renderer.render(VIEW).display.mean(), first.mean() + 20)
 
+    def test_kept_arrays_are_not_reused(self):
+        with self.device.load('ice-cube', **OPTIONS) as scene:
+            renderer = scene.renderer(('rgb', 'Z'), samples=1)
+            first = renderer.render(size=SIZE)
+            kept, view = first.Z, first.rgb[10:, :, 1]
+            copies = kept.copy(), view.copy()
+            del first
+            for _ in range(4):
+                other = renderer.render(VIEW)
+                self.assertGreater(np.abs(other.Z - kept).max(), 0)
+        np.testing.assert_array_equal(kept, copies[0])
+        np.testing.assert_array_equal(view, copies[1])
+
     def test_missing_reader(self):
         """The error names the variable that names the program."""
         (self.folder / 'a.glb').write_bytes(b'glTF')
