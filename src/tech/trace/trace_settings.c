@@ -34,7 +34,7 @@ static const struct setting rows[] = {
         .has_auto = true,
         .help = "path throughput below which Russian roulette decides whether a reflection is "
                 "followed; smaller values are slower and less noisy (auto: 0.01 if all objects are "
-                "clear and rays hit the surroundings, else 0.06)",
+                "clear and rays hit the surroundings, else 0.1)",
     },
     {
         .name = "trace.surroundings",
@@ -180,7 +180,7 @@ bool trace_hits_surroundings(const struct scene *scene, const struct settings *s
 
 /* Throughput for Russian roulette with trace.min_branch=auto. For clear objects it is below 0.018,
  * the reflectance of ice at normal incidence: the first internal reflection has no noise. */
-static const float branch_of_clear = 0.01f, branch_of_others = 0.06f;
+static const float branch_of_clear = 0.01f, branch_of_others = 0.1f;
 
 float trace_branch_throughput(const struct scene *scene, const struct settings *settings)
 {
